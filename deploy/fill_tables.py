@@ -514,17 +514,32 @@ def machine(reports, before):
 # Cameras.
 
 
-def hands(reports):
-    def share(value):
-        return DASH if value is None or not math.isfinite(value) else f"{100 * value:.1f} %"
+HAND_TRIALS = {"first": "first sight", "followed": "followed"}  # the report's other rows are gestures
 
-    names = {"first": "first sight"}
-    return table(["Networks", "trial", "cameras", "seen", "points right", "side right", "gesture right", "points off", "lateral mm", "depth mm",
-                  "turned °", "bends", "find ms", "fit ms"],
-                 [[row["nets"], names.get(row["trial"], row["trial"]), row["cameras"], *(share(row[key]) for key in
-                   ("seen", "right_points", "right_side", "right_gesture", "points_median")), f"{row['lateral_mm']:.1f}", f"{row['depth_mm']:.1f}",
+
+def hands(reports):
+    return table(["Networks", "trial", "cameras", "seen", "points right", "side right", "points off", "lateral mm", "depth mm", "turned °", "bends",
+                  "find ms", "fit ms"],
+                 [[row["nets"], HAND_TRIALS[row["trial"]], row["cameras"], *(f"{100 * row[key]:.1f} %" for key in
+                   ("seen", "right_points", "right_side", "points_median")), f"{row['lateral_mm']:.1f}", f"{row['depth_mm']:.1f}",
                    f"{row['turn_deg']:.1f}", f"{row['flexion_median']:.3f}", f"{row['find_ms']:.1f}", f"{row['fit_ms']:.2f}"]
-                  for row in reports.rows("hands")])
+                  for row in reports.rows("hands") if row["trial"] in HAND_TRIALS])
+
+
+def hand_gestures(reports):
+    rows = {(row["nets"], row["trial"]): row for row in reports.rows("hands") if row["trial"] not in HAND_TRIALS}
+    names = [name for nets, name in rows if nets == "full"]
+
+    def told(nets, made):
+        row = rows[nets, made]
+        others = sorted((-row[name], name) for name in (*names, "none") if name != made and row[name] > 0)
+        return [f"{100 * row['right_gesture']:.1f} %", ", ".join(f"{'none' if name == 'none' else f'`{name}`'} {-100 * part:.0f} %" for part, name in others) or DASH]
+
+    def mean(nets):
+        return f"**{100 * sum(rows[nets, name]['right_gesture'] for name in names) / len(names):.1f} %**"
+
+    return table(["Made", "full: right", "taken for", "lite: right", "taken for"],
+                 [[f"`{name}`", *told("full", name), *told("lite", name)] for name in names] + [["mean", mean("full"), "", mean("lite"), ""]])
 
 
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
@@ -533,7 +548,7 @@ TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bul
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
-          "contact": contact, "hands": hands,
+          "contact": contact, "hands": hands, "hand-gestures": hand_gestures,
           **{f"trade-{case}": trade_case(case) for case in ERROR_KEYS},
           **{f"refine-{body}": refine(body) for body in ("layer", "organ", "liver")}, "references": references}
 

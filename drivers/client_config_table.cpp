@@ -280,6 +280,18 @@ void add_tracker(Keys& keys) {
     return ConfigValue(*c.tracker_device.hand_length);
   };
   keys.push_back(length);
+  ConfigKey networks;
+  networks.name = "tracker.hand_networks";
+  networks.member = "tracker_device.hand_nets";
+  networks.choices = {"full", "lite"};
+  networks.help = "bare hands: `lite` takes half of the time and errs more";
+  networks.set = [](ClientConfig& c, const ConfigValue& v) {
+    c.tracker_device.hand_nets = std::get<std::string>(v) == "lite" ? HandNets::lite : HandNets::full;
+  };
+  networks.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    return ConfigValue(std::string(c.tracker_device.hand_nets == HandNets::lite ? "lite" : "full"));
+  };
+  keys.push_back(networks);
   keys.push_back(plain<std::string>(
       "tracker.second_lens", "tracker_device.second_lens",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.second_lens; }, "",

@@ -12,6 +12,7 @@
 #include "common/eye_distance.h"
 #include "common/math.h"
 #include "common/messages.h"
+#include "drivers/camera/hands/hand_nets.h"
 
 namespace prosector {
 
@@ -112,6 +113,7 @@ struct DeviceConfig {
   std::string second_lens;  // bare hands: that of a second camera
   Pose first_second;        // bare hands: a second camera's pose in the first one's frame
   std::optional<double> hand_length;  // bare hands: m, wrist to the middle finger's tip; unknown: our hand's
+  HandNets hand_nets = HandNets::full;       // bare hands
   double eye_distance = usual_eye_distance;  // face: m, between the user's pupils; depth errs as it does
   std::array<std::string, max_stations>
       boards{};       // camera: each station's, a known board's name or a file; empty: none

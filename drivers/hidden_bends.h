@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Returns the bends by which a glove's thresholds tell a gesture of what a camera saw: growing, 0 and 1 as
-/// they are.
+/// Returns the bends by which a glove's thresholds tell a gesture of what a camera saw: 0 and 1 as they are.
+/// Each grows with its own, but where all four fingers are seen half bent, and alike: that is a fist.
 std::array<double, fingers> bends_for_gestures(const std::array<double, fingers>& seen);
 
 }  // namespace prosector

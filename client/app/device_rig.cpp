@@ -27,8 +27,7 @@ Pose along_shaft(const Pose& tip, const Pose& mount) {
 }
 
 constexpr std::uint32_t first_button = 1;
-constexpr double unseen_tablet = 1;                     // s, after which it says so
-constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
+constexpr double unseen_tablet = 1;  // s, after which it says so
 
 /// Makes stations 1 and 2 the hands that the tracker knows by itself. Other roles follow, whatever stations
 /// they were given.
@@ -140,7 +139,7 @@ void DeviceRig::take_headset(const TrackedUser& user) {
   if (user.head) {
     input_.head_tracked = true;
     input_.head = *user.head;
-    head_seen_ns_ = user.time_ns;
+    head_life_.see(user.time_ns);
   }
   for (std::size_t hand : {left_hand, right_hand}) {
     if (!user.hands[hand]) continue;
@@ -150,7 +149,7 @@ void DeviceRig::take_headset(const TrackedUser& user) {
     const std::uint32_t pressed =
         user.hands[hand]->buttons & ~std::exchange(mine.buttons, user.hands[hand]->buttons);
     if ((pressed & menu_button) != 0 && !appears) triggers_.push_back({GestureEvent::panel, hand});
-    hand_seen_ns_[hand] = user.time_ns;
+    hand_life_[hand].see(user.time_ns);
     DeviceSample bends;
     bends.flexion = user.hands[hand]->flexion;
     bends.gesture = headset_gestures_[hand].update(bends.flexion);
@@ -166,14 +165,14 @@ void DeviceRig::take_tracker(const DeviceSample& sample) {
   if (role == StationRole::head) {
     input_.head_tracked = true;
     input_.head = sample.pose;
-    head_seen_ns_ = sample.time_ns;
+    head_life_.see(sample.time_ns);
   } else if (role == StationRole::right_hand || role == StationRole::left_hand) {
     const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
     input_.hands[hand].tracked = true;
     input_.hands[hand].pose = seen_wrists_[hand] = sample.pose;
     input_.hands[hand].buttons = sample.buttons;
     tracker_sample_[hand] = sample;
-    hand_seen_ns_[hand] = sample.time_ns;
+    hand_life_[hand].see(sample.time_ns);
   } else if (role == StationRole::tablet) {
     take_held(HeldThing::tablet, sample, sample.pose);
   } else if (role == StationRole::instrument) {
@@ -185,7 +184,7 @@ void DeviceRig::take_tracker(const DeviceSample& sample) {
 void DeviceRig::take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose) {
   const auto index = static_cast<std::size_t>(thing);
   input_.held[index] = {true, pose};
-  held_seen_ns_[index] = sample.time_ns;
+  held_life_[index].see(sample.time_ns);
 }
 
 /// Lets bare hands before a camera work the user's tablet.
@@ -201,7 +200,7 @@ void DeviceRig::press_tablet() {
     HandPose& mine = input_.hands[hand];
     if (!mine.tracked) continue;
     mine.pose = seen_wrists_[hand];
-    if (tablet.tracked) mine = press_.follow(hand, mine, tablet.pose, eye_, hand_seen_ns_[hand]);
+    if (tablet.tracked) mine = press_.follow(hand, mine, tablet.pose, eye_, hand_life_[hand].seen_ns());
   }
 }
 
@@ -233,10 +232,10 @@ void DeviceRig::take_buttons(std::size_t hand, const DeviceSample& sample) {
 
 void DeviceRig::expire(std::int64_t now_ns) {
   for (std::size_t thing = 0; thing < held_things; ++thing)
-    if (now_ns - held_seen_ns_[thing] > pose_lifetime_ns) input_.held[thing].tracked = false;
-  if (now_ns - head_seen_ns_ > pose_lifetime_ns) input_.head_tracked = false;
+    if (held_life_[thing].is_over(now_ns)) input_.held[thing].tracked = false;
+  if (head_life_.is_over(now_ns)) input_.head_tracked = false;
   for (std::size_t hand : {left_hand, right_hand})
-    if (now_ns - hand_seen_ns_[hand] > pose_lifetime_ns) {
+    if (hand_life_[hand].is_over(now_ns)) {
       input_.hands[hand].tracked = false;
       tracker_sample_[hand].reset();
     }
@@ -254,8 +253,8 @@ std::vector<std::string> DeviceRig::take_news() {
                               status.message.empty() ? "" : ": ", status.message));
   }
   const std::size_t tablet = static_cast<std::size_t>(HeldThing::tablet);
-  const bool rests = held_seen_ns_[tablet] != 0 && !input_.held[tablet].tracked &&
-                     seconds_since(held_seen_ns_[tablet]) > unseen_tablet;
+  const bool rests = held_life_[tablet].seen_ns() != 0 && !input_.held[tablet].tracked &&
+                     seconds_since(held_life_[tablet].seen_ns()) > unseen_tablet;
   if (rests != tablet_rests_ && (rests || input_.held[tablet].tracked)) {
     tablet_rests_ = rests;
     out.emplace_back(rests ? "tablet: it isn't seen; the panel rests where it was, and is soon let go"

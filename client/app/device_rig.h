@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/app/headset_user.h"
+#include "client/app/pose_life.h"
 #include "client/app/tablet_press.h"
 #include "common/messages.h"
 #include "drivers/client_config.h"
@@ -65,9 +66,9 @@ class DeviceRig {
   std::vector<Entry> devices_;
   HandInput input_;
   std::array<std::optional<DeviceSample>, 2> tracker_sample_;
-  std::array<std::int64_t, 2> hand_seen_ns_{};
-  std::int64_t head_seen_ns_ = 0;
-  std::array<std::int64_t, held_things> held_seen_ns_{};
+  std::array<PoseLife, 2> hand_life_;
+  PoseLife head_life_;
+  std::array<PoseLife, held_things> held_life_;
   bool tablet_rests_ = false;        // as was told last
   TabletPress press_;                // of bare hands before a camera
   std::array<Pose, 2> seen_wrists_;  // as the camera has them

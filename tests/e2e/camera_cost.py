@@ -45,8 +45,11 @@ def film():
     if not clip.exists():
         Program(BIN / "prosector-client", "camera", "record", f"synthetic:{OUT}/scene.toml", "--out", clip, "--seconds", FILM).ended(600)
     text = config.read_text().replace(scene.address, f"hands:{clip}").replace("[tracker]\n", '[tracker]\nlens = "film.toml"\n')
-    for name, board in (("hands", ""), ("tablet", "[tracker.stations]\ntablet.station = 3\n")):
-        (OUT / f"{name}.toml").write_text(text.split("[tracker.stations]")[0] + board)
+    text = text.split("[tracker.stations]")[0]
+    tablet = "[tracker.stations]\ntablet.station = 3\n"
+    (OUT / "hands.toml").write_text(text)
+    (OUT / "tablet.toml").write_text(text + tablet)
+    (OUT / "lite.toml").write_text(text.replace("[tracker]\n", '[tracker]\nhand_networks = "lite"\n') + tablet)
 
 
 def threads(pid):
@@ -107,7 +110,8 @@ def measure(name, config, *display):
 OUT.mkdir(parents=True, exist_ok=True)
 film()
 see = ("--display", "ar", "--picture-log", OUT / "drawn.csv")
+plain = ("--fps", "10", "--effect", "shadows=off", "--effect", "edges=off")
 rows = [measure("two bare hands", "hands", "--display", "none"), measure("and the tablet", "tablet", "--display", "none"), measure("and see-through", "tablet", *see),
-        measure("10 pictures, no shadows", "tablet", *see, "--fps", "10", "--effect", "shadows=off", "--effect", "edges=off")]
+        measure("10 pictures, no shadows", "tablet", *see, *plain), measure("and lite networks", "lite", *see, *plain)]
 model = [line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")]
 (OUT / "cost.json").write_text(json.dumps({"machine": f"{model[0]}, {len(model)} cores; load average {os.getloadavg()[0]:.1f}", "quality": QUALITY, "rows": rows}, indent=2) + "\n")

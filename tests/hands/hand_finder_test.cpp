@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "common/error.h"
+#include "drivers/camera/hands/hand_tracker.h"
+#include "drivers/device.h"
 #include "drivers/hidden_bends.h"
 #include "tests/gesture_bends.h"
 #include "tests/hands/hand_trial.h"
@@ -75,6 +77,54 @@ TEST(HiddenBends, GrowAndEndWhereTheyBegan) {
   }
   for (const double bend : before) EXPECT_EQ(bend, 1);
   for (const double bend : bends_for_gestures({9, 9, 9, -9, -9})) EXPECT_TRUE(bend == 0 || bend == 1);
+}
+
+Gesture told(const std::array<double, fingers>& seen) {
+  return GestureDetector(thresholds_of(DeviceConfig{})).update(bends_for_gestures(seen));
+}
+
+TEST(HiddenBends, FourFingersHalfBentAlikeAreAFist) {
+  EXPECT_EQ(told({0.5, 0.44, 0.47, 0.45, 0.5}), Gesture::fist) << "from behind";
+  EXPECT_NE(told({0.5, 0.36, 0.47, 0.45, 0.5}), Gesture::fist) << "a finger apart";
+  EXPECT_NE(told({0.5, 0.38, 0.4, 0.39, 0.4}), Gesture::fist) << "a hand at rest";
+  EXPECT_EQ(told({0.5, 0.1, 0.51, 0.52, 0.51}), Gesture::point);
+}
+
+/// Turns the back of a hand to the camera above it, its fingers away from the camera by that angle.
+Quat from_behind(double away) {
+  Mat3 upright;
+  upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return (Quat(Eigen::AngleAxisd(-away, Vec3::UnitX())) * Eigen::AngleAxisd(3.14159265, Vec3::UnitY()) *
+          Quat(upright))
+      .normalized();
+}
+
+TEST_F(HandsInPictures, AreFistsFromBehindToo) {
+  HandTracker tracker(nets_, HandNets::full, 1, 1);
+  std::int64_t now_ns = 0;
+  for (const double away : {0.3, 0.5, 0.7}) {
+    Random random(41);
+    BentHand hand{right_hand, {Vec3::Zero(), from_behind(away)}, {0.1, 0.1, 0.1, 0.1, 0.1}};
+    hand.camera_wrist.p = Vec3(0.02, 0.02, 0.5) - hand.camera_wrist.q * Vec3(0, 0, -0.09);
+    HandScene scene = random_scene(random, hand);
+    scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
+    scene.wall = {0.1F, 0.15F, 0.2F};
+    tracker.set_eye(0, {scene.lens, {}});
+    now_ns += 1'000'000'000;
+    GestureDetector detector(thresholds_of(DeviceConfig{}));
+    std::vector<Gesture> all;
+    for (int k = 0; k < 10; ++k) {
+      const double closed = std::clamp((k - 2) / 4.0, 0.0, 1.0);
+      for (double& bend : scene.hands[0].flexion) bend = 0.1 + 0.9 * closed;
+      scene.hands[0].flexion[0] = 0.1 + 0.7 * closed;
+      now_ns += 66'666'667;
+      for (const TrackedHand& tracked : tracker.see(0, {painter().paint(scene, random), now_ns, 0}))
+        all.push_back(detector.update(bends_for_gestures(tracked.flexion)));
+    }
+    ASSERT_GE(all.size(), 8u) << away;
+    EXPECT_EQ(all.front(), Gesture::flat) << away;
+    EXPECT_EQ(without_thumb(all.back()), Gesture::fist) << away;
+  }
 }
 
 TEST_F(HandsInPictures, AreTwoOfTwoSides) {

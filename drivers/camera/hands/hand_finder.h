@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/camera/hands/hand_landmarks.h"
+#include "drivers/camera/hands/hand_nets.h"
 #include "drivers/camera/hands/palm_finder.h"
 
 namespace prosector {
@@ -16,9 +17,6 @@ struct FoundHand {
   std::uint64_t follows = 0;  // pictures before this one through which it was followed
   std::uint64_t number = 0;   // the same while it is followed
 };
-
-/// How well networks find, and how dearly.
-enum class HandNets : std::uint8_t { lite, full };
 
 class HandFinder {
  public:

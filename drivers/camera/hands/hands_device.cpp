@@ -24,7 +24,7 @@ double size_of(const DeviceConfig& config) {
 
 HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceConfig& config)
     : camera_rig_(cameras.size()),
-      tracker_(default_data_dir() / "models", HandNets::full, cameras.size(), size_of(config)),
+      tracker_(default_data_dir() / "models", config.hand_nets, cameras.size(), size_of(config)),
       chain_(config),
       awaits_table_(config.camera && !config.table.empty()),
       gestures_{GestureDetector(thresholds_of(config)), GestureDetector(thresholds_of(config))} {

@@ -143,8 +143,11 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     }
     panel.pinned = in.number<std::uint32_t>();
     panel.idle = in.number<std::uint32_t>();
-    panel.came_under =
-        read_map<decltype(panel.came_under)>(in, hand, [&] { return in.number<std::uint64_t>(); });
+    panel.came_under = read_map<decltype(panel.came_under)>(in, hand, [&] {
+      const auto segments = in.number<std::uint64_t>();
+      in.require(segments != 0, "a hand under a panel without a finger there");
+      return segments;
+    });
     for (std::size_t k = 0; k < panel_control_count; ++k) {
       panel.motions[k].position = share();
       panel.motions[k].velocity = in.number<double>();

@@ -163,10 +163,10 @@ void PanelWorld::move(ParticipantId who, Open& panel, const Pose& before, std::s
   }
 }
 
-/// Follows which segments of a hand are under the board's front and came there from beside it. They press
-/// nothing until they have been over it: on its way to the board a hand would press what it passes under.
-std::uint64_t PanelWorld::came_under(Open& panel, const PanelHand& hand) {
-  std::uint64_t& under = panel.came_under[hand.who];
+/// Returns which segments of a hand are under the board's front and came there from beside it, `under` before
+/// this tick. They press nothing until they have been over it: on its way to the board a hand would press
+/// what it passes under.
+std::uint64_t PanelWorld::came_under(const Open& panel, const PanelHand& hand, std::uint64_t under) {
   const Pose into_panel = panel.pose.inverse();
   for (std::size_t f = 0; f < std::min(hand.fingers.size(), most_fingers); ++f) {
     const std::uint64_t bit = std::uint64_t{1} << f;
@@ -187,7 +187,13 @@ std::vector<FingerSweep> PanelWorld::fingers_before(Open& panel, const Pose& bef
   });
   const Pose into_panel = panel.pose.inverse(), into_last = before.inverse();
   for (const PanelHand& hand : hands) {
-    const std::uint64_t was_under = panel.came_under[hand.who], is_under = came_under(panel, hand);
+    const auto before_it = panel.came_under.find(hand.who);
+    const std::uint64_t was_under = before_it == panel.came_under.end() ? 0 : before_it->second;
+    const std::uint64_t is_under = came_under(panel, hand, was_under);
+    if (is_under == 0)
+      panel.came_under.erase(hand.who);
+    else
+      panel.came_under[hand.who] = is_under;
     if (!presses(panel, hand)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();

@@ -98,8 +98,8 @@ class PanelWorld {
     std::array<std::uint32_t, panel_control_count> pointed{};  // ticks that a set control is still shown so
     ShownControls shown{};
     std::uint32_t idle = 0;  // ticks without touch
-    std::map<HandRef, std::uint64_t>
-        came_under;  // bits: segments that came from beside it, and press nothing
+    /// Bits, not all 0: segments of hands that came under its front from beside it, and press nothing.
+    std::map<HandRef, std::uint64_t> came_under;
   };
   /// A hand on a body, for how long.
   struct Rest {
@@ -138,7 +138,7 @@ class PanelWorld {
   void move(ParticipantId who, Open& panel, const Pose& before, std::span<const PanelHand> hands);
   static bool reaches_head(const Open& panel, const PanelHand& hand);
   static bool presses(const Open& panel, const PanelHand& hand);
-  static std::uint64_t came_under(Open& panel, const PanelHand& hand);
+  static std::uint64_t came_under(const Open& panel, const PanelHand& hand, std::uint64_t under);
   std::vector<FingerSweep> fingers_before(Open& panel, const Pose& before,
                                           std::span<const PanelHand> hands) const;
   void feel(const PanelHand& hand, const PanelSubjects& subjects);
