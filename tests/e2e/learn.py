@@ -17,6 +17,7 @@ from lesson import Lesson
 
 BESIDE, BELOW = (820, 0), (0, 640)  # places of further windows on the screen
 ROUND, PRESSES = 24, 10             # s: of the scripts of deploy/demo, and from their begin until the hand is in the liver
+FILM = 8  # s, of the hand that presses
 COST, ERROR = "ms_per_frame", "error_continuum"
 
 
@@ -177,7 +178,28 @@ def researcher(lesson):
     print(said)
 
 
-LESSONS = {"host": host, "headset": headset, "desk": desk, "observer": observer, "researcher": researcher}
+def webcam(lesson):
+    lesson.run("prosector-board", "boards.log", 120)
+    said = lesson.run("camera record", "camera.log", 300)
+    print(said)
+    said = lesson.run("camera calibrate", "calibrate.log", 120)
+    print(said)
+    lesson.run("cat > webcam.toml", "config.log")
+    lesson.start("prosector-server", "server.log").waits_for("is open on this machine", 120)
+    ann = lesson.start("--name Ann", "ann.log")
+    through = lesson.window()
+    ann.waits_for("tracker .*streaming")
+    ann.waits_for("everything is here")
+    lesson.start("--name Ben", "ben.log").waits_for("everything is here")
+    outside = lesson.window(BELOW)
+    time.sleep(2 * FILM)
+    lesson.keep(through.picture(), "through")
+    lesson.keep(outside.picture(), "outside")
+    said = lesson.run("selftest hands", "selftest.log")
+    print(said)
+
+
+LESSONS = {"host": host, "headset": headset, "desk": desk, "observer": observer, "researcher": researcher, "webcam": webcam}
 
 
 def main():
