@@ -21,7 +21,8 @@ constexpr const char* no_devices = "# none\n";
 TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
     PagesRoom room(no_devices, scale, scale);
-    for (const char* page : {"Enter", "Devices", "Tracker", "Glove", "Camera", "Pictures", "Checks"}) {
+    for (const char* page :
+         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -36,7 +37,7 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
 // A window that is too narrow for both panels of a page has one below the other, and scrolls.
 TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
   PagesRoom room(no_devices, 2);
-  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Pictures"}) {
+  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Window", "Pictures"}) {
     room.click(page);
     room.picture(std::string(page) + "-narrow");
     for (const PlacedControl& c : room.placed())
