@@ -44,11 +44,7 @@ std::vector<double> parse_numbers(const std::string& text, char between) {
 }
 
 StationRole parse_role(const std::string& name, const ClientConfig& config) {
-  if (name.empty()) {
-    const bool instrument = std::find(config.stations.begin(), config.stations.end(),
-                                      StationRole::instrument) != config.stations.end();
-    return instrument ? StationRole::instrument : StationRole::right_hand;
-  }
+  if (name.empty()) return touching_role(config);
   for (const StationRole role :
        {StationRole::head, StationRole::left_hand, StationRole::right_hand, StationRole::instrument})
     if (name == role_name(role)) return role;

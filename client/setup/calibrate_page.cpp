@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <array>
+#include <utility>
 
 #include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
@@ -70,6 +71,7 @@ void CalibratePage::draw_choice(Interface& ui) {
 }
 
 void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
+  if (!std::exchange(knows_role_, true)) wishes_.role = touching_role(draft.config());
   ImGui::PushItemWidth(330 * static_cast<float>(ui.scale()));
   for (const Asked asked : chosen_->asked) switch (asked) {
       case Asked::role:

@@ -44,6 +44,7 @@ class CalibratePage {
       .landmarks = {{-0.1, 0, 0.1}, {0.1, 0, 0.1}, {0.1, 0, -0.1}, {-0.1, 0, -0.1}, {0, 0.15, 0}},
       .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}},
       .against = {}};
+  bool knows_role_ = false;               // whose receiver touches, from the draft or the person
   const ProcedureRow* chosen_ = nullptr;  // none: what is live
   std::unique_ptr<GuidedCalibration> running_;
   std::map<std::string, std::vector<std::string>> outcomes_;  // of each calibration, the last one

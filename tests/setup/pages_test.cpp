@@ -161,6 +161,19 @@ TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
   }
 }
 
+TEST(Pages, TakeTheInstrumentForWhatTouches) {
+  const TemporaryFile poses("instrument.csv");
+  PagesRoom room(
+      "[tracker]\naddress = \"" + going_away(poses.path) + "\"\n[tracker.stations]\ninstrument.station = 2\n",
+      1);
+  room.click("Tracker");
+  room.click("Instrument's tip");
+  room.click("begin");
+  EXPECT_EQ(room.said().words, "Step 1 of 2") << "the right hand has no receiver";
+  room.until([&] { return room.said().words == "Step 2 of 2"; });
+  EXPECT_EQ(room.said().words, "Step 2 of 2") << "the second receiver rests";
+}
+
 TEST(Pages, TellWhereATabletIs) {
   const TemporaryFile poses("tablet.csv");
   PagesRoom room("[tracker]\naddress = \"" + going_away(poses.path) +
