@@ -17,6 +17,7 @@
 #include "drivers/fitting/room_guide.h"
 #include "drivers/fitting/timed_guides.h"
 #include "drivers/fitting/tip_guide.h"
+#include "drivers/tracker_roles.h"
 
 namespace prosector {
 namespace {
@@ -26,6 +27,7 @@ struct Calibration {
   const CalibrateOptions& options;
   ClientConfig config;
   StationRole role;
+  ClientConfig seen = seen_for(config, role);  // with the tracker that sees the role
 };
 
 std::vector<double> parse_numbers(const std::string& text, char between) {
@@ -42,11 +44,7 @@ std::vector<double> parse_numbers(const std::string& text, char between) {
 }
 
 StationRole parse_role(const std::string& name, const ClientConfig& config) {
-  if (name.empty()) {
-    const bool instrument = std::find(config.stations.begin(), config.stations.end(),
-                                      StationRole::instrument) != config.stations.end();
-    return instrument ? StationRole::instrument : StationRole::right_hand;
-  }
+  if (name.empty()) return touching_role(config);
   for (const StationRole role :
        {StationRole::head, StationRole::left_hand, StationRole::right_hand, StationRole::instrument})
     if (name == role_name(role)) return role;
@@ -60,7 +58,7 @@ void check_tracker(const Calibration& c) {
 
 std::unique_ptr<Device> open_tracker(const Calibration& c, const DeviceConfig& device) {
   check_tracker(c);
-  return open_device(c.config.tracker, device);
+  return open_device(c.seen.tracker, device);
 }
 
 /// Reads the places that an option was given.
@@ -75,8 +73,8 @@ std::vector<Vec3> parse_places(const char* option, const std::vector<std::string
 }
 
 GuideOutcome calibrate_room(const Calibration& c) {
-  RoomGuide guide(c.config, c.role, parse_places("--point", c.options.points));
-  run_guide(guide, *open_tracker(c, RoomGuide::device(c.config)), c.options.patience);
+  RoomGuide guide(c.seen, c.role, parse_places("--point", c.options.points));
+  run_guide(guide, *open_tracker(c, RoomGuide::device(c.seen)), c.options.patience);
   return guide.outcome();
 }
 
@@ -84,14 +82,14 @@ GuideOutcome calibrate_phantom(const Calibration& c) {
   PhantomGuide guide(c.config, c.role, parse_places("--point", c.options.points),
                      parse_places("--target", c.options.targets));
   check_tracker(c);
-  run_guide(guide, *open_device(PhantomGuide::address(c.config), PhantomGuide::device(c.config)),
+  run_guide(guide, *open_device(boards_address(c.config.tracker), PhantomGuide::device(c.config)),
             c.options.patience);
   return guide.outcome();
 }
 
 GuideOutcome calibrate_tip(const Calibration& c) {
-  TipGuide guide(c.config, c.role);
-  run_guide(guide, *open_tracker(c, TipGuide::device(c.config, c.role)), c.options.patience);
+  TipGuide guide(c.seen, c.role);
+  run_guide(guide, *open_tracker(c, TipGuide::device(c.seen, c.role)), c.options.patience);
   return guide.outcome();
 }
 
@@ -101,8 +99,8 @@ GuideOutcome calibrate_field(const Calibration& c) {
   if (!o.orientation.empty())
     grid.orientation =
         Quat(o.orientation[0], o.orientation[1], o.orientation[2], o.orientation[3]).normalized();
-  FieldGuide guide(c.config, c.role, grid, o.map.string());
-  run_guide(guide, *open_tracker(c, FieldGuide::device(c.config)), o.patience);
+  FieldGuide guide(c.seen, c.role, grid, o.map.string());
+  run_guide(guide, *open_tracker(c, FieldGuide::device(c.seen)), o.patience);
   const FieldFit fit = guide.fit();
   if (o.write) {
     const std::filesystem::path file = o.config.parent_path() / o.map;
@@ -123,8 +121,8 @@ GuideOutcome calibrate_glove(const Calibration& c) {
 }
 
 GuideOutcome calibrate_noise(const Calibration& c) {
-  RestGuide guide(station_with_role(c.config, c.role), c.options.seconds);
-  run_guide(guide, *open_tracker(c, c.config.tracker_device), c.options.patience);
+  RestGuide guide(station_with_role(c.seen, c.role), c.options.seconds);
+  run_guide(guide, *open_tracker(c, c.seen.tracker_device), c.options.patience);
   return guide.outcome();
 }
 
@@ -143,9 +141,9 @@ void take_log(const std::filesystem::path& file, std::size_t station, DelayGuide
 }
 
 GuideOutcome calibrate_latency(const Calibration& c) {
-  const std::size_t station = station_with_role(c.config, c.role);
+  const std::size_t station = station_with_role(c.seen, c.role);
   DelayGuide guide(station, c.options.seconds);
-  const auto device = open_tracker(c, c.config.tracker_device);
+  const auto device = open_tracker(c, c.seen.tracker_device);
   if (std::filesystem::exists(c.options.against)) {
     run_guide(guide, *device, c.options.patience);
     take_log(c.options.against, station, guide);

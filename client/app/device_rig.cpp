@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "common/rotation_between.h"
 #include "drivers/camera/shared_camera.h"
+#include "drivers/tracker_roles.h"
 
 namespace prosector {
 namespace {
@@ -28,25 +29,6 @@ Pose along_shaft(const Pose& tip, const Pose& mount) {
 
 constexpr std::uint32_t first_button = 1;
 constexpr double unseen_tablet = 1;  // s, after which it says so
-
-/// Makes stations 1 and 2 the hands that the tracker knows by itself. Other roles follow, whatever stations
-/// they were given.
-void put_hands_first(ClientConfig& config) {
-  const ClientConfig given = config;
-  DeviceConfig& device = config.tracker_device;
-  config.stations = {StationRole::right_hand, StationRole::left_hand};
-  device.boards = {};
-  std::size_t next = 2;
-  for (std::size_t k = 0; k < max_stations && next < max_stations; ++k) {
-    const StationRole role = given.stations[k];
-    if (role == StationRole::none || role == StationRole::right_hand || role == StationRole::left_hand)
-      continue;
-    config.stations[next] = role;
-    device.boards[next] = given.tracker_device.boards[k];
-    device.mount[next++] = given.tracker_device.mount[k];
-  }
-  device.stations = (1u << next) - 1;
-}
 
 }  // namespace
 
@@ -76,18 +58,13 @@ DeviceRig::DeviceRig(const ClientConfig& config, HeadsetUser* headset)
 /// know from the table's board where the camera stands.
 void DeviceRig::open_tracker() {
   const DriverRow& driver = driver_of(config_.tracker);
-  if (driver.knows_hands) put_hands_first(config_);
-  if (driver.knows_head) {
-    config_.stations = {StationRole::head};
-    config_.tracker_device.stations = 1;
-  }
+  settle_roles(config_);
   DeviceConfig& device = config_.tracker_device;
   const bool has_boards = std::any_of(device.boards.begin() + 2, device.boards.end(),
                                       [](const std::string& board) { return !board.empty(); });
   if (driver.knows_hands && driver.is_camera && (has_boards || !device.table.empty())) {
-    const std::string camera = first_camera(config_.tracker);
-    device.camera = shared_camera(device.camera, camera);
-    open("boards", "tags:" + camera, device, std::nullopt);
+    device.camera = shared_camera(device.camera, first_camera(config_.tracker));
+    open("boards", boards_address(config_.tracker), device, std::nullopt);
   }
   open("tracker", config_.tracker, device, std::nullopt);
 }

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <array>
+#include <utility>
 
 #include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
@@ -36,12 +37,15 @@ void CalibratePage::draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t 
   else
     draw_wishes(ui, draft);
   ImGui::Separator();
-  if (draw_draft_changes(ui, draft, said_)) live_->close();
+  if (!draw_draft_changes(ui, draft, said_)) return;
+  live_->close();
+  shape_.clear();
 }
 
 void CalibratePage::close() {
   running_.reset();
   live_->close();
+  shape_.clear();
 }
 
 void CalibratePage::choose(const ProcedureRow* row) {
@@ -66,7 +70,8 @@ void CalibratePage::draw_choice(Interface& ui) {
   }
 }
 
-void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
+void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
+  if (!std::exchange(knows_role_, true)) wishes_.role = touching_role(draft.config());
   ImGui::PushItemWidth(330 * static_cast<float>(ui.scale()));
   for (const Asked asked : chosen_->asked) switch (asked) {
       case Asked::role:
@@ -76,7 +81,8 @@ void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
         edit_hand(ui, wishes_.hand);
         break;
       case Asked::points:
-        draw_points(ui);
+        quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
+        draw_points(ui, wishes_.points);
         break;
       case Asked::grid:
         draw_grid(ui);
@@ -90,24 +96,48 @@ void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
         ImGui::InputText("the second device, DRIVER:PATH", &wishes_.against);
         ui.note("against");
         break;
+      case Asked::shape:
+        draw_shape(ui, draft);
+        break;
+      case Asked::landmarks:
+        quiet("Points of the shape to touch, in this order, all around it: in the shape's own frame, m.");
+        draw_points(ui, wishes_.landmarks);
+        edit_vector("target: its error is told", wishes_.target);
+        ui.note("target");
+        break;
     }
   ImGui::PopItemWidth();
   if (ImGui::Button("Begin")) begin(draft);
   ui.note("begin");
 }
 
-void CalibratePage::draw_points(Interface& ui) {
-  quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
-  for (std::size_t k = 0; k < wishes_.points.size(); ++k) {
+void CalibratePage::draw_points(Interface& ui, std::vector<Vec3>& points) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
     const std::string name = fmt::format("point {}", k + 1);
-    edit_vector(name.c_str(), wishes_.points[k]);
+    edit_vector(name.c_str(), points[k]);
     ui.note(name);
   }
-  if (ImGui::Button("One more")) wishes_.points.push_back(wishes_.points.back());
+  if (ImGui::Button("One more")) points.push_back(points.back());
   ui.note("one more");
   ImGui::SameLine();
-  if (ImGui::Button("One less") && wishes_.points.size() > 3) wishes_.points.pop_back();
+  if (ImGui::Button("One less") && points.size() > 3) points.pop_back();
   ui.note("one less");
+}
+
+/// Returns what the draft says of the phantom's shape.
+std::vector<CalibratePage::TypedKey> CalibratePage::shape_of(const ConfigDraft& draft) {
+  const PhantomSettings& phantom = draft.config().phantom;
+  return {{"phantom.body", "the scene's body whose shape it has", phantom.body},
+          {"phantom.mesh", "or a file of its shape", draft.named(phantom.mesh)},
+          {"phantom.board", "the board fixed to it; none: it stands still", draft.named(phantom.board)}};
+}
+
+void CalibratePage::draw_shape(Interface& ui, const ConfigDraft& draft) {
+  if (shape_.empty()) shape_ = shape_of(draft);
+  for (TypedKey& typed : shape_) {
+    ImGui::InputText(typed.name, &typed.text);
+    ui.note(typed.key);
+  }
 }
 
 void CalibratePage::draw_grid(Interface& ui) {
@@ -123,8 +153,17 @@ void CalibratePage::draw_grid(Interface& ui) {
     wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
 }
 
-void CalibratePage::begin(const ConfigDraft& draft) {
+/// Begins what is chosen. What was typed of a phantom's shape is taken into the draft before.
+void CalibratePage::begin(ConfigDraft& draft) {
   said_ = {};
+  std::vector<ConfigChange> changes;
+  const std::vector<TypedKey> known = shape_of(draft);
+  for (std::size_t k = 0; k < shape_.size(); ++k)
+    if (shape_[k].text != known[k].text) changes.push_back({shape_[k].key, shape_[k].text});
+  if (const std::string why = changes.empty() ? "" : draft.change(changes); !why.empty()) {
+    said_ = {why, true};
+    return;
+  }
   try {
     running_ = chosen_->begin(draft.config(), wishes_);
   } catch (const InputError& error) {

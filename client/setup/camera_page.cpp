@@ -21,21 +21,27 @@ constexpr const char* lens_file = "camera.toml";  // beside the configuration
 constexpr const char* shown_board = "calibration";
 constexpr ImU32 tag_shade = IM_COL32(110, 255, 140, 255), cell_shade = IM_COL32(60, 200, 110, 60);
 
-/// Returns the camera that a tracker's address names: "tags:0" names 0; empty: none does.
-std::string camera_in(const std::string& tracker) {
-  for (const char* driver : {"tags:", "hands:", "face:"})
-    if (tracker.starts_with(driver)) {
-      const std::size_t begin = std::string_view(driver).size();
-      return tracker.substr(begin, tracker.find(',') - begin);
-    }
-  return {};
+/// Returns the camera that a configuration uses: the tracker's, else that which sees the window's eyes.
+std::string known_camera(const ClientConfig& config) {
+  const std::string tracker = first_camera(config.tracker);
+  return tracker.empty() ? first_camera(config.window.address) : tracker;
 }
 
 }  // namespace
 
+std::vector<ConfigChange> naming_lens(const ClientConfig& config, const std::string& camera) {
+  const std::string lens = lens_file;
+  std::vector<ConfigChange> out;
+  if (first_camera(config.window.address) == camera) out.push_back({"window.lens", lens});
+  if (first_camera(config.tracker) == camera) out.push_back({"tracker.lens", lens});
+  if (out.empty() && config.tracker.empty())
+    out = {{"tracker.lens", lens}, {"tracker.address", "tags:" + camera}};
+  return out;
+}
+
 void CameraPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   if (found_ns_ == 0 || now_ns - found_ns_ > list_again_ns) {
-    if (found_ns_ == 0) address_ = camera_in(draft.config().tracker);
+    if (found_ns_ == 0) address_ = known_camera(draft.config());
     found_ns_ = now_ns;
     found_ = found_cameras();
   }
@@ -166,13 +172,10 @@ void CameraPage::take_fit(ConfigDraft& draft) {
                             {}};
     const std::string& tracker = draft.config().tracker;
     const std::string& known_lens = draft.config().tracker_device.lens;
-    if (tracker.empty() || camera_in(tracker) == fitted_)
-      outcome.changes.push_back({"tracker.lens", std::string(lens_file)});
-    else if (!known_lens.ends_with(lens_file))
+    outcome.changes = naming_lens(draft.config(), fitted_);
+    if (outcome.changes.empty() && !known_lens.ends_with(lens_file))
       outcome.words.push_back(fmt::format(
           "The tracker is {}, not this camera: to look through it, name the file as tracker.lens.", tracker));
-    // A lens belongs to a tracker: where none is named, this camera is to be it.
-    if (tracker.empty()) outcome.changes.push_back({"tracker.address", "tags:" + fitted_});
     outcome_ = outcome.words;
     said_ = take_outcome(draft, outcome);
     if (!said_.wrong) draft.put_beside(lens_file, write_calibration(fit.calibration));

@@ -15,6 +15,10 @@
 
 namespace prosector {
 
+/// Returns what names the lens of a camera: for the tracker and the window's eyes that are seen by it. Where
+/// neither is, and there is no tracker, the camera becomes that.
+std::vector<ConfigChange> naming_lens(const ClientConfig& config, const std::string& camera);
+
 class CameraPage {
  public:
   CameraPage() = default;

@@ -51,6 +51,12 @@ std::string ConfigDraft::change(const std::vector<ConfigChange>& changes) {
   }
 }
 
+std::string ConfigDraft::named(const std::string& file) const {
+  const std::filesystem::path folder = file_.parent_path(), path = file;
+  const auto below = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return file.empty() || below.first != folder.end() ? file : path.lexically_relative(folder).string();
+}
+
 void ConfigDraft::put_beside(const std::string& name, std::string text) {
   beside_[name] = std::move(text);
 }

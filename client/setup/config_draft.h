@@ -33,6 +33,9 @@ class ConfigDraft {
   /// Forgets what was not written, and reads the file anew.
   void revert();
 
+  /// Returns a file that config() names as the text of the configuration does: beside it where it lies there.
+  std::string named(const std::string& file) const;
+
   const ClientConfig& config() const { return config_; }
   const std::filesystem::path& file() const { return file_; }
   const std::string& problem() const { return problem_; }

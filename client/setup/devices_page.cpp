@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -80,40 +79,12 @@ void DevicesPage::change(ConfigDraft& draft, const std::vector<ConfigChange>& ch
 
 void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
   title("Devices");
-  const float label = 110 * static_cast<float>(ui.scale());
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     AddressField& field = fields_[k];
-    ImGui::PushID(field.key);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(field.name);
-    ImGui::SameLine(label);
-    const float button = ImGui::GetFrameHeight();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-    const bool entered = ImGui::InputText("##address", &field.text, ImGuiInputTextFlags_EnterReturnsTrue);
-    ui.note(field.key);
-    const bool left = ImGui::IsItemDeactivatedAfterEdit();
-    ImGui::SameLine();
-    bool picked = false;
-    if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
-      if (!field.text.empty() && ImGui::Selectable("none, until another one is named")) {
-        field.text.clear();
-        picked = true;
-      }
-      ui.note(fmt::format("none {}", field.key));
-      for (const FoundDevice& device : found_)
-        for (const std::string& address : device.addresses)
-          if (ImGui::Selectable(fmt::format("{}   ({})", address, device.name).c_str())) {
-            field.text = address;
-            picked = true;
-          }
-      if (found_.empty()) quiet("No serial port and no glove is plugged in.");
-      ImGui::EndCombo();
-    }
-    ui.note(fmt::format("found {}", field.key));
-    if ((entered || left || picked) && field.text != address_in(draft.config(), k))
+    if (edit_address(ui, field, found_, "No serial port and no glove is plugged in.") &&
+        field.text != address_in(draft.config(), k))
       change(draft, {{field.key, field.text}},
              fmt::format("{}: {}", field.name, field.text.empty() ? "none" : field.text));
-    ImGui::PopID();
   }
   if (!draft.problem().empty()) warning(draft.problem());
 }

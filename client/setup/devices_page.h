@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "client/setup/address_field.h"
 #include "client/setup/config_draft.h"
 #include "client/setup/device_watch.h"
 #include "client/setup/interface.h"
 #include "client/setup/words.h"
-#include "drivers/found_devices.h"
 
 namespace prosector {
 
@@ -25,12 +25,6 @@ class DevicesPage {
   const Said& said() const { return said_; }
 
  private:
-  /// A key that names a device, as it is typed.
-  struct AddressField {
-    const char* key;
-    const char* name;
-    std::string text;
-  };
   std::array<AddressField, 4> fields_ = {{{"tracker.address", "Tracker", {}},
                                           {"glove.right.address", "Right glove", {}},
                                           {"glove.left.address", "Left glove", {}},

@@ -7,6 +7,7 @@
 
 #include "client/setup/fields.h"
 #include "common/error.h"
+#include "drivers/tracker_roles.h"
 
 namespace prosector {
 namespace {
@@ -49,10 +50,11 @@ void EyeCrosses::begin(const ClientConfig& config, Said& said) {
   try {
     if (displays_.empty()) throw InputError("No side-by-side display is known.");
     const EyeDisplay& display = displays_[display_];
-    auto guide = std::make_unique<EyesGuide>(config, mark_, display.width, display.height, crosses_);
+    const ClientConfig seen = seen_for(config, StationRole::head);
+    auto guide = std::make_unique<EyesGuide>(seen, mark_, display.width, display.height, crosses_);
     guide_ = guide.get();
     running_ =
-        std::make_unique<GuidedCalibration>(std::move(guide), tracker_of(config), EyesGuide::device(config));
+        std::make_unique<GuidedCalibration>(std::move(guide), tracker_of(seen), EyesGuide::device(seen));
     begun_ = true;
   } catch (const InputError& error) {
     said = {error.what(), true};

@@ -6,8 +6,10 @@
 
 #include "common/error.h"
 #include "drivers/fitting/glove_guide.h"
+#include "drivers/fitting/phantom_guide.h"
 #include "drivers/fitting/room_guide.h"
 #include "drivers/fitting/tip_guide.h"
+#include "drivers/tracker_roles.h"
 
 namespace prosector {
 
@@ -40,22 +42,33 @@ void GuidedCalibration::poll() {
 }
 
 std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes) {
-  const std::string& tracker = tracker_of(config);
-  return std::make_unique<GuidedCalibration>(std::make_unique<RoomGuide>(config, wishes.role, wishes.points),
-                                             tracker, RoomGuide::device(config));
+  const ClientConfig seen = seen_for(config, wishes.role);
+  const std::string& tracker = tracker_of(seen);
+  return std::make_unique<GuidedCalibration>(std::make_unique<RoomGuide>(seen, wishes.role, wishes.points),
+                                             tracker, RoomGuide::device(seen));
 }
 
 std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes) {
-  const std::string& tracker = tracker_of(config);
-  return std::make_unique<GuidedCalibration>(std::make_unique<TipGuide>(config, wishes.role), tracker,
-                                             TipGuide::device(config, wishes.role));
+  const ClientConfig seen = seen_for(config, wishes.role);
+  const std::string& tracker = tracker_of(seen);
+  return std::make_unique<GuidedCalibration>(std::make_unique<TipGuide>(seen, wishes.role), tracker,
+                                             TipGuide::device(seen, wishes.role));
 }
 
 std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes) {
-  const std::string& tracker = tracker_of(config);
+  const ClientConfig seen = seen_for(config, wishes.role);
+  const std::string& tracker = tracker_of(seen);
   return std::make_unique<GuidedCalibration>(
-      std::make_unique<FieldGuide>(config, wishes.role, wishes.grid, field_map_file), tracker,
-      FieldGuide::device(config));
+      std::make_unique<FieldGuide>(seen, wishes.role, wishes.grid, field_map_file), tracker,
+      FieldGuide::device(seen));
+}
+
+std::unique_ptr<GuidedCalibration> begin_phantom(const ClientConfig& config,
+                                                 const CalibrationWishes& wishes) {
+  const std::string tracker = boards_address(tracker_of(config));
+  return std::make_unique<GuidedCalibration>(
+      std::make_unique<PhantomGuide>(config, wishes.role, wishes.landmarks, std::vector{wishes.target}),
+      tracker, PhantomGuide::device(config));
 }
 
 std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes) {
@@ -69,19 +82,21 @@ std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const
 }
 
 std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationWishes& wishes) {
-  const std::string& tracker = tracker_of(config);
+  const ClientConfig seen = seen_for(config, wishes.role);
+  const std::string& tracker = tracker_of(seen);
   return std::make_unique<GuidedCalibration>(
-      std::make_unique<RestGuide>(station_with_role(config, wishes.role), wishes.seconds), tracker,
-      config.tracker_device);
+      std::make_unique<RestGuide>(station_with_role(seen, wishes.role), wishes.seconds), tracker,
+      seen.tracker_device);
 }
 
 std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config,
                                                  const CalibrationWishes& wishes) {
-  const std::string& tracker = tracker_of(config);
+  const ClientConfig seen = seen_for(config, wishes.role);
+  const std::string& tracker = tracker_of(seen);
   if (wishes.against.empty()) throw InputError("Name a second device, which moves along.");
   return std::make_unique<GuidedCalibration>(
-      std::make_unique<DelayGuide>(station_with_role(config, wishes.role), wishes.seconds), tracker,
-      config.tracker_device, wishes.against);
+      std::make_unique<DelayGuide>(station_with_role(seen, wishes.role), wishes.seconds), tracker,
+      seen.tracker_device, wishes.against);
 }
 
 }  // namespace prosector

@@ -41,6 +41,8 @@ struct CalibrationWishes {
   StationRole role = StationRole::right_hand;  // whose receiver touches, swings or rests
   std::size_t hand = right_hand;               // of the glove
   std::vector<Vec3> points;                    // m, room: to be touched
+  std::vector<Vec3> landmarks;                 // m, of a phantom's shape: to be touched
+  Vec3 target = Vec3::Zero();                  // m, of that shape: where its error is told
   FieldGrid grid;
   double seconds = 10;  // to rest, or to move
   std::string against;  // address of a second device that moves along
@@ -51,6 +53,7 @@ struct CalibrationWishes {
 std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes);
+std::unique_ptr<GuidedCalibration> begin_phantom(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config, const CalibrationWishes& wishes);

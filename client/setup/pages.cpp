@@ -13,9 +13,16 @@ void Pages::draw(Interface& ui) {
   ImGui::Begin("anteroom", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   const float line = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("page", {0, -line});
-  if (ImGui::BeginTabBar("pages")) {
+  // Tabs are narrow, so that all are read whole where letters are large.
+  const ImVec2 usual = ImGui::GetStyle().FramePadding, narrow = {0.6f * usual.x, usual.y};
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+  const bool has_tabs = ImGui::BeginTabBar("pages");
+  ImGui::PopStyleVar();
+  if (has_tabs) {
     const auto page = [&](const char* name, const auto& draw) {
+      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
       const bool open = ImGui::BeginTabItem(name);
+      ImGui::PopStyleVar();
       ui.note(name);
       if (open) {
         draw();
@@ -44,6 +51,11 @@ void Pages::draw(Interface& ui) {
       said_ = &camera_.said();
     });
     if (!camera) camera_.close();
+    const bool window = page("Window", [&] {
+      window_.draw(ui, room_, draft_, monotonic_ns());
+      said_ = &window_.said();
+    });
+    if (!window) window_.close();
     const bool pictures = page("Pictures", [&] {
       pictures_.draw(ui, room_, draft_);
       said_ = &pictures_.said();

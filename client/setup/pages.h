@@ -11,6 +11,7 @@
 #include "client/setup/interface.h"
 #include "client/setup/pictures_page.h"
 #include "client/setup/tracker_range.h"
+#include "client/setup/window_page.h"
 
 namespace prosector {
 
@@ -25,7 +26,7 @@ class Pages {
   /// Tells whether something is shown that goes on by itself.
   bool lively() const {
     return devices_.open() || tracker_.running() || glove_.running() || camera_.running() ||
-           pictures_.running();
+           window_.running() || pictures_.running();
   }
   /// Returns the screen to fill now, from 0; none: a window.
   std::optional<int> full_screen() const;
@@ -39,6 +40,7 @@ class Pages {
   CalibratePage tracker_{"Tracker", std::make_unique<TrackerRange>(), tracker_procedures()};
   CalibratePage glove_{"Glove", std::make_unique<GloveLive>(), glove_procedures()};
   CameraPage camera_;
+  WindowPage window_;
   PicturesPage pictures_;
   ChecksPage checks_;
 };

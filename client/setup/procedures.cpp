@@ -23,7 +23,12 @@ std::span<const ProcedureRow> tracker_procedures() {
       {"Latency",
        "Move a receiver together with a second device: how much later this one tells it follows.",
        begin_latency,
-       {Asked::role, Asked::seconds, Asked::against}}};
+       {Asked::role, Asked::seconds, Asked::against}},
+      {"Phantom",
+       "Touch points of a real body with an instrument's tip: where its shape is follows, on its board or in "
+       "the room.",
+       begin_phantom,
+       {Asked::role, Asked::shape, Asked::landmarks}}};
   return rows;
 }
 

@@ -10,7 +10,7 @@
 namespace prosector {
 
 /// What a person says before one begins.
-enum class Asked : std::uint8_t { points, role, grid, hand, seconds, against };
+enum class Asked : std::uint8_t { points, role, grid, hand, seconds, against, shape, landmarks };
 
 struct ProcedureRow {
   const char* name;

@@ -39,8 +39,9 @@ Vec3 ours(const Vec3& v) {
 }
 
 std::string receiver_name(const ClientConfig& config, std::uint32_t station) {
-  constexpr std::array names = {"", ", head", ", left hand", ", right hand", ", instrument"};
-  return fmt::format("Receiver {}{}", station + 1, names[static_cast<std::size_t>(config.stations[station])]);
+  constexpr std::array names = {"", ", head", ", left hand", ", right hand", ", instrument", ", tablet"};
+  return fmt::format("Receiver {}{}", station + 1,
+                     names.at(static_cast<std::size_t>(config.stations[station])));
 }
 
 /// Says how something is turned: aside, up or down, and about its own axis.

@@ -45,6 +45,9 @@ ConfigValue written(const Quat& orientation);
 
 /// Returns the name of a role in the configuration: head, right, left, instrument.
 const char* role_name(StationRole role);
+/// Returns whose receiver touches and swings, unless another one is named: the instrument's where there is
+/// one, else the right hand's.
+StationRole touching_role(const ClientConfig& config);
 /// Returns the receiver (from 0) that has a role. Throws InputError where none has.
 std::size_t station_with_role(const ClientConfig& config, StationRole role);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "drivers/tracker_roles.h"
 
 namespace prosector {
 
@@ -16,16 +17,10 @@ PhantomGuide::PhantomGuide(const ClientConfig& config, StationRole role, std::ve
     throw InputError("phantom: say in [phantom] whose shape it has: body or mesh");
 }
 
-std::string PhantomGuide::address(const ClientConfig& config) {
-  const bool sees_hands =
-      !config.tracker.empty() && driver_of(config.tracker).knows_hands && driver_of(config.tracker).is_camera;
-  return sees_hands ? "tags:" + first_camera(config.tracker) : config.tracker;
-}
-
 DeviceConfig PhantomGuide::device(const ClientConfig& config) {
   DeviceConfig out = config.tracker_device;
   if (config.phantom.board.empty()) return out;
-  const DriverRow& driver = driver_of(address(config));
+  const DriverRow& driver = driver_of(boards_address(config.tracker));
   if (!driver.is_camera || driver.knows_head)
     throw InputError(fmt::format(
         "phantom.board {}: is seen by a camera that sees the tip's board, too: tracker must be "

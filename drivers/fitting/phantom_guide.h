@@ -12,9 +12,8 @@ class PhantomGuide final : public RoomGuide {
   /// the shape's frame, m. Throws InputError as RoomGuide does, and where the phantom has no shape.
   PhantomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points,
                std::vector<Vec3> targets);
-  /// Returns which device to open: that of the tracker; of bare hands' camera that which sees its boards.
-  static std::string address(const ClientConfig& config);
-  /// Returns how to open it: its poses are in the frame of the phantom's board, or in the room.
+  /// Returns how to open the tracker, at its boards' address: its poses are in the frame of the phantom's
+  /// board, or in the room.
   /// Throws InputError where the phantom has a board and the tracker sees none.
   static DeviceConfig device(const ClientConfig& config);
 

@@ -9,9 +9,9 @@ void StillWindow::take(std::int64_t time_ns, const Pose& pose) {
   if (!readings_.empty() && time_ns - readings_.back().time_ns > longest_gap_ns) readings_.clear();
   readings_.push_back({time_ns, pose});
   const auto span_ns = static_cast<std::int64_t>(1e9 * limits_.seconds);
-  while (readings_.size() > 2 && time_ns - readings_[1].time_ns >= span_ns) readings_.pop_front();
+  while (readings_.size() > limits_.least && time_ns - readings_[1].time_ns >= span_ns) readings_.pop_front();
   still_ = false;
-  if (readings_.size() < limits_.least || filled() < 1) return;
+  if (filled() < 1) return;
   const std::size_t half = readings_.size() / 2;
   const Pose a = mean_of(0, half), b = mean_of(half, readings_.size());
   const PoseErrors apart = {(a.p - b.p).norm(), a.q.angularDistance(b.q)};
@@ -22,7 +22,8 @@ void StillWindow::take(std::int64_t time_ns, const Pose& pose) {
 double StillWindow::filled() const {
   if (readings_.empty()) return 0;
   const auto span = 1e-9 * static_cast<double>(readings_.back().time_ns - readings_.front().time_ns);
-  return std::min(1.0, span / limits_.seconds);
+  const double count = static_cast<double>(readings_.size()) / static_cast<double>(limits_.least);
+  return std::min({1.0, span / limits_.seconds, count});
 }
 
 Pose StillWindow::mean() const {

@@ -13,10 +13,11 @@ struct StillLimits {
   double seconds = 0.5;    // for so long it must be still
   double motion = 1e-3;    // m: between the means of both halves; noise of a reading is not motion
   double turn = 0.01;      // rad, between those of orientations
-  std::size_t least = 20;  // readings
+  std::size_t least = 20;  // readings, which a camera takes longer for
 };
 
-/// The newest readings of a pose. Noise averages out of the means of its two halves, motion does not.
+/// The newest readings of a pose, over the limits' time, or longer until they are enough. Noise averages out
+/// of the means of its two halves, motion does not.
 class StillWindow {
  public:
   explicit StillWindow(const StillLimits& limits = {}) : limits_(limits) {}

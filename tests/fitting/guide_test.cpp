@@ -180,10 +180,8 @@ TEST(PhantomGuide, WantsACameraForAPhantomsBoard) {
     EXPECT_THROW((void)PhantomGuide::device(config), InputError) << tracker;
   }
   config.tracker = "hands:0,2";
-  EXPECT_EQ(PhantomGuide::address(config), "tags:0");
   EXPECT_EQ(PhantomGuide::device(config).table, "table");
   config.tracker = "tags:0";
-  EXPECT_EQ(PhantomGuide::address(config), "tags:0");
   config.tracker_device.table = "tablet";
   EXPECT_EQ(PhantomGuide::device(config).table, "table");
   EXPECT_TRUE(PhantomGuide::device(config).room_table.p.isZero());
@@ -191,6 +189,28 @@ TEST(PhantomGuide, WantsACameraForAPhantomsBoard) {
   EXPECT_EQ(PhantomGuide::device(config).table, "tablet");
   const std::vector<Vec3> points = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};
   EXPECT_THROW(PhantomGuide(config, StationRole::right_hand, points, {}), InputError) << "has no shape";
+}
+
+// A camera tells a fifth of what a tracker does in the same time.
+TEST(StillWindow, IsStillAfterEnoughReadingsHoweverSeldomTheyCome) {
+  for (const double rate : {8., 15., 30., 120.}) {
+    SimulatedTracker tracker(11);
+    StillWindow window;
+    std::int64_t time_ns = 0;
+    const auto take = [&](const Vec3& place) {
+      window.take(time_ns += static_cast<std::int64_t>(1e9 / rate),
+                  tracker.read({place, Quat::Identity()}, 3e-4));
+    };
+    for (int k = 0; k < 100; ++k) {
+      take(Vec3(0.2 / rate * k, 0, 0));
+      EXPECT_FALSE(window.still()) << rate << " Hz: it moves by 0.2 m/s";
+    }
+    const Vec3 rest(0.2 / rate * 99, 0, 0);
+    int readings = 0;
+    for (; !window.still() && readings < 200; ++readings) take(rest);
+    EXPECT_LE(readings, std::max(0.5 * rate, 20.) + 2) << rate << " Hz";
+    EXPECT_LT((window.mean().p - rest).norm(), 1e-3);
+  }
 }
 
 TEST(TipGuide, WaitsForTheTipAndEndsWithIt) {

@@ -70,6 +70,23 @@ TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
   EXPECT_LT(found.error, 0.5);
 }
 
+TEST(CameraPage, NamesALensForWhatSeesByItsCamera) {
+  const auto named = [](const char* tracker, const char* window) {
+    ClientConfig config;
+    config.tracker = tracker;
+    config.window.address = window;
+    std::string keys;
+    for (const ConfigChange& change : naming_lens(config, "1")) keys += change.key + " ";
+    return keys;
+  };
+  EXPECT_EQ(named("", ""), "tracker.lens tracker.address ");
+  EXPECT_EQ(named("hands:1,2", ""), "tracker.lens ");
+  EXPECT_EQ(named("hands:1", "face:1"), "window.lens tracker.lens ");
+  EXPECT_EQ(named("", "face:1"), "window.lens ") << "it is no tracker";
+  EXPECT_EQ(named("fastrak:/dev/ttyS0", "face:1"), "window.lens ");
+  EXPECT_EQ(named("fastrak:/dev/ttyS0", "face:2"), "");
+}
+
 TEST(CameraPage, SaysWhatIsWrongAndComesBack) {
   const CameraFolder folder("dark_camera");
   const std::string scene = "[camera]\nfocal = 600\nlight = 0.02\n";

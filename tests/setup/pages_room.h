@@ -78,7 +78,7 @@ class PagesRoom {
     ui_.take({MouseMoved{1, 1}});
     draw(2);
   }
-  /// Replaces what a field has.
+  /// Replaces what a field has; an empty text clears it.
   void type(const std::string& name, const std::string& text) {
     click(name);
     type(text);
@@ -87,6 +87,8 @@ class PagesRoom {
     ui_.take({KeyEvent{Key::control, true, false}, KeyEvent{key_of('A'), true, false},
               KeyEvent{key_of('A'), false, false}, KeyEvent{Key::control, false, false}});
     for (const char c : text) ui_.take({CharacterTyped{static_cast<char32_t>(c)}});
+    if (text.empty())
+      ui_.take({KeyEvent{Key::backspace, true, false}, KeyEvent{Key::backspace, false, false}});
     draw();
     tap(Key::enter);
   }

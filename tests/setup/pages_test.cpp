@@ -21,7 +21,8 @@ constexpr const char* no_devices = "# none\n";
 TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
     PagesRoom room(no_devices, scale, scale);
-    for (const char* page : {"Enter", "Devices", "Tracker", "Glove", "Camera", "Pictures", "Checks"}) {
+    for (const char* page :
+         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -36,7 +37,7 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
 // A window that is too narrow for both panels of a page has one below the other, and scrolls.
 TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
   PagesRoom room(no_devices, 2);
-  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Pictures"}) {
+  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Window", "Pictures"}) {
     room.click(page);
     room.picture(std::string(page) + "-narrow");
     for (const PlacedControl& c : room.placed())
@@ -160,6 +161,29 @@ TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
   }
 }
 
+TEST(Pages, TakeTheInstrumentForWhatTouches) {
+  const TemporaryFile poses("instrument.csv");
+  PagesRoom room(
+      "[tracker]\naddress = \"" + going_away(poses.path) + "\"\n[tracker.stations]\ninstrument.station = 2\n",
+      1);
+  room.click("Tracker");
+  room.click("Instrument's tip");
+  room.click("begin");
+  EXPECT_EQ(room.said().words, "Step 1 of 2") << "the right hand has no receiver";
+  room.until([&] { return room.said().words == "Step 2 of 2"; });
+  EXPECT_EQ(room.said().words, "Step 2 of 2") << "the second receiver rests";
+}
+
+TEST(Pages, TellWhereATabletIs) {
+  const TemporaryFile poses("tablet.csv");
+  PagesRoom room("[tracker]\naddress = \"" + going_away(poses.path) +
+                     "\"\n[tracker.stations]\nright.station = 1\ntablet.station = 2\n",
+                 1);
+  room.click("Tracker");
+  room.until([&] { return room.find("receiver 2 exact") != nullptr; });
+  EXPECT_NE(room.find("receiver 2 exact"), nullptr);
+}
+
 TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
   const TemporaryFile bends("bends.csv");
   std::string rows = "time,thumb,index,middle,ring,little,gesture\n";
@@ -234,6 +258,58 @@ TEST(Pages, LeadThroughABentFieldAndShowIt) {
   EXPECT_LT(room.control("save").bottom, room.height() - 40) << "it is seen without a wheel";
   EXPECT_EQ(room.draft().changes().back().after, "field_map = \"field.toml\"");
   EXPECT_GT(load_field_map(room.draft().file().parent_path() / "field.toml").before, 3e-3);
+}
+
+/// Writes a tip that touches a phantom's points as the page proposes them, where the phantom stands.
+void write_touches(const std::filesystem::path& file, const Pose& room_phantom) {
+  std::string rows = "time,station,x,y,z,qw,qx,qy,qz\n";
+  double time = 0;
+  Vec3 at(0.3, 1.3, 0.3);
+  const auto tell = [&](const Vec3& p) {
+    rows += fmt::format("{:.4f},1,{:.5f},{:.5f},{:.5f},1,0,0,0\n", time, p.x(), p.y(), p.z());
+    time += 0.01;
+  };
+  for (int k = 0; k < 100; ++k) tell(at);
+  for (const Vec3& point :
+       {Vec3(-0.1, 0, 0.1), Vec3(0.1, 0, 0.1), Vec3(0.1, 0, -0.1), Vec3(-0.1, 0, -0.1), Vec3(0, 0.15, 0)}) {
+    const Vec3 to = room_phantom * point;
+    for (int k = 1; k <= 20; ++k) tell(at + k / 20. * (to - at));
+    for (int k = 0; k < 70; ++k) tell(to);
+    at = to;
+  }
+  write_file(file, rows);
+}
+
+TEST(Pages, LeadRoundAPhantomAndTellItsTargetsError) {
+  const TemporaryFile touches("touches.csv");
+  const Pose truth = {{0.1, 0.95, -0.1}, Quat(Eigen::AngleAxisd(0.4, Vec3(0.2, 1, 0).normalized()))};
+  write_touches(touches.path, truth);
+  PagesRoom room("[tracker]\naddress = \"recorded:" + touches.path.string() + "\"\n", 1);
+  room.click("Tracker");
+  room.click("Phantom");
+  room.picture("phantom-wishes");
+  EXPECT_LT(room.control("begin").bottom, room.height() - 40) << "it is seen without a wheel";
+  room.click("begin");
+  EXPECT_NE(room.said().words.find("body or mesh"), std::string::npos) << room.said().words;
+  room.type("phantom.body", "skull");
+  room.type("phantom.mesh", "skull.stl");
+  room.click("begin");
+  EXPECT_NE(room.said().words.find("not both"), std::string::npos) << room.said().words;
+  EXPECT_FALSE(room.draft().changed());
+  room.type("phantom.body", "");
+  room.click("begin");
+  EXPECT_EQ(room.said().words, "Step 1 of 5");
+  room.picture("phantom-step");
+  room.until([&] { return room.find("once more") != nullptr; });
+  EXPECT_EQ(room.said().words, "Done.");
+  EXPECT_LT(room.told("error to expect at 0.000, 0.000, 0.000 m: "), 0.1) << "mm";
+  room.picture("phantom-done");
+  const PhantomSettings& found = room.draft().config().phantom;
+  ASSERT_TRUE(found.pose);
+  EXPECT_LT((found.pose->p - truth.p).norm(), 1e-4) << "m";
+  EXPECT_LT(found.pose->q.angularDistance(truth.q), 1e-3);
+  room.click("save");
+  EXPECT_NE(read_file(room.draft().file()).find("mesh = \"skull.stl\""), std::string::npos);
 }
 
 // What was measured stands beside its name from then on.

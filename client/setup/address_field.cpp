@@ -1,0 +1,44 @@
+#include "client/setup/address_field.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "client/setup/words.h"
+
+namespace prosector {
+
+bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevice> found,
+                  const char* nothing) {
+  ImGui::PushID(field.key);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(field.name);
+  ImGui::SameLine(110 * static_cast<float>(ui.scale()));
+  const float button = ImGui::GetFrameHeight();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+  const bool entered = ImGui::InputText("##address", &field.text, ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.note(field.key);
+  const bool left = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::SameLine();
+  bool picked = false;
+  if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
+    if (!field.text.empty() && ImGui::Selectable("none, until another one is named")) {
+      field.text.clear();
+      picked = true;
+    }
+    ui.note(fmt::format("none {}", field.key));
+    for (const FoundDevice& device : found)
+      for (const std::string& address : device.addresses)
+        if (ImGui::Selectable(fmt::format("{}   ({})", address, device.name).c_str())) {
+          field.text = address;
+          picked = true;
+        }
+    if (found.empty()) quiet(nothing);
+    ImGui::EndCombo();
+  }
+  ui.note(fmt::format("found {}", field.key));
+  ImGui::PopID();
+  return entered || left || picked;
+}
+
+}  // namespace prosector

@@ -1,0 +1,46 @@
+#pragma once
+// The page of the screen that is a window into the room: the camera that sees the user's eyes, what is
+// measured of both, and where the eyes are now.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/setup/address_field.h"
+#include "client/setup/anteroom.h"
+#include "client/setup/config_draft.h"
+#include "client/setup/device_watch.h"
+#include "client/setup/interface.h"
+
+namespace prosector {
+
+class WindowPage {
+ public:
+  void draw(Interface& ui, Anteroom& room, ConfigDraft& draft, std::int64_t now_ns);
+  /// Lets the camera go.
+  void close();
+  bool running() const { return watch_ != nullptr; }
+  const Said& said() const { return said_; }
+
+ private:
+  AddressField address_{"window.address", "Seen by", {}};
+  std::vector<FoundDevice> found_;
+  std::int64_t found_ns_ = 0;
+  std::unique_ptr<DeviceWatch> watch_;
+  bool is_read_ = false;  // the address, from the draft
+  bool is_old_ = true;    // the draft says otherwise than when the camera was opened
+  Said said_;
+
+  void look(const ConfigDraft& draft, std::int64_t now_ns);
+  void change(ConfigDraft& draft, const std::vector<ConfigChange>& changes);
+  void name_camera(ConfigDraft& draft);
+  void draw_settings(Interface& ui, ConfigDraft& draft);
+  void draw_camera(Interface& ui, ConfigDraft& draft);
+  void draw_use(Interface& ui, ConfigDraft& draft);
+  void draw_seen(Interface& ui, const WindowSettings& window, std::int64_t now_ns);
+  static void draw_display(Interface& ui, SeenAs& seen);
+  std::optional<Vec3> eyes(std::int64_t now_ns) const;
+};
+
+}  // namespace prosector
