@@ -70,6 +70,7 @@ struct ClientConfig {
   std::string tracker;  // address; empty: no tracker
   DeviceConfig tracker_device;
   std::array<StationRole, max_stations> stations{StationRole::right_hand};
+  std::string tool;  // blade of the scene that the instrument is in a session; empty: it presses panels alone
   std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
   ArmSettings arm;
   Pose headset_room;  // pose of an OpenXR headset's stage in the room

@@ -200,6 +200,10 @@ void add_stations(Keys& keys) {
       return ConfigValue(c.tracker_device.boards[*index]);
     };
     keys.push_back(board);
+    if (role == StationRole::instrument)
+      keys.push_back(plain<std::string>(
+          table + ".tool", "tool", [](ClientConfig& c) -> std::string& { return c.tool; }, "",
+          "blade of the scene that it is in a session, as \"scalpel\", in the right hand; empty: none"));
   }
 }
 

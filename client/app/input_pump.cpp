@@ -7,12 +7,13 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "common/grasp.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::int64_t shortest_ns = 5'000'000;  // between two sends: several stations' records share one
-constexpr std::int64_t desk_ns = 16'000'000;     // a desk user's hand
+constexpr std::int64_t desk_ns = 16'000'000;     // a hand that goes on by itself: at the desk, with a tool
 constexpr std::int64_t longest_ns =
     100'000'000;  // and without news: says that the hand is still (or no longer) there
 
@@ -20,12 +21,8 @@ constexpr std::int64_t longest_ns =
 
 InputPump::InputPump(Connection& connection, const ConfigSource& source, HeadsetUser* headset, ArmHand* arm,
                      const std::filesystem::path& log, std::function<void(const std::string&)> report)
-    : connection_(connection),
-      watch_(source),
-      headset_(headset),
-      rig_(std::make_unique<DeviceRig>(source.read(), headset)),
-      arm_(arm),
-      report_(std::move(report)) {
+    : connection_(connection), watch_(source), headset_(headset), arm_(arm), report_(std::move(report)) {
+  take_config(source.read());
   if (!log.empty()) {
     log_.open(log);
     if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));
@@ -56,10 +53,7 @@ void InputPump::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     rig_->wait(4);
     const std::int64_t now = monotonic_ns();
-    if (const auto config = watch_.look(now, report_)) {
-      rig_.reset();  // first: a port is one program's, once
-      rig_ = std::make_unique<DeviceRig>(*config, headset_);
-    }
+    if (const auto config = watch_.look(now, report_)) take_config(*config);
     news |= rig_->poll(now) || arm_ != nullptr;
     for (const std::string& line : rig_->take_news()) report_(line);
     for (const GestureTrigger& trigger : rig_->take_triggers()) obey(trigger);
@@ -67,14 +61,23 @@ void InputPump::run(std::stop_token stop) {
       for (const std::string& line : arm_->take_news()) report_(line);
       for (const CommandKind wish : arm_->take_wishes()) connection_.command(wish, arm_->hand());
     }
-    if (now - sent_ns < (news ? shortest_ns : desk_driven() ? desk_ns : longest_ns)) continue;
+    const bool steady = desk_driven() || tool_hand_.leads();
+    if (now - sent_ns < (news ? shortest_ns : steady ? desk_ns : longest_ns)) continue;
     send(now, ++sequence);
     sent_ns = now;
     news = false;
   }
 }
 
+void InputPump::take_config(const ClientConfig& config) {
+  rig_.reset();  // first: a port is one program's, once
+  rig_ = std::make_unique<DeviceRig>(config, headset_);
+  tool_ = config.tool;
+}
+
+/// Does what a gesture asks for. A hand that an instrument leads makes none.
 void InputPump::obey(const GestureTrigger& trigger) {
+  if (trigger.hand == right_hand && tool_hand_.leads()) return;
   switch (trigger.event) {
     case GestureEvent::none:
       return;
@@ -107,8 +110,36 @@ bool InputPump::desk_driven() const {
   return desk_input_.has_value();
 }
 
+/// Lets the user's instrument be a blade of the scene, in the right hand.
+void InputPump::lead_tool(HandInput& input, std::int64_t now_ns) {
+  std::optional<ToolView> tool;
+  std::string problem;
+  try {
+    tool = connection_.with_replica([&](const Replica& replica) {
+      return see_tool(replica, {connection_.participant(), right_hand}, tool_);
+    });
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  if (problem != tool_problem_ && !problem.empty()) report_(problem);
+  tool_problem_ = problem;
+  if (!tool) return;
+  const HeldPose& stylus = input.held[static_cast<std::size_t>(HeldThing::stylus)];
+  const HandPose hand =
+      tool_hand_.follow(*tool, stylus.tracked ? std::optional(stylus.pose) : std::nullopt, now_ns);
+  if (tool_hand_.leads()) input.hands[right_hand] = hand;
+  if (!tool_hand_.take_wish()) return;
+  Command command;
+  command.kind = CommandKind::grasp;
+  command.hand = right_hand;
+  command.body = tool->body;
+  command.revision = grasps_body;
+  connection_.command(command);
+}
+
 void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
   HandInput input = rig_->input();
+  if (!tool_.empty()) lead_tool(input, now_ns);
   {
     std::lock_guard lock(mutex_);
     if (desk_input_) input = *desk_input_;

@@ -14,6 +14,7 @@
 #include "client/app/config_watch.h"
 #include "client/app/connection.h"
 #include "client/app/device_rig.h"
+#include "client/app/tool_hand.h"
 
 namespace prosector {
 
@@ -44,6 +45,9 @@ class InputPump {
   ConfigWatch watch_;
   HeadsetUser* headset_;
   std::unique_ptr<DeviceRig> rig_;
+  std::string tool_;  // that the user's instrument is; empty: none
+  ToolHand tool_hand_;
+  std::string tool_problem_;  // as was told last
   ArmHand* arm_;
   std::ofstream log_;
   std::function<void(const std::string&)> report_;
@@ -54,7 +58,9 @@ class InputPump {
   std::jthread thread_;
 
   void run(std::stop_token stop);
+  void take_config(const ClientConfig& config);
   void obey(const GestureTrigger& trigger);
+  void lead_tool(HandInput& input, std::int64_t now_ns);
   bool desk_driven() const;
   void send(std::int64_t now_ns, std::uint64_t sequence);
 };

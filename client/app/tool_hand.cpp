@@ -1,0 +1,139 @@
+#include "client/app/tool_hand.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "client/view/held_things.h"
+#include "common/error.h"
+#include "common/hand.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t rests_ns = 5'000'000'000;       // without the instrument the hand stays so long
+constexpr std::int64_t lost_ns = 400'000'000;          // and when it is back, the blade is brought anew
+constexpr std::int64_t wishes_again_ns = 500'000'000;  // until a grasp was answered
+constexpr double near_enough = 0.03;                   // m from where it takes hold, to do so
+constexpr double behind_tip = 0.09;                    // m: there the hand holds the shaft
+constexpr double clearance = 0.12;                     // m: so high over both ends the blade is brought
+constexpr double carries = 0.7;                        // m/s
+constexpr double together = 0.01;                      // m: from there on it goes with the instrument
+constexpr double above = 0.02;                         // m across: nearer than this it is above
+constexpr double open_bend = 0.15, closed_bend = 0.8;  // flexion
+const Vec3 hollow = {0, -0.03, -0.085};                // of the hand, m, wrist frame
+
+/// Returns the instrument's frame for a blade: the tip, +z along the shaft, and the edge looks along −y.
+Pose instrument_of(const BladeFrame& blade) {
+  Mat3 axes;
+  axes.col(2) = -blade.along;
+  axes.col(1) = -blade.ahead;
+  axes.col(0) = axes.col(1).cross(axes.col(2));
+  return {blade.tip, Quat(axes).normalized()};
+}
+
+/// Returns the wrist above a lying blade: the fingers along it, the back of the hand up.
+Pose wrist_over(const BladeFrame& blade) {
+  const Vec3 back = -blade.along;
+  const Vec3 about = std::abs(back.y()) < 0.9 ? Vec3::UnitY() : Vec3(-blade.ahead);
+  Mat3 axes;
+  axes.col(2) = back;
+  axes.col(0) = about.cross(back).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  const Quat q = Quat(axes).normalized();
+  return {blade.tip + behind_tip * back - q * hollow, q};
+}
+
+/// Goes that far from one place to another: up, across, and down from above.
+Vec3 brought(const Vec3& from, const Vec3& to, double way) {
+  const double high = to.y() + clearance, across = (to - from).cwiseProduct(Vec3(1, 0, 1)).norm();
+  Vec3 next = to;
+  if (across > above)
+    next = from.y() < high ? Vec3(from.x(), high, from.z()) : Vec3(to.x(), from.y(), to.z());
+  const Vec3 step = next - from;
+  return step.norm() <= way ? next : Vec3(from + way * step.normalized());
+}
+
+}  // namespace
+
+std::optional<ToolView> see_tool(const Replica& replica, const HandRef& hand, const std::string& name) {
+  if (!replica.complete()) return std::nullopt;
+  const double now = replica.shown_tick(std::numeric_limits<double>::infinity());
+  std::vector<std::string> blades;
+  for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
+    const SceneBody& body = replica.scene()->bodies[id];
+    const RigidReplica* rigid = replica.rigid(id);
+    const auto blade = rigid != nullptr && body.moves ? blade_frame(*rigid) : std::nullopt;
+    if (!blade) continue;
+    blades.push_back(body.name);
+    if (body.name != name) continue;
+    ToolView out{id, replica.rigid_pose(id, now), *blade, std::nullopt, false};
+    const auto user = replica.user(hand.participant, now);
+    if (user && user->hands[hand.hand].tracked) out.wrist = user->hands[hand.hand].pose;
+    out.is_held = std::ranges::count(held_by(replica, hand), id) > 0;
+    return out;
+  }
+  throw InputError(
+      fmt::format("tracker.stations.instrument.tool: the scene has no blade \"{}\" to take up; {}", name,
+                  blades.empty() ? "it has none" : fmt::format("it has {}", fmt::join(blades, ", "))));
+}
+
+HandPose ToolHand::follow(const ToolView& tool, const std::optional<Pose>& instrument, std::int64_t now_ns) {
+  const double seconds =
+      1e-9 * static_cast<double>(std::clamp<std::int64_t>(now_ns - now_ns_, 0, 100'000'000));
+  now_ns_ = now_ns;
+  if (instrument && last_ && now_ns - last_->time_ns > lost_ns) arrived_ = false;
+  if (instrument) last_ = Seen{*instrument, now_ns};
+  if (last_ && now_ns - last_->time_ns > rests_ns) last_.reset();
+  HandPose hand;
+  if (!last_) {
+    wrist_tool_.reset();
+    return hand;
+  }
+  hand.tracked = true;
+  tool.is_held ? lead(tool, seconds, hand) : fetch(tool, hand);
+  return hand;
+}
+
+/// Goes to where the blade lies, and asks to take hold of it there.
+void ToolHand::fetch(const ToolView& tool, HandPose& hand) {
+  wrist_tool_.reset();
+  hand.pose = wrist_over(tool.pose * tool.blade);
+  hand.flexion.fill(open_bend);
+  const bool there = tool.wrist && (tool.wrist->p - hand.pose.p).norm() < near_enough;
+  if (!there || now_ns_ - wished_ns_ < wishes_again_ns) return;
+  wished_ns_ = now_ns_;
+  wishes_ = true;
+}
+
+/// Brings the blade to the instrument, then goes with it.
+void ToolHand::lead(const ToolView& tool, double seconds, HandPose& hand) {
+  const Pose& wanted = last_->pose;
+  const Pose body_instrument = instrument_of(tool.blade);
+  if (!wrist_tool_) {
+    if (!tool.wrist) return void(hand.tracked = false);
+    wrist_tool_ = tool.wrist->inverse() * tool.pose;
+    at_ = tool.pose * body_instrument;
+    arrived_ = false;
+  }
+  if (!arrived_) {
+    const double step = carries * seconds, way = (wanted.p - at_.p).norm();
+    const double turned = way > step ? step / way : 1;
+    at_ = {brought(at_.p, wanted.p, step), at_.q.slerp(turned, wanted.q)};
+    arrived_ = (wanted.p - at_.p).norm() < together;
+  }
+  if (arrived_) at_ = wanted;
+  hand.pose = at_ * body_instrument.inverse() * wrist_tool_->inverse();
+  hand.flexion.fill(closed_bend);
+}
+
+bool ToolHand::take_wish() {
+  return std::exchange(wishes_, false);
+}
+
+}  // namespace prosector
