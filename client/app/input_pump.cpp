@@ -73,6 +73,7 @@ void InputPump::take_config(const ClientConfig& config) {
   rig_.reset();  // first: a port is one program's, once
   rig_ = std::make_unique<DeviceRig>(config, headset_);
   tool_ = config.tool;
+  tool_hand_ = {};
 }
 
 /// Does what a gesture asks for. A hand that an instrument leads makes none.
@@ -123,7 +124,7 @@ void InputPump::lead_tool(HandInput& input, std::int64_t now_ns) {
   }
   if (problem != tool_problem_ && !problem.empty()) report_(problem);
   tool_problem_ = problem;
-  if (!tool) return;
+  if (!tool) return void(tool_hand_ = {});  // others may have the hand
   const HeldPose& stylus = input.held[static_cast<std::size_t>(HeldThing::stylus)];
   const HandPose hand =
       tool_hand_.follow(*tool, stylus.tracked ? std::optional(stylus.pose) : std::nullopt, now_ns);
