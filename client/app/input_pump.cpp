@@ -129,9 +129,10 @@ void InputPump::lead_tool(HandInput& input, std::int64_t now_ns) {
   const HandPose hand =
       tool_hand_.follow(*tool, stylus.tracked ? std::optional(stylus.pose) : std::nullopt, now_ns);
   if (tool_hand_.leads()) input.hands[right_hand] = hand;
-  if (!tool_hand_.take_wish()) return;
+  const std::optional<CommandKind> wish = tool_hand_.take_wish();
+  if (!wish) return;
   Command command;
-  command.kind = CommandKind::grasp;
+  command.kind = *wish;
   command.hand = right_hand;
   command.body = tool->body;
   command.revision = grasps_body;

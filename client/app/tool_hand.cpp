@@ -75,7 +75,9 @@ std::optional<ToolView> see_tool(const Replica& replica, const HandRef& hand, co
     ToolView out{id, replica.rigid_pose(id, now), *blade, std::nullopt, false};
     const auto user = replica.user(hand.participant, now);
     if (user && user->hands[hand.hand].tracked) out.wrist = user->hands[hand.hand].pose;
-    out.is_held = std::ranges::count(held_by(replica, hand), id) > 0;
+    const std::vector<BodyId> held = held_by(replica, hand);
+    out.is_held = std::ranges::count(held, id) > 0;
+    out.is_hindered = !out.is_held && !held.empty();
     return out;
   }
   throw InputError(
@@ -100,15 +102,16 @@ HandPose ToolHand::follow(const ToolView& tool, const std::optional<Pose>& instr
   return hand;
 }
 
-/// Goes to where the blade lies, and asks to take hold of it there.
+/// Goes to where the blade lies, and asks to take hold of it there. A hand that holds something else lets go
+/// of that first, where it is.
 void ToolHand::fetch(const ToolView& tool, HandPose& hand) {
   wrist_tool_.reset();
-  hand.pose = wrist_over(tool.pose * tool.blade);
+  hand.pose = tool.is_hindered && tool.wrist ? *tool.wrist : wrist_over(tool.pose * tool.blade);
   hand.flexion.fill(open_bend);
   const bool there = tool.wrist && (tool.wrist->p - hand.pose.p).norm() < near_enough;
-  if (!there || now_ns_ - wished_ns_ < wishes_again_ns) return;
+  if (!(there || tool.is_hindered) || now_ns_ - wished_ns_ < wishes_again_ns) return;
   wished_ns_ = now_ns_;
-  wishes_ = true;
+  wish_ = tool.is_hindered ? CommandKind::release : CommandKind::grasp;
 }
 
 /// Brings the blade to the instrument, then goes with it.
@@ -132,8 +135,8 @@ void ToolHand::lead(const ToolView& tool, double seconds, HandPose& hand) {
   hand.flexion.fill(closed_bend);
 }
 
-bool ToolHand::take_wish() {
-  return std::exchange(wishes_, false);
+std::optional<CommandKind> ToolHand::take_wish() {
+  return std::exchange(wish_, std::nullopt);
 }
 
 }  // namespace prosector

@@ -19,6 +19,7 @@ struct ToolView {
   BladeFrame blade;           // in that body's frame
   std::optional<Pose> wrist;  // of the physical hand; nullopt: it isn't there
   bool is_held = false;       // by that hand
+  bool is_hindered = false;   // that hand holds something else
 };
 
 /// Returns how a hand and the body of that name are now; nullopt: the scene isn't here yet. Throws InputError
@@ -30,8 +31,9 @@ class ToolHand {
   /// Goes on. `instrument`: its tip, +z along the shaft, −y to where the edge is to look; nullopt: it isn't
   /// seen. The hand rests for a while where it was lost, then it is gone. Returns where it is to be.
   HandPose follow(const ToolView& tool, const std::optional<Pose>& instrument, std::int64_t now_ns);
-  /// Tells whether the hand asked to take hold of the blade since the last call.
-  bool take_wish();
+  /// Returns what the hand asked for since the last call: to take hold of the blade, or to let go of what it
+  /// holds in its place.
+  std::optional<CommandKind> take_wish();
   /// Tells whether it has the user's hand, whatever else sees that.
   bool leads() const { return last_.has_value(); }
 
@@ -46,7 +48,7 @@ class ToolHand {
   std::optional<Pose> wrist_tool_;  // the blade's body in the wrist's frame, as it is held; nullopt: it isn't
   Pose at_;                         // of the instrument's frame, where the blade is led to now
   bool arrived_ = false;            // the blade goes with the instrument
-  bool wishes_ = false;
+  std::optional<CommandKind> wish_;
   std::int64_t now_ns_ = 0, wished_ns_ = 0;
 
   void fetch(const ToolView& tool, HandPose& hand);

@@ -45,9 +45,10 @@ class Wielded {
     if (tool.is_held) tool.pose = told.pose * tool.wrist->inverse() * tool.pose;
     tool.wrist = told.pose;
     if (tool.is_held) tips.push_back(blade().tip);
-    if (!hand.take_wish()) return;
+    const auto wish = hand.take_wish();
+    if (!wish) return;
     ++wishes;
-    tool.is_held = true;
+    *wish == CommandKind::release ? tool.is_hindered = false : tool.is_held = true;
   }
 };
 
@@ -95,10 +96,23 @@ TEST(ToolHand, AsksAgainUntilItHolds) {
   for (int k = 0; k < 125; ++k) {
     const HandPose told = user.hand.follow(user.tool, leant({0, 1, 0}, 0), now += step_ns);
     user.tool.wrist = told.pose;
-    wishes += user.hand.take_wish();
+    wishes += user.hand.take_wish() == CommandKind::grasp;
   }
   EXPECT_GE(wishes, 3);
   EXPECT_LE(wishes, 5) << "twice a second";
+}
+
+TEST(ToolHand, LetsGoFirstWhereItHoldsSomethingElse) {
+  Wielded user;
+  const Pose at = {Vec3(-0.2, 1.05, 0.1), Quat::Identity()};
+  user.tool.wrist = at;
+  user.tool.is_hindered = true;
+  user.show(leant({-0.1, 1.02, -0.05}, -1), 0.02);
+  EXPECT_FALSE(user.tool.is_hindered);
+  EXPECT_LT((user.tool.wrist->p - at.p).norm(), 1e-9) << "where it is";
+  user.show(leant({-0.1, 1.02, -0.05}, -1), 3);
+  EXPECT_TRUE(user.tool.is_held);
+  EXPECT_EQ(user.wishes, 2);
 }
 
 TEST(ToolHand, RestsWhereTheInstrumentWasLostThenLetsGo) {
