@@ -46,7 +46,7 @@ echo "play: seeds from $seed on, until $hours h are over"
 
 # play_one NUMBER SCENE MODEL: some bouts of one seed.
 play_one() {
-  local options=(--seed "$1" --bouts 4 --json "$out/$1.json")
+  local options=(--seed "$1" --bouts 4 --saves --json "$out/$1.json")
   [ -z "$3" ] || options+=(--model "$3")
   timeout 1200 "$root/build/release/bin/prosector-play" "$2" "${options[@]}" >"$out/$1.log" 2>&1 || {
     local status=$?

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """play_report.py DIR: sums what deploy/play.sh left in DIR into figures.json and table.md, and prints the table.
 
-Exits with 1 where a bout ended with an organ out of bounds, or a run ended by itself.
+Exits with 1 where a bout ended with an organ out of bounds, a saved state could not be restored, or a run ended by itself.
 """
 import json
 import pathlib
@@ -27,6 +27,7 @@ def worst(rows):
         "overlap_mm": max(r["overlap_mm"] for r in rows),
         "recovery_s": max(r["recovery_s"] for r in rows),
         "resets": sum(r["resets"] for r in rows),
+        "bad_saves": sum(r["bad_saves"] for r in rows),
     }
 
 
@@ -36,11 +37,11 @@ table = {scene: worst([r for r in runs if r["scene"] == scene]) for scene in sor
 table["all"] = worst(runs)
 found = [line for run in runs for line in run["found"]]
 (folder / "figures.json").write_text(json.dumps({"scenes": table, "found": found, "ended": ended}, indent=1))
-lines = ["| scene | simulated s | bouts | acts | out of bounds | least volume | most volume | worst overlap, mm | longest recovery, s | resets |",
-         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+lines = ["| scene | simulated s | bouts | acts | out of bounds | least volume | most volume | worst overlap, mm | longest recovery, s | resets | states that can't be restored |",
+         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
 for scene, row in table.items():
     lines.append(f"| {scene} | {row['seconds']:.0f} | {row['bouts']} | {row['acts']} | {row['bad']} | {row['least_volume']:.3f} | "
-                 f"{row['most_volume']:.3f} | {row['overlap_mm']:.2f} | {row['recovery_s']:.2f} | {row['resets']} |")
+                 f"{row['most_volume']:.3f} | {row['overlap_mm']:.2f} | {row['recovery_s']:.2f} | {row['resets']} | {row['bad_saves']} |")
 (folder / "table.md").write_text("\n".join(lines) + "\n")
 print("\n".join(lines + found + ended))
 sys.exit(1 if found or ended else 0)

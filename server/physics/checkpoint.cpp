@@ -110,7 +110,7 @@ ContactMemories read_memories(ByteReader& in, std::size_t features, bool layers)
     m.normal = in.vector();
     m.stiffness = in.number<double>();
     m.rest = in.number<double>();
-    in.require(m.stiffness > 0 && m.rest <= 0, "a contact without stiffness, or that pulls");
+    in.require(is_consistent(m), "a contact without force or stiffness, or with a rest gap above 0");
   }
   return memories;
 }
@@ -412,63 +412,70 @@ void save(const State& state, ByteWriter& out) {
   save(state, state.lingerers.watched(), out);
 }
 
-void load(State& state, std::span<const std::uint8_t> bytes) {
-  Bodies& bodies = state.bodies;
+RestoredState::RestoredState(State& state, std::span<const std::uint8_t> bytes)
+    : state_(state),
+      cuts_(state),
+      refinements_(state),
+      rigid_(state.bodies.model.scene.gravity, room_sides(state.bodies.model.scene.room)) {
+  ByteReader in(bytes, "checkpoint");
+  read(in);
+  in.require(in.done(), "more than a checkpoint holds");
+}
+
+void RestoredState::read(ByteReader& in) {
+  const Bodies& bodies = state_.bodies;
   const Model& model = bodies.model;
   const bool thin = has_thin_shells(bodies);
-  ByteReader in(bytes, "checkpoint");
   const auto [cut, refined] = read_kind(in);
   for (const std::uint8_t b : model.hash)
     in.require(in.number<std::uint8_t>() == b, "made from another scene");
-  SimTime new_time;
-  new_time.epoch = in.number<std::uint32_t>();
-  new_time.tick = in.number<std::uint64_t>();
-  RestoredCuts cuts(state);
-  if (cut) cuts.read(in);
-  RestoredRefinements refinements(state);
-  if (refined) refinements.read(in, cuts);
-  std::vector<const SoftBody*> tissues = cuts.bodies();
-  refinements.replace(tissues);
-  RigidWorld new_world(model.scene.gravity, room_sides(model.scene.room));
-  for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
-  std::vector<SoftBodyState> new_soft;
-  for (const SoftBody* body : tissues) new_soft.push_back(read_soft(in, body->initial_state()));
-  std::vector<ContactMemories> new_memories;
+  time_.epoch = in.number<std::uint32_t>();
+  time_.tick = in.number<std::uint64_t>();
+  if (cut) cuts_.read(in);
+  if (refined) refinements_.read(in, cuts_);
+  std::vector<const SoftBody*> tissues = cuts_.bodies();
+  refinements_.replace(tissues);
+  for (const RigidModel& r : model.rigid) rigid_.add(r.setup, read_motion(in));
+  for (const SoftBody* body : tissues) soft_.push_back(read_soft(in, body->initial_state()));
   for (const SoftBody* body : tissues)
-    new_memories.push_back(read_memories(in, most_features(body->anatomy()), thin));
-  std::vector<Hand> new_hands = read_hands(in, model, tissues, new_world);
-  std::optional<PanelWorld> new_panels;
-  double new_lights = 1;
-  if (state.panels) {
-    new_panels.emplace(model.h).load(in, model.rigid.size() + tissues.size());
-    new_lights = in.number<double>();
-    in.require(new_lights >= 0 && new_lights <= 1, "a brightness beyond 0 to 1");
+    memories_.push_back(read_memories(in, most_features(body->anatomy()), thin));
+  hands_ = read_hands(in, model, tissues, rigid_);
+  if (state_.panels) {
+    panels_.emplace(model.h).load(in, model.rigid.size() + tissues.size());
+    room_lights_ = in.number<double>();
+    in.require(room_lights_ >= 0 && room_lights_ <= 1, "a brightness beyond 0 to 1");
   }
-  LayerSides new_sides;
-  if (thin) new_sides = read_sides(in, tissues.size());
-  std::vector<Part> new_parts = read_parts(in, initial_parts(model, tissues.size()));
-  LostBodies new_lost = read_lost(in, model.rigid.size() + tissues.size());
-  Entanglements new_entangled = read_entangled(in, tissues.size());
-  Lingerers::Map new_lingerers = read_lingerers(in, model.rigid.size(), tissues);
-  in.require(in.done(), "more than a checkpoint holds");
-  cuts.take_effect();
-  refinements.take_effect();
-  state.time = new_time;
-  bodies.rigid = std::move(new_world);
+  if (thin) layer_sides_ = read_sides(in, tissues.size());
+  parts_ = read_parts(in, initial_parts(model, tissues.size()));
+  lost_ = read_lost(in, model.rigid.size() + tissues.size());
+  entangled_ = read_entangled(in, tissues.size());
+  lingerers_ = read_lingerers(in, model.rigid.size(), tissues);
+}
+
+void RestoredState::take_effect() {
+  Bodies& bodies = state_.bodies;
+  cuts_.take_effect();
+  refinements_.take_effect();
+  state_.time = time_;
+  bodies.rigid = std::move(rigid_);
   for (std::size_t i = 0; i < bodies.soft.size(); ++i) {
-    bodies.soft[i].state = std::move(new_soft[i]);
-    bodies.soft[i].memories = std::move(new_memories[i]);
+    bodies.soft[i].state = std::move(soft_[i]);
+    bodies.soft[i].memories = std::move(memories_[i]);
   }
-  state.hands = std::move(new_hands);
-  bodies.parts = std::move(new_parts);
-  bodies.lost = std::move(new_lost);
-  state.entangled = std::move(new_entangled);
-  state.lingerers.set(std::move(new_lingerers));
-  state.layer_sides = std::move(new_sides);
-  state.panels = std::move(new_panels);
-  state.room_lights = new_lights;
+  state_.hands = std::move(hands_);
+  bodies.parts = std::move(parts_);
+  bodies.lost = std::move(lost_);
+  state_.entangled = std::move(entangled_);
+  state_.lingerers.set(std::move(lingerers_));
+  state_.layer_sides = std::move(layer_sides_);
+  state_.panels = std::move(panels_);
+  state_.room_lights = room_lights_;
   for (BodyId body = 0; body < bodies.parts.size(); ++body) bodies.take_effect(bodies.rigid, body);
   for (Tissue& tissue : bodies.soft) tissue.place_surface();
+}
+
+void load(State& state, std::span<const std::uint8_t> bytes) {
+  RestoredState(state, bytes).take_effect();
 }
 
 std::uint64_t hash_of(const State& state) {

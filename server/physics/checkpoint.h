@@ -3,17 +3,55 @@
 // function of them. A run that goes on after a checkpoint and one that restores it are equal.
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "common/byte_stream.h"
+#include "server/physics/organs/dissection_io.h"
+#include "server/physics/organs/refined_io.h"
 #include "server/physics/state.h"
 
 namespace prosector {
 
 /// Writes the state as it is.
 void save(const State& state, ByteWriter& out);
-/// Puts a saved state in place of this one. Throws InputError, and changes nothing, for bytes that are none
-/// of this scene.
+
+/// A saved state that was read and checked and is not yet in effect.
+class RestoredState {
+ public:
+  /// Throws InputError for bytes that are no saved state of this scene. Does not change `state`, which must
+  /// outlive this and stay as it is until take_effect().
+  RestoredState(State& state, std::span<const std::uint8_t> bytes);
+  /// Returns the number of soft bodies, pieces included.
+  std::size_t soft_bodies() const { return soft_.size(); }
+  const RestoredCuts& cuts() const { return cuts_; }
+  /// Replaces the state. Call it once.
+  void take_effect();
+
+ private:
+  void read(ByteReader& in);
+
+  State& state_;
+  RestoredCuts cuts_;
+  RestoredRefinements refinements_;
+  SimTime time_;
+  RigidWorld rigid_;
+  std::vector<SoftBodyState> soft_;
+  std::vector<ContactMemories> memories_;
+  std::vector<Hand> hands_;
+  std::optional<PanelWorld> panels_;
+  double room_lights_ = 1;
+  LayerSides layer_sides_;
+  std::vector<Part> parts_;
+  std::map<BodyId, std::uint8_t> lost_;
+  Entanglements entangled_;
+  Lingerers::Map lingerers_;
+};
+
+/// Reads a saved state and puts it into effect. Throws InputError, and changes nothing, for bytes that are no
+/// saved state of this scene.
 void load(State& state, std::span<const std::uint8_t> bytes);
 /// Returns a hash over every bit that changes the next tick.
 std::uint64_t hash_of(const State& state);

@@ -1,5 +1,6 @@
 #include "server/physics/simulation.h"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -173,8 +174,13 @@ std::vector<std::uint8_t> Simulation::checkpoint() {
 }
 
 Refusal Simulation::take_over(const Simulation& from) {
-  if (Refusal why = prosector::take_over(from.impl_->state, impl_->state)) return why;
-  checkpoint();
+  try {
+    if (Refusal why = prosector::take_over(from.impl_->state, impl_->state)) return why;
+    checkpoint();
+  } catch (const InputError& error) {  // of the bytes that carry the state over
+    return fmt::format("internal error: the state can't be carried over. Please report this: {}",
+                       error.what());
+  }
   forget_last_tick(impl_->state, impl_->buffers);
   return {};
 }

@@ -185,12 +185,14 @@ class Simulation {
   std::uint64_t state_hash() const;
   /// Returns the state as it is, to go back to with a CutEvent.
   std::vector<std::uint8_t> save() const;
-  /// Returns a checkpoint. There both the run that goes on and the one that restores rebuild their caches
-  /// canonically, so they stay equal.
+  /// Saves the state and restores it from the saved bytes, which it returns. Both this run and one that
+  /// restores them rebuild their caches canonically, so they stay equal. Throws InputError, and changes
+  /// nothing, if the saved state can't be restored.
   std::vector<std::uint8_t> checkpoint();
-  /// Throws InputError when the bytes are no checkpoint of this compiled scene.
+  /// Throws InputError, and changes nothing, when the bytes are no checkpoint of this compiled scene.
   void restore(std::span<const std::uint8_t> bytes);
-  /// Takes over the state of a simulation of the same bodies, some modelled in another way: take_over.h.
+  /// Takes over the state of a simulation of the same bodies, some modelled in another way: take_over.h. If
+  /// it is refused, this simulation's state is undefined.
   Refusal take_over(const Simulation& from);
 
   struct Impl;  // of the simulation's own files

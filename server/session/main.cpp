@@ -208,8 +208,15 @@ std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& 
                        simulation.content_hash(), scene.choices};
   if (!goes_on) return Journal::create(first, header, limits);
   header.begins_at = simulation.time().tick;
-  header.beginning =
-      simulation.checkpoint();  // both the run that goes on and one that restores begin with it
+  try {
+    header.beginning = simulation.checkpoint();  // this run and one that restores it begin alike
+  } catch (const InputError& error) {
+    say(
+        fmt::format("internal error: the state can't be saved; the session goes on without a journal. Please "
+                    "report this: {}",
+                    error.what()));
+    return nullptr;
+  }
   const std::filesystem::path file = next_journal(first);
   say(fmt::format("the journal goes on in {}", file.string()));
   return Journal::create(file, header, limits);

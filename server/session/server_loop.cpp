@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 
 #include "common/counted.h"
+#include "common/error.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/take_over.h"
 #include "server/session/session_lines.h"
@@ -207,7 +209,22 @@ std::vector<std::uint8_t> ServerLoop::checkpoint_if_due() {
   const bool long_ago = journal_ != nullptr && since_checkpoint_ns_ > longest_replay_ns;
   if (!regular && !long_ago) return {};
   since_checkpoint_ns_ = 0;
-  return simulation_.checkpoint();
+  return checkpoint();
+}
+
+/// Returns a checkpoint, or nothing if its own bytes can't be restored: then the session goes on from the
+/// state as it is, and the journal from its last checkpoint.
+std::vector<std::uint8_t> ServerLoop::checkpoint() {
+  try {
+    return options_.checkpoint ? options_.checkpoint() : simulation_.checkpoint();
+  } catch (const InputError& error) {
+    if (std::has_single_bit(++figures_.refused_checkpoints))  // else the console would hold nothing else
+      say_(fmt::format(
+          "internal error: the checkpoint of tick {} can't be restored and is skipped ({} so far); "
+          "the session goes on. Please report this: {}",
+          simulation_.time().tick, figures_.refused_checkpoints, error.what()));
+    return {};
+  }
 }
 
 void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint,
@@ -330,7 +347,7 @@ void ServerLoop::finish() {
   if (journal_ == nullptr || simulation_.time().tick % checkpoint_ticks == 0) return;
   // The last tick of the run is one more step, at whose end the state is saved.
   simulation_.step({});
-  std::vector<std::uint8_t> saved = simulation_.checkpoint();
+  std::vector<std::uint8_t> saved = checkpoint();
   state_hash_ = simulation_.state_hash();
   journal({}, std::move(saved), session_.take_events());
 }

@@ -39,6 +39,7 @@ struct RunFigures {
   double real_time_factor_with_participants = 0;      // since the first one came; 0: nobody did
   std::map<std::string, double> max_displacement_mm;  // soft body → most over the run
   std::uint64_t invalid_dropped = 0, hand_timeouts = 0;
+  std::uint64_t refused_checkpoints = 0;  // own ones that can't be restored
   CommandCounts commands{};
   std::uint64_t state_hash = 0;  // of the last tick
 };
@@ -49,6 +50,8 @@ struct LoopOptions {
   std::function<std::int64_t()> clock = monotonic_ns;  // how late ticks are
   std::uint32_t reign = first_reign;                   // of the session: common/server_run.h
   Remodeller* remodeller = nullptr;                    // null: bodies stay as they are modelled
+  // Makes a checkpoint; throws InputError where it can't be restored. Null: Simulation::checkpoint().
+  std::function<std::vector<std::uint8_t>()> checkpoint = nullptr;
 };
 
 class ServerLoop {
@@ -121,6 +124,7 @@ class ServerLoop {
   void keep_moment(const StepReport& report);
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
   std::vector<std::uint8_t> checkpoint_if_due();
+  std::vector<std::uint8_t> checkpoint();
   void settle_journal();
   void record(const StepReport& report, std::int64_t begun_ns);
   void offer_snapshot(std::vector<FeltPlanes> felt = {});

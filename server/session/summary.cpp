@@ -27,6 +27,7 @@ bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, co
   out["schedule_slips"] = f.slips;
   out["invalid_dropped"] = f.invalid_dropped;
   out["hand_timeouts"] = f.hand_timeouts;
+  out["refused_checkpoints"] = f.refused_checkpoints;
   out["commands"] = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < command_names.size(); ++k)
     if (const CommandCount& c = f.commands[k]; c.granted + c.refused > 0)

@@ -15,6 +15,7 @@
 #include "common/hash.h"
 #include "tests/ledger/sessions.h"
 #include "tests/physics/scenes.h"
+#include "tests/save_check.h"
 
 namespace prosector::test {
 namespace {
@@ -59,6 +60,10 @@ int first_difference(const std::string& a, const std::string& b) {
   return tick;
 }
 
+const Session& named(const std::vector<Session>& all, const std::string& name) {
+  return *std::ranges::find(all, name, &Session::name);
+}
+
 class Ledger : public testing::TestWithParam<std::string> {};
 
 TEST_P(Ledger, HoldsForAnyNumberOfThreads) {
@@ -68,8 +73,7 @@ TEST_P(Ledger, HoldsForAnyNumberOfThreads) {
   if (std::string(__VERSION__) != compiler)
     GTEST_SKIP() << "recorded with g++ " << compiler << ", this is " << __VERSION__;
   const std::vector<Session> all = sessions();
-  const auto session = std::ranges::find(all, GetParam(), &Session::name);
-  ASSERT_NE(session, all.end());
+  const Session* session = &named(all, GetParam());
   std::string expected = read()[session->name];
   if (std::getenv("PROSECTOR_RENEW_LEDGER")) {
     std::set<std::string> any;
@@ -85,6 +89,18 @@ TEST_P(Ledger, HoldsForAnyNumberOfThreads) {
     EXPECT_EQ(found, expected) << threads << " threads: from tick " << first_difference(found, expected)
                                << " on";
     for (const std::string& event : session->reaches) EXPECT_TRUE(happened.contains(event)) << event;
+  }
+}
+
+// The server restores its own checkpoints while it runs, at ticks that depend on how fast it is.
+TEST_P(Ledger, EveryStateCanBeRestored) {
+  const std::vector<Session> all = sessions();
+  const Session& session = named(all, GetParam());
+  Simulation simulation(session.scene, options(1));
+  SaveCheck saves(session.scene, options(1));
+  for (int tick = 0; tick < session.ticks; ++tick) {
+    (void)simulation.step(session.input(tick, simulation));
+    ASSERT_EQ(saves.look(simulation), "");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "common/error.h"
 #include "common/paths.h"
@@ -22,7 +23,7 @@ struct Options {
   unsigned seed = 1;
   int seeds = 1, people = 2, bouts = 1, threads = 1;
   double bout = 8, rest = 5;
-  bool tell = false;
+  bool tell = false, saves = false;
   std::uint64_t from = 0, to = 1ull << 40, every = 30;
 };
 
@@ -85,6 +86,7 @@ nlohmann::json to_json(const PlayFigures& f) {
           {"recovery_s", f.recovery},
           {"slowest_step_ms", f.step_ms},
           {"rest_step_ms", f.rest_ms},
+          {"bad_saves", f.bad_saves},
           {"found", f.found}};
 }
 
@@ -97,13 +99,16 @@ int run(const Options& options) {
       SceneDesc scene = load_scene(file);
       put_rung(options, scene);
       Simulation simulation(scene, sources(options));
+      std::optional<SaveCheck> saves;
+      if (options.saves) saves.emplace(scene, sources(options));
       const PlayOptions how{.seed = options.seed + static_cast<unsigned>(k),
                             .people = options.people,
                             .bouts = options.bouts,
                             .bout = options.bout,
                             .rest = options.rest,
                             .tell = options.tell,
-                            .bounds = {}};
+                            .bounds = {},
+                            .saves = saves ? &*saves : nullptr};
       const PlayFigures one = play(simulation, how, say);
       say(fmt::format(
           "{} seed {}: {:.0f} s, {} acts, {} of {} bouts bad; volume {:.3f} … {:.3f}, overlap {:.2f} mm, "
@@ -118,7 +123,7 @@ int run(const Options& options) {
     }
   if (!options.json.empty())
     std::ofstream(options.json) << nlohmann::json{{"all", to_json(all)}, {"runs", rows}}.dump(1);
-  return all.bad > 0 ? 1 : 0;
+  return all.bad > 0 || all.bad_saves > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -142,6 +147,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "of the simulation");
   app.add_option("--model", options.model, "of every solid organ, instead of the scene's");
   app.add_option("--element", options.element, "likewise");
+  app.add_flag("--saves", options.saves, "save and restore the state after every tick, and compare");
   app.add_flag("--tell", options.tell, "say how the organs are while they rest");
   app.add_option("--json", options.json, "file for the figures");
   CLI11_PARSE(app, argc, argv);

@@ -10,7 +10,8 @@
 namespace prosector::test {
 namespace {
 
-constexpr int looks_per_second = 4;  // while the organs rest
+constexpr int looks_per_second = 4;                  // while the organs rest
+constexpr std::uint64_t ticks_of_a_checkpoint = 60;  // a server with a journal makes one after 1 s of work
 
 /// What the report says of each body, for people.
 std::string words_of(const StepReport& report) {
@@ -77,6 +78,7 @@ void add(PlayFigures& to, const PlayFigures& from) {
   to.recovery = std::max(to.recovery, from.recovery);
   to.step_ms = std::max(to.step_ms, from.step_ms);
   to.rest_ms = std::max(to.rest_ms, from.rest_ms);
+  to.bad_saves += from.bad_saves;
   to.found.insert(to.found.end(), from.found.begin(), from.found.end());
 }
 
@@ -85,14 +87,26 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
   const double rate = simulation.scene().tick_rate;
   const Judge judge(simulation);
   PlayFigures out;
+  int bad_saves = 0;  // of this bout
+  const auto check_save = [&] {
+    if (options.saves == nullptr) return;
+    if (const std::string wrong = options.saves->look(simulation); !wrong.empty()) {
+      if (bad_saves++ == 0)
+        out.found.push_back(fmt::format("{}, seed {}, {}", simulation.scene().name, options.seed, wrong));
+    } else if (simulation.time().tick % ticks_of_a_checkpoint == 0) {
+      (void)simulation.checkpoint();
+    }
+  };
   const auto step = [&](const TickInput& input) {
     note(simulation.step(input), out);
     out.seconds += 1 / rate;
+    check_save();
   };
   std::vector<Person> people;
   for (int p = 0; p < options.people; ++p)
     people.emplace_back(static_cast<ParticipantId>(p + 1), 1000 * options.seed + static_cast<unsigned>(p));
   for (int bout = 0; bout < options.bouts; ++bout, ++out.bouts) {
+    bad_saves = 0;
     for (int tick = 0; tick < options.bout * rate; ++tick) {
       TickInput input;
       for (Person& person : people) person.act(simulation, input);
@@ -138,6 +152,7 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
       say(fmt::format("{}, seed {}, bout {}: still {:.1f} ms a step, awake:{}{}", simulation.scene().name,
                       options.seed, bout, mean_ms, awake, words));
     }
+    out.bad_saves += bad_saves;
     out.rest_ms = std::max(out.rest_ms, mean_ms);
     out.least_volume = std::min(out.least_volume, end_state.least_volume);
     out.most_volume = std::max(out.most_volume, end_state.most_volume);

@@ -7,6 +7,7 @@
 
 #include "tests/play/judge.h"
 #include "tests/play/person.h"
+#include "tests/save_check.h"
 
 namespace prosector::test {
 
@@ -18,6 +19,8 @@ struct PlayOptions {
   double rest = 5;    // s that the organs have then
   bool tell = false;  // how the organs are while they rest
   Bounds bounds;
+  SaveCheck* saves =
+      nullptr;  // checks the saved state after every tick; checkpoints as often as a server does
 };
 
 struct PlayFigures {
@@ -31,7 +34,8 @@ struct PlayFigures {
   double recovery = 0;                       // s after the hands left until all was in bounds, the longest
   double step_ms = 0;                        // the slowest tick, CPU or wall as the step measures
   double rest_ms = 0;                        // mean step over the last half second of a rest, the slowest
-  std::vector<std::string> found;            // a line for each bad bout
+  int bad_saves = 0;                         // ticks whose saved state could not be restored
+  std::vector<std::string> found;            // a line for each bad bout, and for the first bad save of each
 };
 
 /// Plays in the simulation, bout after bout, in one state that goes on.

@@ -5,6 +5,7 @@
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "tests/play/play.h"
+#include "tests/random.h"
 #include "tests/real_data.h"
 
 namespace prosector::test {
@@ -28,6 +29,23 @@ TEST_P(ShippedScene, PeopleLeaveOrgansWholeAndApart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::Values("touch", "cut"),
+                         [](const auto& info) { return std::string(info.param); });
+
+class AnyScene : public testing::TestWithParam<const char*> {};
+
+// The server restores its own checkpoints while it runs: each state that play leads to must be restorable.
+TEST_P(AnyScene, RestoresWhatItSavesAfterEveryTick) {
+  const SceneDesc scene = load_scene(std::string(PROSECTOR_SCENES "/") + GetParam() + ".toml");
+  Simulation simulation(scene, alone());
+  SaveCheck saves(scene, alone());
+  const PlayFigures figures =
+      play(simulation, {.seed = test_seed(true), .bout = 0.8, .rest = 0.1, .bounds = {}, .saves = &saves});
+  EXPECT_EQ(figures.bad_saves, 0) << (figures.found.empty() ? "" : figures.found.front());
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AnyScene,
+                         testing::Values("touch", "abdomen", "cut", "sheet_cut", "contact", "curves", "cloth",
+                                         "ropes", "minimal", "rigid"),
                          [](const auto& info) { return std::string(info.param); });
 
 /// A seed that random play found. A kidney that the liver pressed onto the table kept 0.47 of its volume,

@@ -72,12 +72,13 @@ struct Guest {
 
 struct Hosted {
   explicit Hosted(const LocalNetworkConfig& network_config = {}, Journal* journal = nullptr, int threads = 1,
-                  const SceneDesc& scene = hosted_scene())
+                  const SceneDesc& scene = hosted_scene(), const LoopOptions& loop_options = {})
       : network(network_config),
         simulation(scene, options(threads)),
         bus(network.join(config(BusEnd::server))),
-        loop(simulation, *bus, "prosector", journal,
-             [this](const std::string& line) { log.push_back(line); }) {}
+        loop(
+            simulation, *bus, "prosector", journal, [this](const std::string& line) { log.push_back(line); },
+            loop_options) {}
 
   LocalNetwork network;
   Simulation simulation;

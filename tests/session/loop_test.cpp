@@ -6,7 +6,11 @@
 #include <limits>
 #include <thread>
 
+#include "common/error.h"
+#include "server/session/journal_reader.h"
+#include "server/session/replay.h"
 #include "tests/session/hosted.h"
+#include "tests/session/temporary_file.h"
 
 namespace prosector {
 namespace {
@@ -63,6 +67,40 @@ TEST(ServerLoop, AHandJoinsPressesAndIsSeen) {
   EXPECT_GT(hosted.loop.figures().max_displacement_mm.at("liver"), 5);
   EXPECT_LT(test::surface_error(hosted, pressing.ada), 1e-4);
   EXPECT_EQ(hosted.loop.figures().invalid_dropped, 0u);
+}
+
+// As a fault in the physics might make a state whose bytes no checkpoint may have.
+TEST(ServerLoop, ACheckpointThatCannotBeRestoredIsSkippedAndTheSessionGoesOn) {
+  const test::TemporaryFile file("refused.journal");
+  const auto journal = Journal::create(
+      file.path,
+      {"hosted.toml", "", "prosector", Simulation(test::hosted_scene(), test::options()).content_hash(), {}},
+      {});
+  Simulation* saved = nullptr;
+  int made = 0;
+  const auto checkpoint = [&] {
+    if (++made != 2) return saved->checkpoint();
+    throw InputError("checkpoint: a number that isn't finite before byte 7");
+  };
+  LoopOptions loop_options;
+  loop_options.checkpoint = checkpoint;
+  Hosted hosted({}, journal.get(), 1, test::hosted_scene(), loop_options);
+  saved = &hosted.simulation;
+  Pressing pressing(hosted);
+  while (made < 3) pressing.run(1);
+  pressing.run(20);
+  EXPECT_EQ(hosted.loop.figures().refused_checkpoints, 1u);
+  EXPECT_EQ(pressing.ada.replica.roster().size(), 1u);
+  const auto reported = [](const std::string& line) {
+    return line.find("can't be restored and is skipped (1 so far)") != std::string::npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(hosted.log, reported), 1);
+  // A replay rebuilds its state at the checkpoints that were made, and not at the one that was refused.
+  ASSERT_TRUE(journal->settle());
+  Simulation again(test::hosted_scene(), test::options());
+  const ReplayResult replayed = replay(JournalReader(file.path), again, {});
+  EXPECT_TRUE(replayed);
+  EXPECT_EQ(replayed.ticks, hosted.simulation.time().tick);
 }
 
 TEST(ServerLoop, ALateComerSeesTheSameInMotion) {

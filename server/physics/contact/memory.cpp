@@ -76,19 +76,34 @@ void rest(const ContactMemories& memories, std::uint32_t first_face, double h, s
     } else {
       const double force = std::min(to_inherit, -c.stiffness * gap);
       to_inherit -= force;
-      c.rest = gap + force / c.stiffness;
+      // Not below -gap * stiffness in exact arithmetic, but the quotient is rounded.
+      c.rest = std::min(gap + force / c.stiffness, 0.0);
     }
     c.gap -= c.rest;
   }
 }
 
+bool is_consistent(const ContactMemory& m) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  return positive(m.force) && positive(m.stiffness) && m.rest <= 0 && std::isfinite(m.rest) &&
+         m.grip.allFinite() && m.normal.allFinite();
+}
+
 void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& memories) {
   memories.clear();
-  for (const Contact& c : contacts)
-    if (c.a.kind == ContactSide::Kind::soft && c.a.body == body && c.feature != Contact::no_feature &&
-        c.force > 0)
-      memories.push_back({c.b.kind == ContactSide::Kind::soft, c.b.body, c.feature, c.met, c.grip_after,
-                          c.force, c.normal, c.stiffness, c.rest});
+  for (const Contact& c : contacts) {
+    if (c.a.kind != ContactSide::Kind::soft || c.a.body != body || c.feature == Contact::no_feature) continue;
+    const ContactMemory m = {c.b.kind == ContactSide::Kind::soft,
+                             c.b.body,
+                             c.feature,
+                             c.met,
+                             c.grip_after,
+                             c.force,
+                             c.normal,
+                             c.stiffness,
+                             c.rest};
+    if (is_consistent(m)) memories.push_back(m);
+  }
   std::sort(memories.begin(), memories.end(),
             [](const ContactMemory& a, const ContactMemory& b) { return key(a) < key(b); });
 }

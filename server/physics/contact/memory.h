@@ -46,6 +46,10 @@ void recall(const ContactMemory* memory, Contact& contact);
 /// leaping. They must be all of the body's with that other side. h: s, the tick.
 void rest(const ContactMemories& memories, std::uint32_t first_face, double h, std::span<Contact> contacts);
 
+/// Returns whether all numbers are finite, force and stiffness are positive, and the rest gap is <= 0. keep()
+/// stores no other memory, and a checkpoint is refused for one.
+bool is_consistent(const ContactMemory& memory);
+
 /// Takes what soft body `body` remembers of the tick.
 void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& memories);
 

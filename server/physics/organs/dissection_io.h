@@ -21,6 +21,8 @@ class RestoredCuts {
   /// Throws InputError for what doesn't fit.
   void read(ByteReader& in);
   bool is_cut(std::size_t body) const { return organs_.contains(body); }
+  /// Returns the organs that are cut, by the index of the soft body that they were.
+  const std::map<std::size_t, Organ>& organs() const { return organs_; }
   /// Returns the soft bodies with all pieces, by index; valid as long as this and the state are.
   std::vector<const SoftBody*> bodies() const;
   /// Gives the state these bodies, and hands these blades, from now on.

@@ -40,9 +40,11 @@ class Organ {
                 ParticipantId author, std::uint64_t stroke);
   /// Takes back the author's last stroke, or returns why not.
   Refusal undo(ParticipantId author);
-  /// Makes everything as in `then`, this organ's own earlier state. Cuts made since are taken back, those
-  /// undone since are made again, under the ids that they had. Throws InputError, and changes nothing, where
-  /// the log doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
+  /// Returns whether `then` is an earlier state of this organ: the log begins with `then`'s.
+  bool has_past(const Organ& then) const;
+  /// Makes everything as in `then`, for which has_past() must hold. Cuts made since are taken back, those
+  /// undone since are made again, under the ids that they had. Bodies that came since stay, as pieces without
+  /// tetrahedra.
   void rewind(const Organ& then, ParticipantId author);
 
   /// Finds the pieces anew after changes, see OrganPieces::regroup().

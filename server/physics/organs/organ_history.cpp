@@ -2,13 +2,17 @@
 
 #include <utility>
 
-#include "common/error.h"
+#include "common/assert.h"
 #include "server/physics/organs/organ.h"
 
 namespace prosector {
 
+bool Organ::has_past(const Organ& then) const {
+  return begins_with(log_, then.log_);
+}
+
 void Organ::rewind(const Organ& then, ParticipantId author) {
-  if (!begins_with(log_, then.log_)) throw InputError("cutting: a state to go back to has another past");
+  PROSECTOR_ASSERT(has_past(then));
   OrganChange entry;
   entry.cause = TopologyCause::rewind;
   entry.author = author;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -80,8 +81,18 @@ void bring_back_hands(State& state, std::span<const Hand> present, std::span<con
   }
 }
 
-/// Goes back. Throws InputError for a state that isn't of this run.
-void go_back(State& state, const CutEvent& event, StepReport& report) {
+/// Returns why this run can't go back to that state: it isn't one of its own past.
+Refusal not_of_this_past(const State& state, const RestoredState& past) {
+  if (past.soft_bodies() > state.bodies.soft.size())
+    return "cutting: a state to go back to has bodies that never were";
+  const std::map<std::size_t, Organ>& cut = state.dissection.organs;
+  for (const auto& [first, then] : past.cuts().organs())
+    if (!cut.contains(first) || !cut.at(first).has_past(then))
+      return "cutting: a state to go back to has another past";
+  return {};
+}
+
+void go_back(State& state, RestoredState& past, const CutEvent& event, StepReport& report) {
   Bodies& bodies = state.bodies;
   const SimTime left = state.time;
   const std::uint64_t strokes_left = state.dissection.strokes;
@@ -95,11 +106,7 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
   for (const Hand& hand : present) motions.push_back(bodies.rigid.motion(hand.slot));
   std::map<std::size_t, Organ> cut = state.dissection.organs;
 
-  load(state, *event.state);
-  if (bodies.soft.size() > count)
-    throw InputError("cutting: a state to go back to has bodies that never were");
-  for (const auto& [first, then] : state.dissection.organs)
-    if (!cut.contains(first)) throw InputError("cutting: a state to go back to has another past");
+  past.take_effect();
   for (auto& [first, organ] : cut) {
     take_refinement_back(state, first);  // it goes on as one that was cut
     const auto then = state.dissection.organs.find(first);
@@ -118,19 +125,25 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
   bring_back_hands(state, present, motions, report);
 }
 
+/// Reads the state to go back to. Refused: its bytes are none of this scene.
+Refusal read_past(State& state, const CutEvent& event, std::optional<RestoredState>& past) {
+  try {
+    past.emplace(state, *event.state);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 Refusal rewind(State& state, const CutEvent& event, StepReport& report) {
   if (!event.state) return "that state was not kept";
-  ByteWriter now;
-  save(state, now);
-  try {
-    go_back(state, event, report);
-    return {};
-  } catch (const InputError& error) {
-    load(state, now.bytes());
-    return error.what();
-  }
+  std::optional<RestoredState> past;
+  if (Refusal why = read_past(state, event, past)) return why;
+  if (Refusal why = not_of_this_past(state, *past)) return why;
+  go_back(state, *past, event, report);
+  return {};
 }
 
 }  // namespace prosector
