@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Installs, builds and runs every test but those of deploy/left_out.txt. --quick leaves out the sanitizers.
-# Ends with the minutes of each phase and the tests that were skipped, by name and reason.
+# Installs, builds and runs the release suite: every test but those of deploy/left_out.txt. --all also builds and runs the
+# tests under the address and undefined-behaviour sanitizers. Ends with the minutes of each phase and the skipped tests,
+# by name and reason.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-quick=no
+sanitized=no
 for option in "$@"; do
   case $option in
-    --quick) quick=yes ;;
-    *) echo "usage: deploy/test.sh [--quick]"; exit 2 ;;
+    --all) sanitized=yes ;;
+    -h | --help) echo "usage: deploy/test.sh [--all]"; exit 0 ;;
+    *) echo "test: $option is no option; usage: deploy/test.sh [--all]" >&2; exit 2 ;;
   esac
 done
 
@@ -68,7 +70,7 @@ step "build: release"
 deploy/build.sh release
 step "tests: release"
 run_tests release "all package"
-if [ "$quick" = no ]; then
+if [ $sanitized = yes ]; then
   step "build: address and undefined-behaviour sanitizers"
   # Not those that tests/*/CMakeLists.txt call SANITIZED_NIGHTLY, nor what deploy/slow_sanitized.txt lists.
   deploy/build.sh asan sanitized_tests
