@@ -53,11 +53,16 @@ std::string row_of(const Path& file) {
   const SceneDesc scene = load_scene(file);
   std::vector<std::string> parts, pulled, lifted, blades;
   for (std::size_t k = 0; k < scene.atlases.size(); ++k) parts.push_back("each region of its label map");
-  add_names<SoftDesc>(scene.soft, [](const SoftDesc& s) { return s.part; }, parts);
-  add_names<RigidDesc>(scene.rigid, [](const RigidDesc& r) { return r.part; }, parts);
-  add_names<SoftDesc>(scene.soft, [](const SoftDesc& s) { return !s.part; }, pulled);
-  add_names<RigidDesc>(scene.rigid, [](const RigidDesc& r) { return !r.fixed && !r.part; }, lifted);
-  add_names<RigidDesc>(scene.rigid, [](const RigidDesc& r) { return !r.fixed && !r.edges.empty(); }, blades);
+  add_names<SoftDesc>(
+      scene.soft, [](const SoftDesc& s) { return s.part; }, parts);
+  add_names<RigidDesc>(
+      scene.rigid, [](const RigidDesc& r) { return r.part; }, parts);
+  add_names<SoftDesc>(
+      scene.soft, [](const SoftDesc& s) { return !s.part; }, pulled);
+  add_names<RigidDesc>(
+      scene.rigid, [](const RigidDesc& r) { return !r.fixed && !r.part; }, lifted);
+  add_names<RigidDesc>(
+      scene.rigid, [](const RigidDesc& r) { return !r.fixed && !r.edges.empty(); }, blades);
   return fmt::format("| [{}](../../deploy/scenes/{}) | {} | {} | {} | {} | {} |", file.stem().string(),
                      file.filename().string(), scene.description, cell(parts), cell(pulled), cell(lifted),
                      cell(blades));
@@ -66,9 +71,8 @@ std::string row_of(const Path& file) {
 TEST(ShippedScenes, AreListedWithWhatCanBeDoneInThem) {
   const std::string page = text_of(root / "docs/look-up/scenes.md");
   for (const Path& file : shipped_scenes())
-    EXPECT_NE(page.find(row_of(file)), std::string::npos)
-        << "docs/look-up/scenes.md lacks this row:\n"
-        << row_of(file);
+    EXPECT_NE(page.find(row_of(file)), std::string::npos) << "docs/look-up/scenes.md lacks this row:\n"
+                                                          << row_of(file);
 }
 
 // Organs of a shipped scene have a panel and can be taken out: lessons say so of every organ.
