@@ -417,7 +417,8 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
     return known ? replica.scene()->bodies[met->body].name : std::string();
   });
   say(name.empty() ? "P: point at a part of the anatomy to open its panel"
-                   : fmt::format("P: the {} has no panel; only parts of the anatomy have one", name));
+                   : fmt::format("P: the {} has no panel; only parts of the anatomy have one", name),
+      MessageKind::own);
 }
 
 /// Goes on to the next other user who has eyes, and after the last one back to one's own.
@@ -430,7 +431,8 @@ void Viewer::follow_next(ParticipantId self) {
       if (id != self && user && user->head_tracked) names.push_back(entry.name);
     }
   });
-  if (names.size() == 1 && follow_.empty()) say("Tab: nobody else is here to see through the eyes of");
+  if (names.size() == 1 && follow_.empty())
+    say("Tab: nobody else is here to see through the eyes of", MessageKind::own);
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }
