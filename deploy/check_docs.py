@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
-Five rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
-docs/ can be reached from docs/README.md by links; each page that a source names, and each source that a page names in
-`backticks` by a path from the root or from server/physics, is there. Tables, code and headings are free of the first rule,
-docs/decisions of the first and the last. NAME in a path stands for any name.
+Six rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
+docs/ is linked from docs/README.md or from the README.md of its own folder; each table has a heading row and a separator
+row; each page that a source names, and each source that a page names in `backticks` by a path from the root or from
+server/physics, is there. Tables, code and headings are free of the first rule, docs/decisions of the first and the last.
+NAME in a path stands for any name.
 --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
@@ -111,16 +112,23 @@ def lost_sources(page, root):
                 yield line, f"names {path}, which is not there"
 
 
-def reached_from(start):
-    found, open_pages = {start}, [start]
-    while open_pages:
-        for _, target, _ in links(open_pages.pop()):
-            if target.is_dir():
-                target = target / "README.md"
-            if target.suffix == ".md" and target.exists() and target not in found:
-                found.add(target)
-                open_pages.append(target)
-    return found
+def headless_tables(page):
+    """(line number, why) of each block of table rows whose second row doesn't separate a heading from the rest."""
+    lines = ["", *without_fences(page.read_text()), ""]
+    for number in range(1, len(lines) - 1):
+        begins = lines[number].startswith("|") and not lines[number - 1].startswith("|")
+        if begins and not re.fullmatch(r"\|(?:\s*:?-+:?\s*\|)+", lines[number + 1].strip()):
+            yield number, "a table without a heading and a row of |---|: was it torn by an empty line?"
+
+
+def unlisted(pages, docs):
+    """Each page that neither docs/README.md nor the README.md of its own folder links to."""
+    indexes = [page for page in pages if page.name == "README.md"]
+    listed = {index: {target for _, target, _ in links(index)} for index in indexes}
+    for page in pages:
+        index_of_folder = page.parent / "README.md"
+        if page != docs / "README.md" and not any(page in listed.get(index, ()) for index in (docs / "README.md", index_of_folder)):
+            yield page
 
 
 def dead_mentions(root):
@@ -151,8 +159,8 @@ def main():
             faults += [(page, line, why) for line, why in lost_sources(page, root)]
     for page in [*tops, *pages]:
         faults += [(page, line, why) for line, why in dead_links(page)]
-    reached = reached_from(docs / "README.md")
-    faults += [(page, 1, "no way of links leads here from docs/README.md") for page in pages if page not in reached]
+        faults += [(page, line, why) for line, why in headless_tables(page)]
+    faults += [(page, 1, "no index lists this page: name it in docs/README.md") for page in unlisted(pages, docs)]
     faults += dead_mentions(root)
     for page, line, why in faults:
         print(f"{page.relative_to(root)}:{line}: {why}", file=sys.stderr)

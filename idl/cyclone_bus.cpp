@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "common/clock.h"
-#include "common/error.h"
+#include "common/session_name.h"
 #include "idl/claims.h"
 #include "idl/counters.h"
 #include "idl/dds/node.h"
@@ -235,10 +235,7 @@ bool CycloneBus::wait(std::chrono::milliseconds timeout) {
 }  // namespace
 
 std::unique_ptr<Bus> make_cyclone_bus(const BusConfig& config) {
-  if (!valid_name(config.session) || config.session.find_first_of("*?[]") != std::string::npos)
-    throw InputError(fmt::format(
-        "session name \"{}\" is not valid: 1 to {} bytes of UTF-8 without control characters and * ? [ ]",
-        config.session, max_name_length));
+  check_session_name(config.session);
   const std::scoped_lock lock(entity_mutex());
   return std::make_unique<CycloneBus>(config);
 }

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "client/app/no_session.h"
 #include "common/clock.h"
 #include "common/error.h"
 #include "idl/cyclone_bus.h"
@@ -21,23 +22,6 @@ ParticipantId draw_participant_id() {
   ParticipantId id = 0;
   while (id == 0) id = (ParticipantId{entropy()} << 32) | entropy();
   return id;
-}
-
-std::string where_we_looked(const BusConfig& config) {
-  if (!config.peers.empty()) return fmt::format("asked {}", fmt::join(config.peers, ", "));
-  if (config.profile.empty())
-    return "looked on this machine only (loopback); name a machine with --peer, or a network with --lan";
-  return fmt::format("looked where {} says", config.profile);
-}
-
-std::string no_server(const BusConfig& config) {
-  std::string others;
-  for (const SessionInfo& s : list_sessions(config, std::chrono::milliseconds(600)))
-    others += fmt::format("{}'{}' (scene {})", others.empty() ? "" : ", ", s.session, s.scene);
-  return fmt::format("no server found for session '{}' in domain {}: {}. {}", config.session, config.domain,
-                     where_we_looked(config),
-                     others.empty() ? "Start one: prosector-server deploy/scenes/abdomen.toml"
-                                    : "Sessions that do run: " + others + "; choose with --session");
 }
 
 }  // namespace
@@ -61,11 +45,19 @@ Connection::~Connection() {
   bus_->dispose(presence_);
 }
 
+/// Waits for the session. Where a look around finds that it runs, it is waited for as long again.
 void Connection::find_session(const BusConfig& config, std::chrono::milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
+  auto deadline = Clock::now() + patience;
+  bool looked_around = false;
   std::vector<Received> received;
   while (!servers_.replica().session()) {
-    if (Clock::now() > deadline) throw InputError(no_server(config));
+    if (Clock::now() > deadline) {
+      const std::vector<SessionInfo> found = list_sessions(config, std::chrono::milliseconds(600));
+      if (looked_around || !is_among(config, found))
+        throw InputError(no_session_text(config, 2 * patience, found));
+      looked_around = true;
+      deadline = Clock::now() + patience;
+    }
     bus_->wait(poll_interval);
     bus_->take(received);
     apply(received);

@@ -140,7 +140,7 @@ void DeskHand::follow_blade(const HandGuide& guide, double seconds) {
   if (button_ && seconds_in_ == 0) takes_blade_ = guide.at_blade;
   seconds_in_ += seconds;
   seconds_held_ = phase_ == Phase::grips ? seconds_held_ + seconds : 0;
-  without_blade_ = guide.blade ? 0 : without_blade_ + seconds;
+  without_blade_ = guide.blade ? 0 : without_blade_ + std::min(seconds, longest_step);
   has_blade_ = phase_ == Phase::grips && (guide.blade || (has_blade_ && without_blade_ < until_known));
   if (has_blade_) asks_to_release_ = false;
   const bool is_lost = phase_ == Phase::grips && !button_ && !has_blade_ && !asks_to_release_;

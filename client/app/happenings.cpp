@@ -6,12 +6,16 @@
 #include <cstdlib>
 #include <utility>
 
+#include "common/repeated_lines.h"
+
 namespace prosector {
 namespace {
 
-constexpr double trouble_seconds = 10;  // a trouble that was away for so long is news again
-constexpr double hardly_slower = 0.9;   // of real time
-constexpr double calm_seconds = 3;      // without any: told to be over
+constexpr double trouble_seconds = 10;     // a trouble that was away for so long may be news again …
+constexpr double trouble_interval = 60;    // … so long after it was told, s
+constexpr double forgotten_seconds = 120;  // since the server had it
+constexpr double hardly_slower = 0.9;      // of real time
+constexpr double calm_seconds = 3;         // without any: told to be over
 
 std::string_view role_name(Role role) {
   switch (role) {
@@ -37,12 +41,6 @@ std::string_view did(TopologyCause cause) {
       break;
   }
   return "changed";
-}
-
-/// Returns a trouble without its figures, which change while it stays the same one.
-std::string kind_of(std::string trouble) {
-  std::erase_if(trouble, [](char c) { return c >= '0' && c <= '9'; });
-  return trouble;
 }
 
 /// Returns the entries of a list that is told as one line: "liver reset: …, kidney …".
@@ -78,8 +76,8 @@ std::string worth_telling(const std::string& entry) {
 
 }  // namespace
 
-std::vector<std::string> Happenings::look(const Replica& replica, double now) {
-  std::vector<std::string> out;
+std::vector<Happening> Happenings::look(const Replica& replica, double now) {
+  std::vector<Happening> out;
   look_at_people(replica, out);
   look_at_time(replica, out);
   look_at_hands(replica, out);
@@ -91,30 +89,30 @@ std::vector<std::string> Happenings::look(const Replica& replica, double now) {
   return out;
 }
 
-void Happenings::look_at_people(const Replica& replica, std::vector<std::string>& out) {
+void Happenings::look_at_people(const Replica& replica, std::vector<Happening>& out) {
   for (const auto& [who, entry] : replica.roster()) {
     const auto known = people_.find(who);
     if (known == people_.end() && who != self_)
-      out.push_back(fmt::format("{} joined as {}", entry.name, role_name(entry.role)));
+      out.push_back({fmt::format("{} joined as {}", entry.name, role_name(entry.role))});
     else if (known != people_.end() && who != self_ && known->second.role != entry.role)
-      out.push_back(fmt::format("{} is {} now", entry.name, role_name(entry.role)));
+      out.push_back({fmt::format("{} is {} now", entry.name, role_name(entry.role))});
   }
   for (const auto& [who, entry] : people_)
-    if (who != self_ && !replica.roster().contains(who)) out.push_back(entry.name + " left");
+    if (who != self_ && !replica.roster().contains(who)) out.push_back({entry.name + " left"});
   people_ = replica.roster();
 }
 
-void Happenings::look_at_time(const Replica& replica, std::vector<std::string>& out) {
+void Happenings::look_at_time(const Replica& replica, std::vector<Happening>& out) {
   if (replica.pace() == pace_) return;
   pace_ = replica.pace();
   if (replica.recording()) return;  // its bar tells
   if (pace_ == 0)
-    out.push_back("the host stopped time");
+    out.push_back({"the host stopped time"});
   else
-    out.push_back(pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_));
+    out.push_back({pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_)});
 }
 
-void Happenings::look_at_hands(const Replica& replica, std::vector<std::string>& out) {
+void Happenings::look_at_hands(const Replica& replica, std::vector<Happening>& out) {
   if (!replica.scene()) return;
   const auto is_own = [&](const HandRef& hand) { return hand.participant == self_; };
   std::set<BodyId> held;
@@ -123,12 +121,12 @@ void Happenings::look_at_hands(const Replica& replica, std::vector<std::string>&
         part != nullptr && std::ranges::any_of(part->holders, is_own)) {
       held.insert(body);
       if (!held_.contains(body))
-        out.push_back(fmt::format("you hold the {}", replica.scene()->bodies[body].name));
+        out.push_back({fmt::format("you hold the {}", replica.scene()->bodies[body].name), MessageKind::own});
     }
   held_ = std::move(held);
 }
 
-void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out) {
+void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<Happening>& out) {
   if (!replica.scene()) return;
   const auto& bodies = replica.scene()->bodies;
   for (BodyId body = 0; body < bodies.size(); ++body) {
@@ -138,42 +136,50 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<st
     Seen& seen = entry->second;
     if (is_new && newest->piece_of >= 0 && static_cast<std::size_t>(newest->piece_of) < bodies.size())
       out.push_back(
-          fmt::format("a piece came off the {}", bodies[static_cast<std::size_t>(newest->piece_of)].name));
+          {fmt::format("a piece came off the {}", bodies[static_cast<std::size_t>(newest->piece_of)].name)});
     const bool changed = !is_new && newest->revision != seen.revision;
     const bool same_stroke = newest->cause == TopologyCause::cut && seen.cause == TopologyCause::cut &&
                              newest->author == seen.author && now - seen.told < StrokeGauge::stroke_seconds;
     const bool sought = replica.recording() && newest->cause == TopologyCause::rewind && newest->author == 0;
     if (changed && newest->cause != TopologyCause::compiled && !same_stroke && !sought)
-      out.push_back(fmt::format("{} {} the {}", name_of(replica, newest->author), did(newest->cause),
-                                bodies[body].name));
+      out.push_back({fmt::format("{} {} the {}", name_of(replica, newest->author), did(newest->cause),
+                                 bodies[body].name),
+                     kind_of(newest->author)});
     if (is_new || changed) seen = {newest->revision, newest->cause, newest->author, now};
   }
 }
 
-void Happenings::look_at_strokes(const Replica& replica, double now, std::vector<std::string>& out) {
+void Happenings::look_at_strokes(const Replica& replica, double now, std::vector<Happening>& out) {
   strokes_.look(replica, now);
   for (const StrokeFigures& stroke : strokes_.take_ended()) {
     const std::string whose = stroke.author == self_ ? "cut" : name_of(replica, stroke.author) + "'s cut";
-    out.push_back(fmt::format("{}: {}, in the {}", whose, in_words(stroke),
-                              replica.scene()->bodies[stroke.organ].name));
+    out.push_back({fmt::format("{}: {}, in the {}", whose, in_words(stroke),
+                               replica.scene()->bodies[stroke.organ].name),
+                   kind_of(stroke.author)});
   }
 }
 
-void Happenings::look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out) {
+void Happenings::look_at_troubles(const Replica& replica, double now, std::vector<Happening>& out) {
   if (!replica.status()) return;
-  const std::vector<std::string> entries = entries_of(replica.status()->degraded);
-  for (const std::string& entry : entries) {
+  for (const std::string& entry : entries_of(replica.status()->degraded)) {
     const std::string trouble = worth_telling(entry);
     if (trouble.empty()) continue;
-    const auto [known, is_new] = troubles_.try_emplace(kind_of(trouble), now);
-    if (is_new) out.push_back(trouble);
-    known->second = now;
+    const auto [known, is_new] = troubles_.try_emplace(line_kind(trouble), Trouble{now, now});
+    Trouble& t = known->second;
+    const bool is_back = now - t.last > trouble_seconds && now - t.told > trouble_interval;
+    if (is_new || is_back) {
+      out.push_back({trouble});
+      t.told = now;
+      told_of_trouble_ = true;
+    }
+    t.last = now;
   }
-  std::erase_if(troubles_, [&](const auto& t) { return now - t.second > trouble_seconds; });
+  std::erase_if(troubles_, [&](const auto& t) { return now - t.second.last > forgotten_seconds; });
   const bool recent =
-      std::ranges::any_of(troubles_, [&](const auto& t) { return now - t.second < calm_seconds; });
-  if (in_trouble_ && !recent) out.push_back("the simulation is well again");
-  in_trouble_ = recent;
+      std::ranges::any_of(troubles_, [&](const auto& t) { return now - t.second.last < calm_seconds; });
+  if (!told_of_trouble_ || recent) return;
+  out.push_back({"the simulation is well again"});
+  told_of_trouble_ = false;
 }
 
 std::string Happenings::name_of(const Replica& replica, ParticipantId who) const {

@@ -182,18 +182,18 @@ class Client {
       server_gone_ = gone;
       inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
     }
-    for (const std::string& words : connection_.take_words()) inform(words);
-    for (const std::string& news : connection_.with_replica([&](const Replica& replica) {
+    for (const std::string& words : connection_.take_words()) inform(words, MessageKind::own);
+    for (const Happening& happening : connection_.with_replica([&](const Replica& replica) {
            return happenings_.look(replica, seconds_since(report_.joined_ns));
          }))
-      inform(news);
+      inform(happening.text, happening.kind);
     viewer_->tell_failures();
   }
 
   /// Tells people at the terminal and in the picture.
-  void inform(const std::string& line) {
+  void inform(const std::string& line, MessageKind kind = MessageKind::news) {
     tell(line);
-    if (viewer_) viewer_->say(line);
+    if (viewer_) viewer_->say(line, kind);
   }
 
   /// Tells who has a window what to do first, once.
@@ -203,7 +203,9 @@ class Client {
   }
 
   /// Answers what was typed: in the picture, too, unless it is a page of help.
-  void answer(const std::string& text) { text.find('\n') == std::string::npos ? inform(text) : tell(text); }
+  void answer(const std::string& text) {
+    text.find('\n') == std::string::npos ? inform(text, MessageKind::own) : tell(text);
+  }
 
   void show_loading() {
     const double progress =

@@ -410,10 +410,15 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
   const auto part = stage_->view.part_at(*request);
   command.kind = part ? CommandKind::open_panel : CommandKind::close_panel;
   command.body = part.value_or(0);
-  if (part || has_panel)
-    connection_.command(command);
-  else
-    say("P: this is no part of the anatomy");
+  if (part || has_panel) return connection_.command(command);
+  const auto met = stage_->view.surface_at(*request);
+  const std::string name = connection_.with_replica([&](const Replica& replica) {
+    const bool known = met && replica.scene() && met->body < replica.scene()->bodies.size();
+    return known ? replica.scene()->bodies[met->body].name : std::string();
+  });
+  say(name.empty() ? "P: point at a part of the anatomy to open its panel"
+                   : fmt::format("P: the {} has no panel; only parts of the anatomy have one", name),
+      MessageKind::own);
 }
 
 /// Goes on to the next other user who has eyes, and after the last one back to one's own.
@@ -426,7 +431,8 @@ void Viewer::follow_next(ParticipantId self) {
       if (id != self && user && user->head_tracked) names.push_back(entry.name);
     }
   });
-  if (names.size() == 1 && follow_.empty()) say("Tab: nobody else is here to see through the eyes of");
+  if (names.size() == 1 && follow_.empty())
+    say("Tab: nobody else is here to see through the eyes of", MessageKind::own);
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }

@@ -53,7 +53,9 @@ class Viewer {
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<LookFrom>& place) { looks_from_ = place; }
   /// Shows the line in pictures for a while.
-  void say(const std::string& line) { messages_.say(line, seconds_since(report_.joined_ns)); }
+  void say(const std::string& line, MessageKind kind) {
+    messages_.say(line, seconds_since(report_.joined_ns), kind);
+  }
   /// Shows in the window, if there is one, what is waited for, and how much of it is here (0 … 1).
   void draw_loading(const std::string& waits_for, double progress);
   /// Asks for the next picture in `file`.
@@ -106,7 +108,7 @@ class Viewer {
   /// Tells people at the terminal and in the picture.
   void inform(const std::string& line) {
     tell_(line);
-    say(line);
+    say(line, MessageKind::news);
   }
   bool has_headset() const { return stage_ && stage_->headset; }
   void draw_through_camera(InputPump* pump);

@@ -6,6 +6,7 @@
 
 #include "client/text/text_block.h"
 #include "client/view/overlay_frame.h"
+#include "common/percent_text.h"
 
 namespace prosector {
 namespace {
@@ -28,7 +29,8 @@ std::string contact_figures(const ContactSample& contact, const std::string& bod
   text += fmt::format("normal\t{}\n", in_words(contact.normal, 2));
   text += fmt::format("impulse\t{:.4f} N s\n", contact.impulse);
   text += fmt::format("force\t{:.2f} N", force);
-  if (error >= 0) text += fmt::format("\nwithin\t{:.2g} %", 100 * error);
+  if (error >= 0)
+    text += is_known_error(error) ? fmt::format("\nwithin\t{}", percent_text(error)) : "\nerror\tnot known";
   if (force > 0) text += fmt::format("\nalong\t{}", in_words(contact.force / force, 2));
   return text;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/percent_text.h"
+
 namespace prosector {
 
 std::optional<Vec3> meet_front(const Ray& ray, const Panel& panel) {
@@ -24,7 +26,8 @@ std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel) {
 
 std::string in_words(const ShownEffort& effort) {
   std::string out = fmt::format("{:.1f} ms a tick now", effort.tick_ms);
-  out += effort.error < 0 ? ", error not known" : fmt::format(", about {:.2g} % off", 100 * effort.error);
+  out += is_known_error(effort.error) ? fmt::format(", about {} off", percent_text(effort.error))
+                                      : ", error not known";
   return out;
 }
 

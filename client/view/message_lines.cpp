@@ -17,42 +17,55 @@ double MessageLines::reading_time(const std::string& text) {
   return std::clamp(static_cast<double>(text.size()) / letters_per_second, shortest_stay, longest_stay);
 }
 
-void MessageLines::say(std::string text, double now) {
+void MessageLines::say(std::string text, double now, MessageKind kind) {
   if (text.empty()) return;
   fill(now);
-  const auto again = std::ranges::find(shown_, text, &Line::text);
-  if (again != shown_.end()) {
-    ++again->times;
-    again->until = now + reading_time(text);
-    return;
-  }
-  if (std::ranges::find(waiting_, text) != waiting_.end()) return;
-  waiting_.push_back(std::move(text));
-  if (waiting_.size() > most_waiting) {
-    waiting_.pop_front();
-    ++left_out_;
-  }
+  (kind == MessageKind::own ? own_ : news_).say(std::move(text), now);
   fill(now);
 }
 
 std::vector<std::string> MessageLines::shown(double now) {
   fill(now);
   std::vector<std::string> out;
-  for (const Line& line : shown_)
-    out.push_back(line.times > 1 ? fmt::format("{} ({} times)", line.text, line.times) : line.text);
+  for (const Lane* lane : {&news_, &own_})
+    for (const Line& line : lane->shown)
+      out.push_back(line.times > 1 ? fmt::format("{} ({} times)", line.text, line.times) : line.text);
   return out;
 }
 
-/// Takes away what has been read, and puts what waits in its place.
 void MessageLines::fill(double now) {
-  std::erase_if(shown_, [&](const Line& line) { return line.until <= now; });
-  while (!waiting_.empty()) {
-    if (shown_.size() == lines && shown_.front().since + least_stay > now) return;
-    if (shown_.size() == lines) shown_.erase(shown_.begin());
-    std::string text = std::move(waiting_.front());
-    waiting_.pop_front();
-    if (left_out_ > 0) text = fmt::format("{} (and {} before it)", text, std::exchange(left_out_, 0));
-    shown_.push_back({text, 1, now, now + reading_time(text)});
+  own_.fill(now, 1);
+  news_.fill(now, lines - own_.shown.size());
+}
+
+void MessageLines::Lane::say(std::string text, double now) {
+  const auto again = std::ranges::find(shown, text, &Line::text);
+  if (again != shown.end()) {
+    ++again->times;
+    again->until = now + reading_time(text);
+    return;
+  }
+  if (std::ranges::find(waiting, text) != waiting.end()) return;
+  waiting.push_back(std::move(text));
+  if (waiting.size() > most_waiting) {
+    waiting.pop_front();
+    ++left_out;
+  }
+}
+
+/// Takes away what has been read, and puts what waits in its place. Where the room became less, the oldest
+/// line waits again unless it was there for long enough.
+void MessageLines::Lane::fill(double now, std::size_t room) {
+  std::erase_if(shown, [&](const Line& line) { return line.until <= now; });
+  for (; shown.size() > room; shown.erase(shown.begin()))
+    if (shown.front().since + least_stay > now) waiting.push_front(shown.front().text);
+  while (!waiting.empty()) {
+    if (shown.size() == room && shown.front().since + least_stay > now) return;
+    if (shown.size() == room) shown.erase(shown.begin());
+    std::string text = std::move(waiting.front());
+    waiting.pop_front();
+    if (left_out > 0) text = fmt::format("{} (and {} before it)", text, std::exchange(left_out, 0));
+    shown.push_back({text, 1, now, now + reading_time(text)});
   }
 }
 

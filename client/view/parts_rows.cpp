@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 4> group_names = {"Anatomy", "Bones", "In
                                                          "Room"};
 
 Group group_of(const SceneBody& body) {
-  if (body.part) return body.appearance.surface == Surface::bone ? Group::bones : Group::anatomy;
+  if (body.appearance.surface == Surface::bone) return Group::bones;  // also those that lie about, unattached
+  if (body.part) return Group::anatomy;
   return body.moves || body.kind == BodyKind::soft ? Group::things : Group::room;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/percent_text.h"
+
 namespace prosector {
 namespace {
 
@@ -37,7 +39,7 @@ std::optional<std::size_t> meet_price(const Ray& ray, const Panel& panel, std::s
 }
 
 std::string in_words(const Price& price) {
-  return fmt::format("{:.2g} %\n{:.2g} ms", 100 * price.error, price.ms);
+  return fmt::format("{}\n{:.2g} ms", percent_text(price.error), price.ms);
 }
 
 double accuracy_of(const Price& price) {

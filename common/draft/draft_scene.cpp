@@ -10,8 +10,11 @@
 #include <set>
 
 #include "common/anatomy/atlas.h"
+#include "common/anatomy/mesh_quality.h"
+#include "common/anatomy/simplify.h"
 #include "common/anatomy/surface_field.h"
 #include "common/anatomy/surface_io.h"
+#include "common/anatomy/tet_io.h"
 #include "common/anatomy/volume_io.h"
 #include "common/draft/setting.h"
 #include "common/draft/toml_text.h"
@@ -29,7 +32,9 @@ constexpr double tets_of_all = 8000, least_tets = 300, most_tets = 4000;  // tha
 constexpr double tet_share = 0.128;                         // of the cube of its cell: a tetrahedron's volume
 constexpr double finest_cell = 1e-3, coarsest_cell = 0.05;  // m
 constexpr double least_size = 1e-3, most_size = 10;         // m
-constexpr double hold = 2e5;  // N/m⁴: what ties an organ to its place, as of [[atlas]]
+constexpr double drawn_toughness = 10;  // J/m²: a drawn blade cuts such tissue though nobody holds it taut
+constexpr double hold = 2e5;            // N/m⁴: what ties an organ to its place, as of [[atlas]]
+constexpr std::array<std::string_view, 2> tet_endings = {".msh", ".vtk"};
 constexpr std::array<std::string_view, 4> volume_endings = {".inr", ".inr.gz", ".nii", ".nii.gz"};
 
 struct Unit {
@@ -40,13 +45,14 @@ struct Unit {
 constexpr std::array<Unit, 3> units = {
     {{"millimetres", "mm", 1e-3}, {"centimetres", "cm", 1e-2}, {"metres", "m", 1}}};
 
-/// One surface file, and what is known of it.
+/// One file of a surface or of tetrahedra, and what is known of it.
 struct Part {
   std::filesystem::path file;
   std::string name;
   const Material* material = nullptr;
   bool rigid = false;
-  TriangleMesh surface;  // in the file's unit
+  std::size_t tets = 0;  // that the file has; 0: a surface
+  TriangleMesh surface;  // in the file's unit; of tetrahedra their boundary
   Eigen::AlignedBox3d box;
 };
 
@@ -77,41 +83,63 @@ std::string name_of(const std::filesystem::path& file) {
   return name;
 }
 
-std::vector<std::filesystem::path> surfaces_in(const std::filesystem::path& folder) {
+bool is_tet_file(const std::filesystem::path& file) {
+  return ends_so(file, tet_endings);
+}
+
+bool is_body_file(const std::filesystem::path& file) {
+  return is_surface_file(file.string()) || is_tet_file(file);
+}
+
+std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> out;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.is_regular_file() && is_surface_file(entry.path().string())) out.push_back(entry.path());
+    if (entry.is_regular_file() && is_body_file(entry.path())) out.push_back(entry.path());
   if (out.empty())
-    throw InputError(fmt::format("{}: holds no surface; allowed: files that end in {}", folder.string(),
-                                 fmt::join(surface_endings, " ")));
+    throw InputError(
+        fmt::format("{}: holds no surface and no tetrahedral mesh; allowed: files that end in {} {}",
+                    folder.string(), fmt::join(surface_endings, " "), fmt::join(tet_endings, " ")));
   if (out.size() >= max_bodies)
     throw InputError(
-        fmt::format("{}: {} surfaces; a scene may have {} bodies", folder.string(), out.size(), max_bodies));
+        fmt::format("{}: {} bodies; a scene may have {} bodies", folder.string(), out.size(), max_bodies));
   std::ranges::sort(out);
   return out;
 }
 
 Part read_part(const std::filesystem::path& file, bool rigid) {
-  Part out{.file = file, .name = name_of(file), .surface = load_unscaled_surface(file), .box = {}};
+  Part out{.file = file, .name = name_of(file), .surface = {}, .box = {}};
+  if (is_tet_file(file)) {
+    if (rigid)
+      throw InputError(fmt::format("{}: --rigid is for surfaces; a tetrahedral mesh deforms", file.string()));
+    const TetMesh mesh = load_tets(file, 1);
+    out.tets = mesh.tets.size();
+    out.surface = TriangleMesh{mesh.positions, boundary_faces(mesh)};
+    drop_unused(out.surface);
+  } else {
+    out.surface = load_unscaled_surface(file);
+  }
   out.material = &material_of(out.name);
+  if (out.tets > 0 && out.material->rigid) out.material = &materials().back();  // tetrahedra deform
   out.rigid = rigid || out.material->rigid;
   out.box = box_of(out.surface, Pose{}, 1);
   return out;
 }
 
 /// Reads all files, and says of every one that can't be used why.
-std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, bool rigid) {
+std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, const DraftOptions& options) {
   std::vector<Part> out;
   std::string bad;
-  std::set<std::string> names = {"table"};
+  std::set<std::string> names = {std::string(table_name)};
+  if (options.scalpel) names.emplace(scalpel_name);
   const auto refuse = [&](const std::filesystem::path& file, const std::string& why) {
     bad += fmt::format("{}{}: {}", bad.empty() ? "" : "\n", file.string(), why);
   };
   for (const auto& file : files) {
-    Part part = read_part(file, rigid);
+    Part part = read_part(file, options.rigid);
     if (!names.insert(part.name).second)
-      refuse(file, fmt::format("another body is called \"{}\"; names must differ", part.name));
-    if (!part.rigid)
+      refuse(file, fmt::format("another body is called \"{}\"; names must differ{}", part.name,
+                               part.name == scalpel_name ? " (--no-scalpel)" : ""));
+    if (!part.rigid && part.tets == 0)
       if (const SurfaceFaults faults = surface_faults(part.surface))
         refuse(file, fmt::format("{} (--rigid)", faults.in_words()));
     out.push_back(std::move(part));
@@ -195,22 +223,33 @@ std::string soft_text(const Part& part, double unit, const Pose& pose, double te
   const double volume = std::abs(enclosed_volume(part.surface)) * unit * unit * unit;
   const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
   const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
-  notes.push_back(fmt::format(
-      "{}: {:.4g} ml of {}{}, cell {:.2g} mm", part.name, 1e6 * volume, part.material->name,
-      part.material == &materials().back() ? " (its name says no material that is known)" : "", 1e3 * cell));
+  notes.push_back(
+      fmt::format("{}: {:.4g} ml of {}{}, {}", part.name, 1e6 * volume, part.material->name,
+                  part.material == &materials().back() ? " (its name says no material that is known)" : "",
+                  part.tets > 0 ? fmt::format("{} tetrahedra as in the file", part.tets)
+                                : fmt::format("cell {:.2g} mm", 1e3 * cell)));
+  const std::string cells = part.tets > 0 ? ""
+                                          : fmt::format("cell = {}\nsurface_cell = {}\n", toml_number(cell),
+                                                        toml_number(0.5 * cell));
   return fmt::format(
-      "cell = {}\nsurface_cell = {}\nyoungs_modulus = {}\ntoughness = {}\ndamping_mass = 4\n"
+      "{}youngs_modulus = {}\ntoughness = {}  # J/m²: a drawn blade cuts it; real: {}\ndamping_mass = 4\n"
       "gravity = false  # the file's shape already carries its weight\n\n"
       "  [[soft.attach]]\n  center = {}\n  radius = {}\n  stiffness = {}\n",
-      toml_number(cell), toml_number(0.5 * cell), toml_number(desc.youngs_modulus),
-      toml_number(desc.toughness), toml_numbers(box.center()), toml_number(0.55 * box.sizes().norm()),
-      toml_number(hold));
+      cells, toml_number(desc.youngs_modulus), toml_number(drawn_toughness), toml_number(desc.toughness),
+      toml_numbers(box.center()), toml_number(0.55 * box.sizes().norm()), toml_number(hold));
+}
+
+/// Lays a scalpel beside the bodies, unless none is wanted.
+void add_scalpel(const Eigen::AlignedBox3d& box, const DraftOptions& options, Draft& out) {
+  if (!options.scalpel) return;
+  out.toml += scalpel_beside(box);
+  out.notes.emplace_back("a scalpel lies on the table, to the right (without: --no-scalpel)");
 }
 
 Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
-  const std::vector<Part> parts = read_parts(files, options.rigid);
+  const std::vector<Part> parts = read_parts(files, options);
   const double unit = unit_of(parts, options, out.notes);
   const bool z_up = options.z_up.value_or(false);
   Pose pose{Vec3::Zero(), rotation(z_up)};
@@ -232,6 +271,7 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
                   soft_text(part, unit, pose, tets, out.notes);
     }
   }
+  if (soft > 0) add_scalpel(box, options, out);
   return out;
 }
 
@@ -308,6 +348,7 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
       fmt::format("\n[[atlas]]\nvolume = {}\n{}position = {}\n{}", toml_text(named_from(map, folder)),
                   labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
                   toml_numbers(pose.p), rotation_text(z_up));
+  add_scalpel(box, options, out);
   return out;
 }
 
@@ -315,16 +356,17 @@ Draft draft(const std::filesystem::path& source, const std::filesystem::path& fo
             const DraftOptions& options) {
   const std::filesystem::path whole = std::filesystem::weakly_canonical(source);
   if (std::filesystem::is_directory(source))
-    return draft_surfaces(name_of(whole), surfaces_in(source), folder, options);
+    return draft_surfaces(name_of(whole), bodies_in(source), folder, options);
   if (!std::filesystem::is_regular_file(source))
     throw InputError(fmt::format("{}: no such file or folder", source.string()));
-  if (is_surface_file(source.string())) return draft_surfaces(name_of(whole), {source}, folder, options);
+  if (is_body_file(source)) return draft_surfaces(name_of(whole), {source}, folder, options);
   if (ends_so(source, volume_endings))
     return draft_atlas(name_of(std::filesystem::path(whole).replace_extension()), source, folder, options);
   throw InputError(
-      fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a folder of surfaces, or "
-                  "a label map ({})",
-                  source.string(), fmt::join(surface_endings, " "), fmt::join(volume_endings, " ")));
+      fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a tetrahedral mesh ({}), "
+                  "a folder of these, or a label map ({})",
+                  source.string(), fmt::join(surface_endings, " "), fmt::join(tet_endings, " "),
+                  fmt::join(volume_endings, " ")));
 }
 
 }  // namespace

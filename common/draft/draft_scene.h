@@ -12,6 +12,7 @@ struct DraftOptions {
   std::optional<double> unit = {};    // m: of surface files; none: guessed by size
   std::optional<bool> z_up = {};      // of the files' frame; none: volumes yes, surfaces no
   bool rigid = false;                 // every surface keeps its shape, and may be open
+  bool scalpel = true;                // one lies beside what can be cut
   std::filesystem::path labels = {};  // of a label map; empty: looked for beside it
 };
 
@@ -20,10 +21,11 @@ struct Draft {
   std::vector<std::string> notes;  // lines for people: what was assumed, and how to say otherwise
 };
 
-/// Makes a scene of what `source` holds: a surface, all surfaces of a folder, or a label map. It has the
-/// bodies by name and material, cells by their size, a table under them, a camera that shows them all, and
-/// lights. Paths in it are those from `folder`, where it will be written. Throws InputError for
-///   a source that is none of these, or holds no surface
+/// Makes a scene of what `source` holds: a surface, a tetrahedral mesh, all of these in a folder, or a label
+/// map. The scene has the bodies by name and material, cells by their size, a table under them and a scalpel
+/// beside what can be cut. A camera shows them all, in light. Paths in it are those from `folder`, where it
+/// will be written. Throws InputError for
+///   a source that is none of these, or holds no surface or tetrahedral mesh
 ///   surfaces that aren't closed, unless they may be open; every one of a folder is named
 ///   two files of one name
 ///   sizes that no unit makes a body of 1 mm to 10 m

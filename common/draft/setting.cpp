@@ -15,6 +15,40 @@ Vec3 onto_table(const Eigen::AlignedBox3d& box) {
   return {-middle[0], table_top + above_table - box.min()[1], -middle[2]};
 }
 
+std::string scalpel_beside(const Eigen::AlignedBox3d& box) {
+  constexpr double beside = 0.06, half_handle = 0.002;  // m
+  return fmt::format(
+      R"(
+[[rigid]]
+name = "{}"
+description = "scalpel"
+position = {}
+density = 7900
+friction = 0.5
+tool = "scalpel"
+surface = "metal"
+color = [0.7, 0.72, 0.74]
+roughness = 0.2
+
+  [[rigid.part]]  # handle
+  size = [0.01, 0.004, 0.12]
+  rounding = 0.001
+
+  [[rigid.part]]  # blade
+  size = [0.007, 0.001, 0.04]
+  position = [0, 0, -0.08]
+
+  [[rigid.edge]]  # along the blade ...
+  from = [-0.0035, 0, -0.06]
+  to = [-0.0035, 0, -0.1]
+
+  [[rigid.edge]]  # ... and across its tip
+  from = [-0.0035, 0, -0.1]
+  to = [0.0035, 0, -0.1]
+)",
+      scalpel_name, toml_numbers({box.max()[0] + beside, table_top + half_handle, 0}));
+}
+
 std::string setting_for(const Eigen::AlignedBox3d& box) {
   const double radius = 0.5 * box.sizes().norm();
   const Vec3 middle = box.center();

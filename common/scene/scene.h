@@ -268,7 +268,7 @@ struct SessionDesc {
   std::string name = "prosector";
   int capacity = 64;           // people, observers included
   int observers = 16;          // of them observers, at most
-  double input_timeout = 0.5;  // s without a HandInput after which a hand is let go
+  double input_timeout = 0.5;  // s after which a hand that is no longer tracked is let go
 };
 
 /// [hand]: the virtual coupling between a tracked hand and its physical one.

@@ -16,8 +16,10 @@ const Table& session_table() {
       {name<S, &S::name>("name", false, "name under which clients find the session"),
        number<S, &S::capacity>("capacity", "people", {1, 1024}, "how many fit, observers included"),
        number<S, &S::observers>("observers", "people", {0, 1024}, "how many of them may be observers"),
-       number<S, &S::input_timeout>("input_timeout", "s", {0.05, 60},
-                                    "time without input after which a hand is let go")},
+       number<S, &S::input_timeout>(
+           "input_timeout", "s", {0.05, 60},
+           "time after which a hand that its tracker no longer sees is let go; a silent "
+           "client's hands stay for 5 s at least")},
       {},
       fresh<S>};
   return table;

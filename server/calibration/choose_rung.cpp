@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/error.h"
+#include "common/percent_text.h"
 #include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/rungs.h"
 
@@ -217,7 +218,7 @@ std::string in_words(const std::vector<ActError>& acts) {
   std::string out;
   for (const ActError& act : acts)
     out += (out.empty() ? "" : ", ") + (act.error < collapsed
-                                            ? fmt::format("{} {:.2g} %", act.act, 100 * act.error)
+                                            ? fmt::format("{} {}", act.act, percent_text(act.error))
                                             : act.act + " it collapses");
   return out;
 }
@@ -227,14 +228,14 @@ std::string explain(const Choice& choice, const SoftDesc& desc) {
   adopt(choice, chosen);
   const std::string asked = desc.accuracy ? fmt::format("accuracy {} %", desc.accuracy.value)
                                           : fmt::format("budget {} ms", desc.budget.value);
-  std::string line = fmt::format(
-      "{} asked for, chosen: {}, cell {:.1f} mm{}; expected {:.2g} % off, {:.2g} ms a frame", asked,
-      in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at its rims" : "",
-      100 * choice.expected.error, choice.expected.ms);
+  std::string line =
+      fmt::format("{} asked for, chosen: {}, cell {:.1f} mm{}; expected {} off, {:.2g} ms a frame", asked,
+                  in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at its rims" : "",
+                  percent_text(choice.expected.error), choice.expected.ms);
   if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);
   if (!choice.good_enough && desc.accuracy)
-    line += fmt::format("; nothing here is good enough, this is the best there is, {:.2g} % short of it",
-                        100 * choice.expected.error - desc.accuracy.value);
+    line += fmt::format("; nothing here is good enough, this is the best there is, {} short of it",
+                        percent_text(choice.expected.error - 0.01 * desc.accuracy.value));
   if (!choice.good_enough && desc.budget)
     line += fmt::format("; nothing measured is quick enough, this is the cheapest there is, {:.2g} ms over",
                         choice.expected.ms - desc.budget.value);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/error.h"
+#include "common/percent_text.h"
 #include "common/surface_files.h"
 #include "server/physics/soft/laws/constitutive_law.h"
 
@@ -54,8 +55,8 @@ std::vector<Price> Redial::prices() const {
 std::string in_words(const std::vector<Price>& prices) {
   std::string out;
   for (const Price& price : prices)
-    out +=
-        fmt::format("{}{:.2g} % for {:.2g} ms a frame", out.empty() ? "" : ", ", 100 * price.error, price.ms);
+    out += fmt::format("{}{} for {:.2g} ms a frame", out.empty() ? "" : ", ", percent_text(price.error),
+                       price.ms);
   return out;
 }
 

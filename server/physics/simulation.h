@@ -39,10 +39,12 @@ struct HandTarget {
 
 /// Discrete events, journalled with the tick they are consumed in.
 struct HandEvent {
-  enum class Kind : std::uint8_t { appear, vanish, grasp, release, reset_body, grasp_body } kind;
+  enum class Kind : std::uint8_t { appear, vanish, grasp, release, reset_body, grasp_body, regrasp } kind;
   ParticipantId participant = 0;
   std::size_t hand = right_hand;
-  BodyId body = 0;  // for reset_body; for grasp_body: what to take where the hand reaches it, else as grasp
+  /// What reset_body puts back. What grasp_body and regrasp take where the hand reaches it; else grasp_body
+  /// takes what grasp would, and regrasp nothing.
+  BodyId body = 0;
 };
 
 /// A change of how exactly a soft body is solved: from this tick on less by that many steps (0: as

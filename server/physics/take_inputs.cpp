@@ -98,6 +98,8 @@ void take(const HandEvent& event, std::span<const HandTarget> targets, State& st
     grasp(state, colliders, *hand);
   else if (event.kind == Kind::grasp_body)
     grasp(state, colliders, *hand, event.body);
+  else if (event.kind == Kind::regrasp)
+    grasp_only(state, colliders, *hand, event.body);
   else
     release(state.bodies, *hand, "opened", report);
 }

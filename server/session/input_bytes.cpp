@@ -113,7 +113,7 @@ void entry(Io& io, typename Io::template Entry<EffortChange>& e) {
 template <class Io>
 void entry(Io& io, typename Io::template Entry<HandEvent>& e) {
   auto& [kind, participant, hand, body] = e;
-  io.limited(kind, HandEvent::Kind::grasp_body, "no such event");
+  io.limited(kind, HandEvent::Kind::regrasp, "no such event");
   io.number(participant);
   io.limited(hand, std::uint8_t{right_hand}, no_such_hand);
   io.number(body);

@@ -9,7 +9,7 @@ namespace prosector {
 namespace {
 
 using Kind = SessionEvent::Kind;
-constexpr std::array<std::pair<Kind, const char*>, 12> event_names = {{{Kind::joined, "joined"},
+constexpr std::array<std::pair<Kind, const char*>, 13> event_names = {{{Kind::joined, "joined"},
                                                                        {Kind::refused, "refused"},
                                                                        {Kind::left, "left"},
                                                                        {Kind::lost, "lost"},
@@ -20,7 +20,8 @@ constexpr std::array<std::pair<Kind, const char*>, 12> event_names = {{{Kind::jo
                                                                        {Kind::rewound, "rewound"},
                                                                        {Kind::pace, "pace"},
                                                                        {Kind::effort, "effort"},
-                                                                       {Kind::accuracy, "accuracy"}}};
+                                                                       {Kind::accuracy, "accuracy"},
+                                                                       {Kind::hand_stalled, "hand stalled"}}};
 
 void add(StateHasher& hasher, std::span<const std::uint8_t> bytes) {
   hasher.add(std::uint64_t{bytes.size()});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,7 @@
 #include "common/error.h"
 #include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
+#include "common/session_name.h"
 #include "server/calibration/table_file.h"
 #include "server/physics/freed_memory.h"
 #include "server/physics/soft/rungs.h"
@@ -319,6 +321,15 @@ void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::uniqu
   }
 }
 
+/// Warns where compiled meshes can't be kept.
+void warn_of_cache(const std::filesystem::path& cache) {
+  std::error_code error;
+  std::filesystem::create_directories(cache, error);
+  if (error || access(cache.c_str(), W_OK | X_OK) != 0)
+    say(fmt::format("the cache {} can't be written: meshes are made again at each start (--cache DIR)",
+                    cache.string()));
+}
+
 void host(const ServerOptions& options) {
   std::optional<JournalReader> past;
   if (!options.resume.empty()) past.emplace(options.resume);
@@ -327,6 +338,8 @@ void host(const ServerOptions& options) {
   const std::string session = !options.session.empty() ? options.session
                               : past                   ? past->header().session
                                                        : desc.session.name;
+  check_session_name(session);
+  warn_of_cache(options.cache);
   std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
   // A session that goes on keeps its rungs, whatever this machine would choose.
   ReadyScene scene =

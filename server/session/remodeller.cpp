@@ -10,6 +10,7 @@
 #include <exception>
 #include <utility>
 
+#include "common/percent_text.h"
 #include "server/calibration/redial.h"
 
 namespace prosector {
@@ -35,7 +36,7 @@ bool differ(const Choice& told, const Choice& proved) {
 }
 
 std::string in_words(const Choice& choice) {
-  return fmt::format("{:.2g} % off for {:.2g} ms a frame", 100 * choice.expected.error, choice.expected.ms);
+  return fmt::format("{} off for {:.2g} ms a frame", percent_text(choice.expected.error), choice.expected.ms);
 }
 
 }  // namespace
@@ -150,9 +151,9 @@ AccuracyAnswer Remodeller::answer(const AccuracyWish& wish) {
     }
     if (wish.percent > 0) {
       const Choice choice = dial.choose(wish.percent);
-      out.words = choice.good_enough
-                      ? remodel(wish, scene, choice, std::move(choices))
-                      : fmt::format("nothing here reaches {:.2g} %: {}", wish.percent, can_have);
+      out.words = choice.good_enough ? remodel(wish, scene, choice, std::move(choices))
+                                     : fmt::format("nothing here reaches {}: {}",
+                                                   percent_text(0.01 * wish.percent), can_have);
     } else {
       out.words = can_have;
     }

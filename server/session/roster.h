@@ -15,11 +15,14 @@ namespace prosector {
 /// What a session lets in. Times in ticks: a replay must not depend on a clock.
 struct SessionRules {
   std::string session;
-  int capacity = 64;   // people, observers included
-  int observers = 16;  // of them observers, at most
-  std::uint64_t input_timeout = 30;
+  int capacity = 64;                     // people, observers included
+  int observers = 16;                    // of them observers, at most
+  std::uint64_t input_timeout = 30;      // ticks after which a hand that its client doesn't see is let go
+  std::uint64_t stall_timeout = 300;     // ticks after which the hands of a silent client are let go
+  std::uint64_t regrasp_timeout = 1800;  // ticks for which a hand may have back what a stall made it lose
   std::uint64_t presence_timeout = 120;  // ticks that a join waits for its Presence
   std::uint64_t death_timeout = 90;      // ticks after which a member that died is known to be gone
+  std::vector<std::string> names;        // by body, as messages to users have them
   std::vector<bool> parts;               // by body, whether it is a part of the anatomy
   std::size_t bodies = 0;                // BodyId below this exist
   std::size_t rigid_bodies = 0;          // those come first

@@ -9,6 +9,7 @@
 
 #include "common/counted.h"
 #include "common/error.h"
+#include "common/percent_text.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/take_over.h"
 #include "server/session/session_lines.h"
@@ -23,7 +24,11 @@ constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::int64_t status_period_ns = second_ns / 10;
 constexpr std::int64_t longest_replay_ns = second_ns;  // of ticks, until a resumed session is where it was
 constexpr const char* journal_is_late = "the journal is behind the session: the disk is slow";
-constexpr double death_timeout = 1.5;   // s after which a dead client is known to be: its lease is 1 s
+constexpr double journal_interval = 60;  // s between two reports that the journal is late
+constexpr double line_interval = 10;     // s between two lines of one kind
+constexpr double death_timeout = 1.5;    // s after which a dead client is known to be: its lease is 1 s
+constexpr double stall_timeout = 5;     // s that the hands of a silent client stay: its lease has not run out
+constexpr double regrasp_timeout = 30;  // s for which a hand may have back what a stall made it lose
 constexpr double presence_timeout = 2;  // s that a join waits for its Presence
 
 void append(std::vector<Outgoing>& out, std::vector<Outgoing> more) {
@@ -59,11 +64,20 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session, bool r
   rules.session = session;
   rules.capacity = scene.session.capacity;
   rules.observers = scene.session.observers;
-  rules.input_timeout = static_cast<std::uint64_t>(std::ceil(scene.session.input_timeout * scene.tick_rate));
-  rules.presence_timeout = static_cast<std::uint64_t>(std::ceil(presence_timeout * scene.tick_rate));
-  rules.death_timeout = static_cast<std::uint64_t>(std::ceil(death_timeout * scene.tick_rate));
-  for (const RigidDesc& rigid : scene.rigid) rules.parts.push_back(rigid.part);
-  for (const SoftDesc& soft : scene.soft) rules.parts.push_back(soft.part);
+  const auto ticks = [&](double seconds) {
+    return static_cast<std::uint64_t>(std::ceil(seconds * scene.tick_rate));
+  };
+  rules.input_timeout = ticks(scene.session.input_timeout);
+  rules.stall_timeout = std::max(rules.input_timeout, ticks(stall_timeout));
+  rules.regrasp_timeout = ticks(regrasp_timeout);
+  rules.presence_timeout = ticks(presence_timeout);
+  rules.death_timeout = ticks(death_timeout);
+  const auto add = [&](const auto& body) {
+    rules.parts.push_back(body.part);
+    rules.names.push_back(body.name);
+  };
+  for (const RigidDesc& rigid : scene.rigid) add(rigid);
+  for (const SoftDesc& soft : scene.soft) add(soft);
   rules.bodies = rules.parts.size();
   rules.rigid_bodies = scene.rigid.size();
   return rules;
@@ -83,9 +97,11 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       body_meter_(simulation, expectations_of(options_.choices)),
       governor_(simulation.scene().tick_rate, may_step_down(simulation)),
       state_hash_(simulation.state_hash()),
+      journal_lateness_(journal_interval),
+      repeated_(line_interval),
       publisher_(bus, describe_session(simulation, session, options_.reign), content_) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation.body_count(); ++piece)
-    session_.add_body(simulation.soft(piece).desc().part);
+    session_.add_body(simulation.name(piece), simulation.soft(piece).desc().part);
   for (const auto& [body, steps] : governor_.steps_down()) (void)dial_.overload({body, steps});
   session_.vanish(simulation.hands());  // of a state that was restored
   session_.see_panels(simulation.panels());
@@ -238,10 +254,9 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
 /// Waits for the journal: what people see is in it first, unless the disk is too slow for that.
 void ServerLoop::settle_journal() {
   if (journal_ == nullptr || !journal_trouble_.empty()) return;
-  const bool late = !journal_->settle();
-  if (late != journal_late_)
-    say_(late ? fmt::format("{}; the session goes on", journal_is_late) : "the journal has caught up");
-  journal_late_ = late;
+  journal_late_ = !journal_->settle();
+  if (const auto late = journal_lateness_.look(journal_late_, 1e-9 * static_cast<double>(options_.clock())))
+    say_(*late ? fmt::format("{}; the session goes on", journal_is_late) : "the journal has caught up");
   journal_trouble_ = journal_->trouble();
   if (!journal_trouble_.empty()) say_(journal_trouble_ + "; the session goes on without");
 }
@@ -314,7 +329,7 @@ std::vector<Outgoing> ServerLoop::words_of_bodies(const StepReport& report) {
 /// shape when they are told where it is.
 std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation_.body_count(); ++piece) {
-    session_.add_body(simulation_.soft(piece).desc().part);
+    session_.add_body(simulation_.name(piece), simulation_.soft(piece).desc().part);
     body_meter_.add_body(simulation_, piece);
   }
   std::vector<Outgoing> out;
@@ -325,7 +340,14 @@ std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
 }
 
 void ServerLoop::announce(const std::vector<SessionEvent>& events) {
-  for (const SessionEvent& e : events) say_(line_of(e));
+  using Kind = SessionEvent::Kind;
+  const double now = 1e-9 * static_cast<double>(options_.clock());
+  for (const SessionEvent& e : events) {
+    const bool may_flood = e.kind == Kind::hand_timeout || e.kind == Kind::hand_stalled ||
+                           e.kind == Kind::let_go || e.kind == Kind::refused;
+    const std::string line = line_of(e);
+    if (const auto printed = may_flood ? repeated_.admit(line, now) : line) say_(*printed);
+  }
 }
 
 void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
@@ -399,10 +421,14 @@ std::string ServerLoop::console_line() const {
       s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
   for (const auto& [body, told] : body_meter_.newest())
     if (told.error >= 0 && !told.asleep) {
-      line += fmt::format(" | {} about {:.2g} % off, residual {:.0e}", simulation_.name(body),
-                          100 * told.error, told.residual);
+      line += fmt::format(" | {}: {}, residual {:.0e}", simulation_.name(body),
+                          is_known_error(told.error) ? fmt::format("about {} off", percent_text(told.error))
+                                                     : "error not known",
+                          told.residual);
       if (told.press_error >= 0)
-        line += fmt::format(", pressed: force within {:.2g} %", 100 * told.press_error);
+        line += is_known_error(told.press_error)
+                    ? fmt::format(", pressed: force within {}", percent_text(told.press_error))
+                    : ", pressed: error not known";
     }
   if (!s.degraded.empty()) line += " | degraded: " + s.degraded;
   return line;

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "common/clock.h"
+#include "common/repeated_lines.h"
+#include "common/reported_state.h"
 #include "common/server_run.h"
 #include "idl/bus.h"
 #include "server/haptics/felt_hands.h"
@@ -116,6 +118,8 @@ class ServerLoop {
   RunFigures figures_;
   std::string journal_trouble_;
   bool journal_late_ = false;
+  ReportedState journal_lateness_;
+  RepeatedLines repeated_;
   Publisher publisher_;  // last: its thread ends before what it reads
 
   void keep_beginning();

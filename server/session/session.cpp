@@ -38,6 +38,7 @@ std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
 Session::Session(const SessionRules& rules)
     : rules_(rules),
       roster_(rules),
+      lost_holds_(rules.regrasp_timeout),
       panels_(rules.parts, rules.input_timeout),
       pacing_(rules.recording ? most_pace : 1) {}
 
@@ -122,7 +123,7 @@ void Session::take(const HandInput& input, std::uint64_t writer) {
   if (member->writer != writer) return drop("HandInput: another process's participant");
   if (member->role == Role::observer) return drop("HandInput: from an observer");
   Seat& seat = seats_[input.participant];
-  if (seat.input && input.sequence <= seat.input->sequence) return;  // overtaken on the way
+  if (!admits(seat.sequences, input.sequence, "HandInput: numbers begin anew")) return;
   seat.input = input;
   seat.fresh = true;
 }
@@ -193,6 +194,8 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   if (command.kind != CommandKind::grasp && command.kind != CommandKind::release)
     return answer(command, "no such command");
   if (command.hand > right_hand) return answer(command, fmt::format("no hand {}", command.hand));
+  // Whoever opens the hand or takes something else wants nothing back.
+  lost_holds_.forget({command.participant, command.hand});
   if (!seat.hands[command.hand].present) return answer(command, "the hand is not tracked");
   const bool grasp = command.kind == CommandKind::grasp;
   HandEvent::Kind kind = grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release;
@@ -339,8 +342,9 @@ void Session::ask_cut(const Command& command, const Participant& member, Seat& s
   seat.cuts.push_back(command);
 }
 
-void Session::add_body(bool is_part) {
+void Session::add_body(const std::string& name, bool is_part) {
   ++rules_.bodies;
+  rules_.names.push_back(name);
   panels_.add_body(is_part);
 }
 
@@ -385,12 +389,15 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   seats_[id] = {};
   outgoing_.push_back({Roster::entry(member)});
   events_.push_back({SessionEvent::Kind::joined, id, name, role_word(member.role)});
+  for (const LostHolds::Lost& lost : lost_holds_.of(id))
+    tell(id, fmt::format("your connection was lost, and your hand let go of the {}", name_of(lost.body)));
 }
 
 /// Frees everything that the participant had; its hands vanish at this tick.
 void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   const Participant member = *roster_.find(id);
   vanish_hands(id, seats_[id]);
+  if (how == SessionEvent::Kind::lost) cut_off_.insert(id);
   events_.push_back({how, id, member.presence.name, role_word(member.role)});
   outgoing_.push_back({Roster::entry(member), true});
   seats_.erase(id);
@@ -406,8 +413,17 @@ void Session::take(const ArmForce& force, std::uint64_t writer) {
   if (member->role == Role::observer) return drop("ArmForce: from an observer");
   if ((member->presence.arms >> force.hand & 1) == 0) return drop("ArmForce: of a hand that no arm moves");
   Reaction& reaction = seats_[force.participant].reactions[force.hand];
-  if (force.sequence <= reaction.sequence) return;  // overtaken on the way
-  reaction = {force.sequence, tick_, force.force.norm()};
+  if (!admits(reaction.sequences, force.sequence, "ArmForce: numbers begin anew")) return;
+  reaction.tick = tick_;
+  reaction.force = force.force.norm();
+}
+
+/// Tells whether a sample is the newest of its stream. A stream whose numbers had run far ahead counts again,
+/// and that is counted as `what`.
+bool Session::admits(SequenceGate& sequences, std::uint64_t number, const char* what) {
+  const SequenceGate::Verdict verdict = sequences.judge(number);
+  if (verdict == SequenceGate::Verdict::restarted) drop(what);
+  return verdict != SequenceGate::Verdict::overtaken;
 }
 
 /// Returns with which force an arm pushes the hand back, N; nothing: no arm moves it. What was told too long
@@ -418,24 +434,41 @@ std::optional<double> Session::reaction(ParticipantId id, const Seat& seat, std:
   return tick_ - last.tick > rules_.input_timeout ? 0 : last.force;
 }
 
-void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
-  for (std::size_t h = 0; h < 2; ++h) {
-    Hand& hand = seat.hands[h];
-    if (seat.fresh && seat.input->hands[h].tracked) {
-      const HandPose& pose = seat.input->hands[h];
-      hand.target = {id, h, pose.pose, pose.flexion, (pose.buttons & draws_cut) != 0, reaction(id, seat, h)};
-      hand.tracked_tick = tick_;
-      if (!hand.present) out.input.events.push_back({HandEvent::Kind::appear, id, h, BodyId{0}});
-      hand.present = true;
-      out.input.targets.push_back(hand.target);
-    } else if (hand.present && tick_ - hand.tracked_tick > rules_.input_timeout) {
-      out.input.events.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
-      hand.present = false;
-      ++hand_timeouts_;
-      events_.push_back({SessionEvent::Kind::hand_timeout, id, roster_.find(id)->presence.name,
-                         h == left_hand ? "left hand" : "right hand"});
+/// Lets a hand follow its newest pose, come and go. A client that stalls leaves its hands where they are,
+/// with what they hold: only after `stall_timeout` do they let go.
+void Session::consume_hand(ParticipantId id, std::size_t h, Seat& seat, TickInput& out) {
+  Hand& hand = seat.hands[h];
+  const bool is_seen = seat.input && seat.input->hands[h].tracked;
+  if (seat.fresh && is_seen) {
+    const HandPose& pose = seat.input->hands[h];
+    hand.target = {id, h, pose.pose, pose.flexion, (pose.buttons & draws_cut) != 0, reaction(id, seat, h)};
+    hand.tracked_tick = tick_;
+    if (!hand.present) {
+      out.events.push_back({HandEvent::Kind::appear, id, h, BodyId{0}});
+      hand.regrasps = lost_holds_.take({id, static_cast<std::uint8_t>(h)});
+      if (hand.regrasps) out.events.push_back({HandEvent::Kind::regrasp, id, h, *hand.regrasps});
     }
+    hand.present = true;
+    out.targets.push_back(hand.target);
+    return;
   }
+  if (!hand.present) return;
+  if (is_seen && tick_ - seat.heard_tick <= rules_.stall_timeout) {
+    hand.tracked_tick = tick_;
+    return;
+  }
+  if (!is_seen && tick_ - hand.tracked_tick <= rules_.input_timeout) return;
+  out.events.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
+  hand.present = false;
+  hand.loss = is_seen ? Loss::stalled : Loss::untracked;
+  ++hand_timeouts_;
+  events_.push_back({is_seen ? SessionEvent::Kind::hand_stalled : SessionEvent::Kind::hand_timeout, id,
+                     roster_.find(id)->presence.name, h == left_hand ? "left hand" : "right hand"});
+}
+
+void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
+  if (seat.fresh) seat.heard_tick = tick_;
+  for (std::size_t h = 0; h < 2; ++h) consume_hand(id, h, seat, out.input);
   if (seat.fresh) {
     out.keys.push_back({id, seat.input->sequence});
     panels_.see(id, *seat.input, seat.hands[left_hand].present || seat.hands[right_hand].present);
@@ -483,11 +516,12 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
                              : fmt::format("revision {} of body {}", c.revision, c.body)});
   }
   cutting_.clear();
-  for (const LetGo& let_go : report.let_go)
-    if (Participant* member = roster_.find(let_go.participant); member != nullptr) {
-      events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});
-      tell_of_loss(let_go);
-    }
+  for (const LetGo& let_go : report.let_go) take_loss(let_go);
+  cut_off_.clear();
+  for (const LostHolds::Lost& lost : lost_holds_.follow(hands, tick_))
+    if (roster_.find(lost.hand.participant) != nullptr)
+      tell(lost.hand.participant, fmt::format("another hand took the {}", name_of(lost.body)));
+  finish_hands(hands);
   for (auto& [id, seat] : seats_) {
     for (const Command& grasp : seat.grasps) {
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
@@ -502,11 +536,49 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
   }
 }
 
-/// Tells the user that the hand lost what it held, unless it was asked to let go or is gone.
+std::string Session::name_of(BodyId body) const {
+  return body < rules_.names.size() ? rules_.names[body] : fmt::format("body {}", body);
+}
+
+/// Takes that a hand lost its hold. What a stall or a broken connection made it lose it may have again.
+void Session::take_loss(const LetGo& let_go) {
+  const HandRef hand{let_go.participant, static_cast<std::uint8_t>(let_go.hand)};
+  const bool is_cut_off = cut_off_.contains(let_go.participant);
+  const Participant* member = roster_.find(let_go.participant);
+  const bool is_stalled =
+      member != nullptr && seats_.at(let_go.participant).hands[let_go.hand].loss == Loss::stalled;
+  if (is_cut_off || is_stalled) lost_holds_.note(hand, let_go.body, tick_);
+  if (member == nullptr) return;
+  events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});
+  tell_of_loss(let_go);
+}
+
+/// Tells the user that the hand lost what it held, unless it was asked to let go or its user is an observer
+/// now.
 void Session::tell_of_loss(const LetGo& let_go) {
   const Seat& seat = seats_.at(let_go.participant);
-  if (seat.opens[let_go.hand] || !seat.hands[let_go.hand].present) return;
-  tell(let_go.participant, "your hand let go: " + let_go.why);
+  const Hand& hand = seat.hands[let_go.hand];
+  if (seat.opens[let_go.hand]) return;
+  if (hand.present) return tell(let_go.participant, "your hand let go: " + let_go.why);
+  if (hand.loss == Loss::none) return;
+  tell(let_go.participant, fmt::format("your hand let go of the {}: {}", name_of(let_go.body),
+                                       hand.loss == Loss::stalled ? "your client sent nothing for too long"
+                                                                  : "it was no longer tracked"));
+}
+
+/// Tells whose hand could not take again what a stall had made it lose.
+void Session::finish_hands(std::span<const HandState> hands) {
+  for (auto& [id, seat] : seats_)
+    for (std::size_t h = 0; h < 2; ++h) {
+      Hand& hand = seat.hands[h];
+      hand.loss = Loss::none;
+      const auto body = std::exchange(hand.regrasps, std::nullopt);
+      const bool holds = std::ranges::any_of(hands, [&](const HandState& state) {
+        return state.participant == id && state.hand == h && state.holding == body;
+      });
+      if (body && !holds)
+        tell(id, fmt::format("the {} is out of your hand's reach: take it up again", name_of(*body)));
+    }
 }
 
 void Session::tell(ParticipantId participant, const std::string& words) {

@@ -19,10 +19,12 @@
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
 #include "server/session/command_count.h"
+#include "server/session/lost_holds.h"
 #include "server/session/moments.h"
 #include "server/session/pacing.h"
 #include "server/session/panel_inputs.h"
 #include "server/session/roster.h"
+#include "server/session/sequence_gate.h"
 
 namespace prosector {
 
@@ -58,7 +60,8 @@ struct SessionEvent {
     rewound,
     pace,
     effort,
-    accuracy
+    accuracy,
+    hand_stalled
   } kind;
   ParticipantId participant = 0;
   std::string name;
@@ -87,7 +90,7 @@ class Session {
   std::optional<std::uint64_t> take_seek() { return std::exchange(seek_, std::nullopt); }
   std::size_t bodies() const { return rules_.bodies; }
   /// Adds a body that a cut made; the next id is its.
-  void add_body(bool is_part);
+  void add_body(const std::string& name, bool is_part);
   /// Returns the wishes of accuracy since the last call: commands with body and value, in order.
   std::vector<Command> take_accuracy_wishes() { return std::exchange(accuracy_wishes_, {}); }
   /// Tells a participant something that is no answer to a command.
@@ -114,19 +117,24 @@ class Session {
   const CommandCounts& commands() const { return commands_; }
 
  private:
+  enum class Loss : std::uint8_t { none, untracked, stalled };
   struct Hand {
     bool present = false;
     std::uint64_t tracked_tick = 0;
     HandTarget target;
+    Loss loss = Loss::none;               // why it vanished in this tick
+    std::optional<BodyId> regrasps = {};  // in this tick, after a stall
   };
   struct Reaction {  // of a haptic arm
-    std::uint64_t sequence = 0;
+    SequenceGate sequences = {};
     std::uint64_t tick = 0;  // when it came
     double force = 0;        // N
   };
   struct Seat {  // of a member
     std::optional<HandInput> input;
+    SequenceGate sequences;
     bool fresh = false;
+    std::uint64_t heard_tick = 0;  // of the newest input
     std::array<Hand, 2> hands;
     std::vector<HandEvent> asked;       // by its commands since the last tick
     std::array<bool, 2> opens{};        // hands that were asked to let go in this tick
@@ -146,6 +154,8 @@ class Session {
 
   SessionRules rules_;
   Roster roster_;
+  LostHolds lost_holds_;
+  std::set<ParticipantId> cut_off_;  // who lost their connection since the last step
   std::map<ParticipantId, Seat> seats_;
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
@@ -187,10 +197,15 @@ class Session {
   void try_join(ParticipantId id, Visitor& visitor);
   void leave(ParticipantId id, SessionEvent::Kind how);
   void consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out);
+  void consume_hand(ParticipantId id, std::size_t hand, Seat& seat, TickInput& out);
   Visitor* visitor(ParticipantId id, std::uint64_t writer, const char* what);
   void forget_visitors();
   void answer(const Command& command, const Refusal& refusal);
+  bool admits(SequenceGate& sequences, std::uint64_t number, const char* what);
+  std::string name_of(BodyId body) const;
+  void take_loss(const LetGo& let_go);
   void tell_of_loss(const LetGo& let_go);
+  void finish_hands(std::span<const HandState> hands);
   void drop(const char* reason);
 };
 

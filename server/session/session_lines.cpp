@@ -16,6 +16,8 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} is gone (left or connection lost)", e.name);
     case SessionEvent::Kind::hand_timeout:
       return fmt::format("{}: {} no longer tracked, let go", e.name, e.detail);
+    case SessionEvent::Kind::hand_stalled:
+      return fmt::format("{}: {} let go, its client sent nothing for too long", e.name, e.detail);
     case SessionEvent::Kind::role:
       return fmt::format("{} is {} now", e.name, e.detail);
     case SessionEvent::Kind::let_go:

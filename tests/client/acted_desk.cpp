@@ -49,6 +49,12 @@ ActedDesk::ActedDesk(Simulation& simulation, const Haste& haste)
   wait(0.3);
 }
 
+void ActedDesk::stall(double seconds) {
+  is_stalled_ = true;
+  wait(seconds);
+  is_stalled_ = false;
+}
+
 void ActedDesk::wait(double seconds) {
   for (int k = 0; k < static_cast<int>(1e3 * seconds); ++k) millisecond();
 }
@@ -95,7 +101,8 @@ void ActedDesk::millisecond() {
     loop_.publisher().flush();
     next_tick_ = ms_ + haste_.tick_ms;
   }
-  take();
+  if (!is_stalled_) take();
+  if (is_stalled_) next_picture_ = next_send_ = ms_ + 1;
   if (ms_ >= next_picture_ && replica_.complete()) {
     picture();
     next_picture_ = ms_ + haste_.picture_ms;

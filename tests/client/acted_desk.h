@@ -46,6 +46,10 @@ class ActedDesk {
   bool draws() const { return hand_.draws(); }
   /// Takes the last cut back, once the blade is out.
   void take_back();
+  /// Asks the server for something.
+  void ask(Command command) { publish(std::move(command)); }
+  /// Lets the client do nothing at all while that much time passes, s.
+  void stall(double seconds);
 
   /// Returns the server's lines, what it told this person of refusals and losses, and the strokes that ended.
   const std::vector<std::string>& log() const { return log_; }
@@ -71,6 +75,7 @@ class ActedDesk {
   StrokeGauge gauge_;
   bool asked_for_ = false;
   std::int64_t ms_ = 0, next_tick_ = 0, next_picture_ = 0, next_send_ = 0, last_picture_ = 0, next_stall_ = 0;
+  bool is_stalled_ = false;
 
   void millisecond();
   void take();

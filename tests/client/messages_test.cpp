@@ -54,6 +54,31 @@ TEST(MessageLines, SayHowManyAFloodLeftOut) {
   EXPECT_EQ(messages.shown(40), Lines{});
 }
 
+// Nobody who holds something reads that out of a flood.
+TEST(MessageLines, KeepALineForWhatTheUserDid) {
+  MessageLines messages;
+  for (int k = 0; k < 60; ++k)
+    messages.say(k % 2 == 0 ? "the simulation is well again" : "the disk is slow", 0.1 * k);
+  messages.say("you hold the liver", 6, MessageKind::own);
+  for (int k = 60; k < 90; ++k) {
+    messages.say("message " + std::to_string(k), 0.1 * k);
+    const Lines lines = messages.shown(0.1 * k);
+    ASSERT_EQ(lines.size(), MessageLines::lines);
+    EXPECT_EQ(lines.back(), "you hold the liver") << k;
+  }
+  EXPECT_EQ(messages.shown(10).size(), 2U) << "news have both lines again";
+  EXPECT_NE(messages.shown(10).back(), "you hold the liver");
+}
+
+TEST(MessageLines, LetNewsWaitThatAnOwnMessageDisplacesTooSoon) {
+  MessageLines messages;
+  messages.say("Ada left", 0);
+  messages.say("Grace left", 0.5);
+  messages.say("you hold the liver", 1, MessageKind::own);
+  EXPECT_EQ(messages.shown(1), (Lines{"Grace left", "you hold the liver"}));
+  EXPECT_EQ(messages.shown(2), (Lines{"Ada left", "you hold the liver"})) << "seen for 1 s only";
+}
+
 TEST(LoadingPicture, IsFullAsFarAsThingsAreHere) {
   for (const double progress : {-1.0, 0.0, 0.25, 1.0, 7.0}) {
     const DrawList list = loading_picture("abdomen", "waiting", progress, 800, 600, 2);
@@ -141,7 +166,16 @@ class Told : public testing::Test {
     for (const Asset* asset : {&mesh, &streamed})
       say(AssetChunk{asset->hash, 0, 1, static_cast<std::uint32_t>(asset->bytes.size()), asset->bytes});
   }
-  Lines news(double now) { return happenings.look(replica, now); }
+  Lines news(double now) {
+    Lines out;
+    for (const Happening& happening : happenings.look(replica, now)) {
+      out.push_back(happening.text);
+      EXPECT_EQ(happening.kind == MessageKind::own,
+                happening.text.starts_with("you ") || happening.text.starts_with("cut: "))
+          << happening.text;
+    }
+    return out;
+  }
 };
 
 TEST_F(Told, WhatWasThereAtTheFirstLookIsNoNews) {
@@ -235,6 +269,22 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(4), Lines{});
   EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});
   EXPECT_EQ(news(6), Lines{});
+}
+
+TEST_F(Told, TroubleThatComesAndGoesIsToldOnceAMinuteAndItsEndNotAlone) {
+  news(0);
+  Lines told;
+  for (int k = 0; k < 900; ++k) {  // 90 s; 5 s of it, 12 s without
+    ServerStatus status;
+    if (k % 170 < 50)
+      status.degraded = "simulated time slowed to 0.8" + std::to_string(k % 10) + " of real time";
+    say(status);
+    for (const std::string& line : news(1 + 0.1 * k)) told.push_back(line);
+  }
+  ASSERT_EQ(told.size(), 4U) << told.back();
+  EXPECT_EQ(told[1], "the simulation is well again");
+  EXPECT_TRUE(told[2].starts_with("simulated time slowed"));
+  EXPECT_EQ(told[3], "the simulation is well again");
 }
 
 TEST_F(Told, WhatTheHostDoesWithTimeIsTold) {

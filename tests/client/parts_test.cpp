@@ -96,6 +96,15 @@ TEST(PartRows, AreGroupedWithPiecesBelowTheirOrgan) {
   EXPECT_EQ(liver.holders[1].name, "Grace");
 }
 
+TEST(PartRows, HaveBonesThatLieAboutAmongTheBones) {
+  PartsKnown loose = known();
+  loose.scene.bodies[2].part = false;
+  loose.scene.bodies[2].moves = true;
+  const auto names = names_of(part_rows(loose, {}, ""));
+  ASSERT_EQ(names[3], "Bones · 1");
+  EXPECT_EQ(names[4], "Oberschenkelknochen");
+}
+
 TEST(PartRows, AreFoundByNameInAnyLanguageAndByNumber) {
   for (const char* search : {"LIVER", "grosse druse", "Leber", "a05.8"})
     EXPECT_EQ(found(search), std::vector<std::string>{"liver"}) << search;

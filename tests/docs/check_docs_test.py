@@ -12,7 +12,7 @@ GOOD = {
     "README.md": "# One\n\nSee [the map](docs/README.md).\n",
     "CHANGELOG.md": "# Changes\n",
     "docs/README.md": "# Map\n\n[Page](do/page.md#some-steps-of-x), [decisions](decisions/0001.md).\n",
-    "docs/do/page.md": f"# Page\n\n## Some `steps` of X\n\n| {LONG} |\n\n```sh\n{LONG} [x](nowhere.md)\n```\n\n"
+    "docs/do/page.md": f"# Page\n\n## Some `steps` of X\n\n| {LONG} |\n|---|\n| {LONG} |\n\n```sh\n{LONG} [x](nowhere.md)\n```\n\n"
                        f"{' '.join(['word'] * 30)}. Another. `Code` here: (see above.) Then more.\n",
     "server/b.h": "// See docs/do/page.md.\n",
     "docs/decisions/0001.md": f"# One\n\n{LONG}\n",
@@ -23,14 +23,15 @@ FAULTS = [
     ("docs/do/page.md", "\n[gone](gone.md)\n", "is not there"),
     ("docs/README.md", "\n[gone](do/page.md#gone)\n", "no heading for #gone"),
     ("docs/do/page.md", "\nIn `server/b.h` and `server/NAME.h`, not in `server/c.h`.\n", "names server/c.h"),
-    ("docs/look-up/lost.md", "# Lost\n", "no way of links"),
+    ("docs/look-up/lost.md", "# Lost\n", "no index lists"),
+    ("docs/do/page.md", "\n| a | b |\n|---|---|\n| 1 | 2 |\n\n| 3 | 4 |\n", "a table without a heading"),
     ("server/a.h", "// See docs/lost.md.\n", "names docs/lost.md"),
 ]
 
 
-def check(page=None, text=""):
+def check(page=None, text="", beside=None):
     shutil.rmtree(work, ignore_errors=True)
-    for name, content in GOOD.items():
+    for name, content in {**GOOD, **(beside or {})}.items():
         (work / name).parent.mkdir(parents=True, exist_ok=True)
         (work / name).write_text(content)
     if page:
@@ -48,4 +49,7 @@ for page, fault, words in FAULTS:
     status, text = check(page, fault)
     if status != 1 or words not in text or "docs: 1 faults" not in text:
         sys.exit(f"expected one fault, \"{words}\", in {page}; status {status}:\n{text}")
+status, text = check("docs/do/page.md", "\n[Linked](linked.md)\n", {"docs/do/linked.md": "# Linked\n"})
+if status != 1 or "docs/do/linked.md:1: no index lists" not in text:
+    sys.exit(f"a page that only another page links to passed:\n{text}")
 print("ok: each fault is found, and none where there is none")

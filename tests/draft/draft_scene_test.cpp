@@ -83,7 +83,7 @@ TEST(DraftScene, SurfacesOfEveryFormatAndUnitRun) {
     const double scale = bone ? scene.rigid[1].scale : scene.soft[0].scale;
     EXPECT_NEAR(scale * c.per_metre, 1, 1e-9);
     EXPECT_FALSE(scene.lights.empty());
-    run(scene, dir.path, 2);  // and the table
+    run(scene, dir.path, bone ? 2 : 3);  // and the table, and a scalpel for what can be cut
     if (bone) continue;
     // As large as it was, and standing on the table.
     const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
@@ -111,13 +111,13 @@ TEST(DraftScene, AFolderIsABodyEach) {
   const SceneDesc scene = drafted(dir.path / "patient", dir.path);
   EXPECT_EQ(scene.name, "patient");
   ASSERT_EQ(scene.soft.size(), 2u);
-  ASSERT_EQ(scene.rigid.size(), 2u);
+  ASSERT_EQ(scene.rigid.size(), 3u);
   EXPECT_EQ(scene.rigid[1].name, "rib");
   EXPECT_EQ(scene.soft[0].name, "kidney");
   EXPECT_GT(scene.soft[0].youngs_modulus, scene.soft[1].youngs_modulus);  // by material
   EXPECT_EQ(scene.soft[0].pose.p, scene.soft[1].pose.p);  // they stay as they lie to each other
   EXPECT_TRUE(scene.rigid[1].part);
-  run(scene, dir.path, 4);
+  run(scene, dir.path, 5);
 }
 
 TEST(DraftScene, ALabelMapIsAnAtlas) {
@@ -128,7 +128,60 @@ TEST(DraftScene, ALabelMapIsAnAtlas) {
     const SceneDesc scene = drafted(dir.path / "map.inr", dir.path);
     ASSERT_EQ(scene.atlases.size(), 1u);
     EXPECT_EQ(scene.atlases[0].labels, named ? "map.csv" : "");
+    run(scene, dir.path, 4);
+  }
+}
+
+TEST(DraftScene, AScalpelLiesOnTheTableBesideWhatCanBeCut) {
+  const TempDir dir;
+  const auto file = dir.path / "thing.obj";
+  write(file, as_obj(box_surface(Vec3::Zero(), {0.1, 0.2, 0.3}), 1));
+  const RigidDesc scalpel = drafted(file, dir.path).rigid.back();
+  EXPECT_EQ(scalpel.name, "scalpel");
+  EXPECT_EQ(scalpel.edges.size(), 2u);
+  EXPECT_FALSE(scalpel.fixed);
+  EXPECT_GT(scalpel.pose.p[0], 0.05 + 0.04) << "beside the box";
+  EXPECT_LT(scalpel.pose.p[0], 0.3) << "on the table";
+  for (const DraftOptions& without : {DraftOptions{.scalpel = false}, DraftOptions{.rigid = true}})
+    EXPECT_EQ(drafted(file, dir.path, without).rigid.back().edges.size(), 0u);
+  const auto named = dir.path / "scalpel.obj";
+  write(named, as_obj(box_surface(Vec3::Zero(), {0.1, 0.2, 0.3}), 1));
+  EXPECT_NE(complaint(named).find("--no-scalpel"), std::string::npos);
+  EXPECT_EQ(drafted(named, dir.path, {.scalpel = false}).soft[0].name, "scalpel");
+}
+
+TEST(DraftScene, TetrahedralMeshesRunAsTheyAre) {
+  // A block of six tetrahedra around a diagonal, 60 mm long.
+  std::string gmsh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n";
+  std::string vtk = "# vtk DataFile Version 3.0\nblock\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n";
+  for (int k = 0; k < 8; ++k) {
+    const std::string point = fmt::format("{} {} {}\n", 60 * (k & 1), 40 * (k >> 1 & 1), 50 * (k >> 2 & 1));
+    gmsh += fmt::format("{} {}", k + 1, point);
+    vtk += point;
+  }
+  gmsh += "$EndNodes\n$Elements\n6\n";
+  vtk += "CELLS 6 30\n";
+  const int corners[6][2] = {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}};
+  for (int k = 0; k < 6; ++k) {
+    gmsh += fmt::format("{} 4 2 0 1 1 {} {} 8\n", k + 1, corners[k][0] + 1, corners[k][1] + 1);
+    vtk += fmt::format("4 0 {} {} 7\n", corners[k][0], corners[k][1]);
+  }
+  gmsh += "$EndElements\n";
+  vtk += "CELL_TYPES 6\n10\n10\n10\n10\n10\n10\n";
+  for (const auto& [name, text] :
+       {std::pair<std::string, std::string>{"kidney.msh", gmsh}, {"femur.vtk", vtk}}) {
+    SCOPED_TRACE(name);
+    const TempDir dir;
+    write(dir.path / name, text);
+    const SceneDesc scene = drafted(dir.path / name, dir.path);
+    ASSERT_EQ(scene.soft.size(), 1u);
+    EXPECT_EQ(scene.soft[0].mesh, name);
+    EXPECT_NEAR(scene.soft[0].scale, 1e-3, 1e-12);
+    const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
+    EXPECT_EQ(made.tets.tets.size(), 6u);
+    EXPECT_NEAR(tet_quality(made.tets).volume, 1.2e-4, 1e-9);
     run(scene, dir.path, 3);
+    EXPECT_NE(complaint(dir.path / name, {.rigid = true}).find("--rigid is for surfaces"), std::string::npos);
   }
 }
 
@@ -185,7 +238,7 @@ TEST(DraftScene, SaysWhatItCantUse) {
       "no label has as many as 64 voxels");
   EXPECT_NE(complaint(dir.path / "gone.obj").find("no such file"), std::string::npos);
   std::filesystem::create_directory(dir.path / "void");
-  EXPECT_NE(complaint(dir.path / "void").find("holds no surface"), std::string::npos);
+  EXPECT_NE(complaint(dir.path / "void").find("holds no surface and no tetrahedral mesh"), std::string::npos);
   // A folder names all that is wrong in it.
   const auto folder = dir.path / "several";
   std::filesystem::create_directory(folder);

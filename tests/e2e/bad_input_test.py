@@ -128,6 +128,33 @@ good = run.returncode == 0 and "warning: intersects itself" in run.stdout
 failures += not good
 print(f"{'ok    ' if good else 'FAILED'} self-intersecting surface: exit {run.returncode}: warned")
 
+run = subprocess.run([BIN / "prosector-server", str(soft_scene("named", 'shape = "ball"')), "--check", "--session", "*"],
+                     capture_output=True, text=True, timeout=60)
+good = run.returncode == 2 and 'session name "*" is not valid' in run.stderr
+failures += not good
+print(f"{'ok    ' if good else 'FAILED'} a session name that names many: exit {run.returncode}: {run.stderr.strip()}")
+
+run = subprocess.run([BIN / "prosector-server", str(soft_scene("uncached", 'shape = "ball"')), "--check", "--cache", str(OUT / "organ.obj")],
+                     capture_output=True, text=True, timeout=60)
+good = run.returncode == 0 and "organ.obj can't be written: meshes are made again" in run.stdout
+failures += not good
+print(f"{'ok    ' if good else 'FAILED'} a cache that can't be written: exit {run.returncode}: {run.stdout[-200:].strip()}")
+
+# The scene tool ends as the server does, for the same fault.
+absent = str(OUT / "absent" / "drafted.toml")
+SCENE_TOOL_CASES = [
+    ("an unknown key", 2, [soft_scene("unknown", 'shape = "ball"\nyoung = 3')]),
+    ("a missing scene", 2, [OUT / "absent.toml"]),
+    ("a draft of a missing file", 2, ["new", OUT / "absent.obj"]),
+    ("a draft of an open surface", 2, ["new", OUT / "organ.obj", "--out", OUT / "drafted.toml"]),
+    ("a draft that can't be written", 1, ["new", OUT / "organ.obj", "--rigid", "--out", absent]),
+]
+for what, status, arguments in SCENE_TOOL_CASES:
+    run = subprocess.run([BIN / "prosector-scene", *map(str, arguments)], capture_output=True, text=True, timeout=60)
+    good = run.returncode == status and run.stderr.strip()
+    failures += not good
+    print(f"{'ok    ' if good else 'FAILED'} {what}, by prosector-scene: exit {run.returncode}: {run.stderr.strip()}")
+
 PLAY_CASES = [
     ("a recording that is missing", OUT / "lost.sqlite", ["lost.sqlite", "no such file"]),
     ("a recording that is none", write("none.sqlite", "no journal"), ["none.sqlite", "no journal"]),

@@ -12,7 +12,9 @@ import time
 
 from PIL import Image, ImageDraw, ImageFont
 
+import asked_part
 import newcomer
+from desk_person import act
 from lesson import Lesson
 
 BESIDE, BELOW = (820, 0), (0, 640)  # places of further windows on the screen
@@ -59,8 +61,13 @@ def desk(lesson):
     window = lesson.window()
     client.waits_for("everything is here")
     person = newcomer.Newcomer(lesson.folder, client.shell, window.window, client.log, newcomer.LEISURELY)
+    onlooker = lesson.watch("abdomen")
     try:
-        newcomer.touches_and_cuts(person)
+        newcomer.reads_the_help(person)
+        newcomer.touches_the_liver(person)
+        asked_part.looks_around(person, onlooker, "Ann")
+        asked_part.asks_the_liver(person, onlooker, "Ann")
+        newcomer.cuts_the_liver(person, newcomer.takes_the_scalpel(person))
         newcomer.takes_it_back(person)
         newcomer.tries_every_line(person)
     finally:
@@ -93,6 +100,8 @@ def host(lesson):
     ben.waits_for("you are an observer now")
     lesson.type(ann, "give Ben dissector")
     ben.waits_for("you are a dissector now")
+    ann.type("help")
+    ann.waits_for("give NAME ROLE")
     ann_window.press("space")
     ben.waits_for("the host stopped time")
     time.sleep(1)
@@ -142,6 +151,16 @@ def observer(lesson):
     ben = lesson.start("prosector-client observe --session lesson --name Ben\n", "ben.log")
     window = lesson.window()
     ben.waits_for("everything is here")
+    for key in ("h", "h", "Home"):
+        window.press(key)
+        time.sleep(0.5)
+    window.point(0.5, 0.45)
+    act("mousedown", 3)
+    window.point(0.6, 0.5)
+    act("mouseup", 3)
+    for key in ("g", "Home", "c", "c", "i", "i"):
+        window.press(key)
+        time.sleep(0.5)
     window.turn_wheel(-3, "ctrl")
     presses()
     outside = window.picture()

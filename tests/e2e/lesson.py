@@ -122,6 +122,14 @@ class Lesson:
         self.terminals.append(Terminal(self.block(words), self.folder, self.folder / log, self.environment))
         return self.terminals[-1]
 
+    def watch(self, session):
+        """The session log of an onlooker without a window, who is no part of the lesson."""
+        log = self.folder / "onlooker.jsonl"
+        command = f"prosector-client observe --session {session} --name onlooker --display none --session-log {log}"
+        self.terminals.append(Terminal(command, self.folder, self.folder / "onlooker.log", self.environment))
+        self.terminals[-1].waits_for("everything is here")
+        return log
+
     def run(self, words, log, seconds=60):
         """Runs a block to its end; what it said."""
         terminal = self.start(words, log)

@@ -165,6 +165,8 @@ TEST(Hand, TakesWhatIsWantedWhereItReachesThatAndElseTheNearest) {
   ASSERT_TRUE(nearest);
   for (const BodyId wanted : {1U, 2U}) EXPECT_EQ(taken(HandEvent::Kind::grasp_body, wanted), wanted);
   for (const BodyId wanted : {0U, 3U, 99U}) EXPECT_EQ(taken(HandEvent::Kind::grasp_body, wanted), nearest);
+  for (const BodyId wanted : {1U, 2U}) EXPECT_EQ(taken(HandEvent::Kind::regrasp, wanted), wanted);
+  for (const BodyId wanted : {0U, 3U, 99U}) EXPECT_FALSE(taken(HandEvent::Kind::regrasp, wanted)) << wanted;
 }
 
 TEST(Hand, ResetPutsBodiesBack) {

@@ -242,7 +242,9 @@ TEST(ServerLoop, AStreamThatStopsAndAClientThatDiesLetGo) {
   Pressing pressing(hosted);
   pressing.run(20);
   ASSERT_EQ(hosted.simulation.hands().size(), 1u);
-  for (int i = 0; i < 10; ++i) hosted.tick();  // 0.1 s are 6 ticks
+  for (int i = 0; i < 300; ++i) hosted.tick();  // 5 s: a client that stalls
+  EXPECT_EQ(hosted.simulation.hands().size(), 1u);
+  for (int i = 0; i < 10; ++i) hosted.tick();
   EXPECT_TRUE(hosted.simulation.hands().empty());
   pressing.run(5);
   ASSERT_EQ(hosted.simulation.hands().size(), 1u);

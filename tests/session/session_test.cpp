@@ -468,7 +468,7 @@ TEST(Session, PiecesAreBodiesThatCanBeAskedFor) {
   reset.body = 3;
   room.feed({from(1, reset)});
   EXPECT_FALSE(room.results.back().accepted);
-  room.session.add_body(true);
+  room.session.add_body("piece", true);
   reset.sequence = 6;
   room.feed({from(1, reset)});
   EXPECT_TRUE(room.results.back().accepted);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@
 
 namespace prosector {
 namespace {
+
+constexpr int bad_input = 2;  // exit status, as the server's
 
 struct NewScene {
   std::filesystem::path source, out;
@@ -53,16 +56,17 @@ int check(const std::vector<std::string>& files) {
 CLI::App* add_new(CLI::App& app, NewScene& o) {
   CLI::App* draft = app.add_subcommand("new", "Write a scene that runs, from files of anatomy");
   draft
-      ->add_option(
-          "FILE|FOLDER", o.source,
-          "A closed surface (.obj .stl .ply .off .gltf .glb), a folder of them, or a label map (.nii "
-          ".nii.gz .inr .inr.gz)")
+      ->add_option("FILE|FOLDER", o.source,
+                   "A closed surface (.obj .stl .ply .off .gltf .glb), a tetrahedral mesh (.msh .vtk), a "
+                   "folder of them, "
+                   "or a label map (.nii .nii.gz .inr .inr.gz)")
       ->required();
   draft->add_option("--out", o.out, "Scene file to write (default: the source's name and .toml, here)");
   draft->add_option("--unit", o.unit, "Unit of surface files (default: guessed by size, and said)")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   draft->add_option("--up", o.up, "Axis of the files that is up (default: y of surfaces, z of label maps)")
       ->check(CLI::IsMember({"y", "z"}));
+  draft->add_flag("!--no-scalpel", o.options.scalpel, "Lay no scalpel beside what can be cut");
   draft->add_flag("--rigid", o.options.rigid, "Surfaces keep their shape, and may be open");
   draft
       ->add_option("--labels", o.options.labels,
@@ -90,7 +94,7 @@ void write_new(NewScene o) {
   std::ofstream file(o.out, std::ios::binary);
   file << draft.toml;
   file.close();
-  if (!file) throw InputError(fmt::format("{} can't be written", o.out.string()));
+  if (!file) throw std::runtime_error(fmt::format("{} can't be written", o.out.string()));
   for (const std::string& note : draft.notes) fmt::print("{}\n", note);
   fmt::print("{}: written; host it: prosector-server {}\n", o.out.string(), o.out.string());
 }
@@ -108,17 +112,20 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     if (drafting->parsed()) return write_new(draft), 0;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const InputError& error) {
+    fmt::print(stderr, "prosector-scene new: {}\n", error.what());
+    return bad_input;
+  } catch (const std::exception& error) {
     fmt::print(stderr, "prosector-scene new: {}\n", error.what());
     return 1;
   }
   if (files.empty() && !manual) {
     std::cerr << "prosector-scene: name a scene file, new or --manual (see --help)\n";
-    return 2;
+    return bad_input;
   }
   if (manual) write_scene_manual(std::cout);
-  return check(files) == 0 ? 0 : 1;
+  return check(files) == 0 ? 0 : bad_input;
 }
 
 }  // namespace

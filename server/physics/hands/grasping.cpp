@@ -99,22 +99,39 @@ std::optional<Hold> reach_soft(const Bodies& bodies, std::span<const Collider> c
   return hold;
 }
 
+std::optional<Hold> reach(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
+                          BodyId body) {
+  if (body >= bodies.count()) return std::nullopt;
+  return bodies.is_soft(body) ? reach_soft(bodies, colliders, hand, body)
+                              : reach_rigid(bodies, colliders, hand, body);
+}
+
+/// Lets the hand have the hold that it reached, if any.
+void take_hold(Bodies& bodies, Hand& hand, std::optional<Hold> hold) {
+  if (!hold) return;
+  hand.hold = std::move(hold);
+  if (bodies.is_soft(hand.hold->body))
+    bodies.soft[bodies.soft_index(hand.hold->body)].wake();
+  else
+    bodies.rigid.set_collides(hand.slot, hand.hold->body, false);
+}
+
 }  // namespace
 
 void grasp(State& state, Colliders& colliders, Hand& hand, std::optional<BodyId> wanted) {
   Bodies& bodies = state.bodies;
   if (hand.hold) return;
   refresh(colliders, bodies, state.hands, state.dissection.blades);
-  if (wanted && *wanted < bodies.count())
-    hand.hold = bodies.is_soft(*wanted) ? reach_soft(bodies, colliders, hand, wanted)
-                                        : reach_rigid(bodies, colliders, hand, wanted);
-  if (!hand.hold) hand.hold = reach_rigid(bodies, colliders, hand);
-  if (!hand.hold) hand.hold = reach_soft(bodies, colliders, hand);
-  if (!hand.hold) return;
-  if (bodies.is_soft(hand.hold->body))
-    bodies.soft[bodies.soft_index(hand.hold->body)].wake();
-  else
-    bodies.rigid.set_collides(hand.slot, hand.hold->body, false);
+  std::optional<Hold> hold = wanted ? reach(bodies, colliders, hand, *wanted) : std::nullopt;
+  if (!hold) hold = reach_rigid(bodies, colliders, hand);
+  if (!hold) hold = reach_soft(bodies, colliders, hand);
+  take_hold(bodies, hand, std::move(hold));
+}
+
+void grasp_only(State& state, Colliders& colliders, Hand& hand, BodyId wanted) {
+  if (hand.hold) return;
+  refresh(colliders, state.bodies, state.hands, state.dissection.blades);
+  take_hold(state.bodies, hand, reach(state.bodies, colliders, hand, wanted));
 }
 
 }  // namespace prosector

@@ -12,4 +12,7 @@ namespace prosector {
 /// hold, rigid ones first. A hand that holds something already keeps it. Refreshes `colliders`.
 void grasp(State& state, Colliders& colliders, Hand& hand, std::optional<BodyId> wanted = std::nullopt);
 
+/// Lets the hand hold that body if it reaches it, else nothing. Refreshes `colliders`.
+void grasp_only(State& state, Colliders& colliders, Hand& hand, BodyId wanted);
+
 }  // namespace prosector

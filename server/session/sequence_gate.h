@@ -1,0 +1,31 @@
+#pragma once
+// Which samples of a stream are newer than those taken before.
+
+#include <cstdint>
+
+namespace prosector {
+
+/// Takes the sequence numbers of a stream that may overtake each other on the way. One damaged number that is
+/// far ahead must not silence the stream: after `patience` samples in a row behind it the numbers start anew.
+class SequenceGate {
+ public:
+  enum class Verdict : std::uint8_t { newer, overtaken, restarted };
+
+  static constexpr std::uint32_t patience = 120;  // samples: one second of hands
+
+  Verdict judge(std::uint64_t number) {
+    const bool first = !any_, newer = number > last_;
+    if (!first && !newer && ++behind_ < patience) return Verdict::overtaken;
+    any_ = true;
+    last_ = number;
+    behind_ = 0;
+    return first || newer ? Verdict::newer : Verdict::restarted;
+  }
+
+ private:
+  bool any_ = false;
+  std::uint64_t last_ = 0;
+  std::uint32_t behind_ = 0;
+};
+
+}  // namespace prosector
