@@ -40,14 +40,13 @@ FindSurface finder(const DeskRoom& room) {
 
 }  // namespace
 
-void Desk::begin(const DeskStart& start) {
+void Desk::begin(const DeskStart& start, std::chrono::steady_clock::time_point now) {
   view_.begin(start, window_.width(), window_.height());
   hand_.begin(view_.pointer(), first_reach * start.home.distance);
-  last_update_ = std::chrono::steady_clock::now();
+  last_update_ = now;
 }
 
-void Desk::update(const DeskSession& session) {
-  const auto now = std::chrono::steady_clock::now();
+void Desk::update(const DeskSession& session, std::chrono::steady_clock::time_point now) {
   const double seconds = last_update_ ? std::chrono::duration<double>(now - *last_update_).count() : 0;
   last_update_ = now;
   follow_panel(session);

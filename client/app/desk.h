@@ -50,9 +50,11 @@ class Desk {
 
   /// Tells whether the user has a place to look from.
   bool has_begun() const { return last_update_.has_value(); }
-  void begin(const DeskStart& start);
-  /// Takes the window's events and goes on by a picture.
-  void update(const DeskSession& session);
+  void begin(const DeskStart& start,
+             std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
+  /// Takes the window's events and goes on by a picture, which is drawn at `now`.
+  void update(const DeskSession& session,
+              std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
   /// Takes the window's events while there is nothing to see yet: closing counts, the rest does not.
   void wait();
   bool closed() const { return closed_; }
@@ -75,6 +77,7 @@ class Desk {
   /// Returns the body that the pointer is at; nullopt: none, or a panel.
   std::optional<BodyId> pointed() const { return pointed_; }
   PartsDesk& parts() { return parts_; }
+  const PartsDesk& parts() const { return parts_; }
   /// Returns what the user did to their panel.
   PanelLook panel_look() const { return panel_.look(); }
   /// Returns where the pointer is, pixels from the top left.

@@ -26,6 +26,7 @@ constexpr double most_patience = 0.5;                    // s, for a physical ha
 constexpr double longest_way = 3;                        // s, for one that does
 constexpr double comes_nearer = 1e-3;                    // m
 constexpr double least_seconds_in = 0.12;                // a click that is shorter grasps nothing
+constexpr double from_right = 1.0;  // rad about +y: fingers point ahead and to the left, beside the gaze
 constexpr double across = 0.7;  // rad between the gaze and the fingers: the hand comes from below the picture
 constexpr double lowest_lift = -0.6, highest_lift = 0.4;  // rad above level
 constexpr double highest_over_level = -0.25;  // over what lies level, where the wrist must not be below
@@ -118,7 +119,7 @@ std::vector<HandWish> DeskHand::take_wishes() {
 void DeskHand::advance(const HandGuide& guide, double seconds) {
   const double bend_to = is_closed() ? fist : open;
   flexion_ += std::clamp(bend_to - flexion_, -close_per_s * seconds, close_per_s * seconds);
-  yaw_ = guide.yaw;
+  yaw_ = guide.yaw + from_right;
   meets_ = guide.surface.has_value();
   lift_fingers(guide, seconds);
   follow_blade(guide, seconds);

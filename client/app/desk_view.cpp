@@ -8,15 +8,16 @@
 namespace prosector {
 namespace {
 
-constexpr double turn_per_pixel = 0.005;  // rad
-constexpr double zoom_per_pixel = 0.005;  // of the distance's logarithm
-constexpr double zoom_per_notch = 0.1;    // of the distance's logarithm
-constexpr double zoom_per_second = 1.2;   // of the distance's logarithm, by a key or a stick
-constexpr double fly_speed = 0.6;         // m/s
-constexpr double pad_speed = 400;         // pixels/s, for a stick that is pushed fully
-constexpr double largest_framed = 0.6;    // m: what is larger is brought near, not framed
-constexpr double roomy = 0.9;             // of the picture
-constexpr double near_distance = 0.5;     // m
+constexpr double turn_per_pixel = 0.005;                 // rad
+constexpr double zoom_per_pixel = 0.005;                 // of the distance's logarithm
+constexpr double zoom_per_notch = 0.1;                   // of the distance's logarithm
+constexpr double zoom_per_second = 1.2;                  // of the distance's logarithm, by a key or a stick
+constexpr double fly_speed = 0.6;                        // m/s
+constexpr double pad_speed = 400;                        // pixels/s, for a stick that is pushed fully
+constexpr double largest_framed = 0.6;                   // m: what is larger is brought near, not framed
+constexpr double roomy = 0.9;                            // of the picture
+constexpr double near_distance = 0.5;                    // m
+constexpr double first_right = 0.9, first_below = 0.85;  // of the picture: beside what it shows
 
 }  // namespace
 
@@ -26,7 +27,7 @@ void DeskView::begin(const DeskStart& start, int width, int height) {
   views_ = start.views;
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
-  pointer_ = {0.5 * width_, 0.5 * height_};
+  pointer_ = {first_right * width_, first_below * height_};
 }
 
 void DeskView::look_as(const std::optional<DrawCamera>& camera) {

@@ -13,7 +13,8 @@ namespace prosector {
 
 class DeskView {
  public:
-  /// Begins at the start, with the pointer in the middle of a picture of that size, pixels.
+  /// Begins at the start, with the pointer at the lower right of a picture of that size (pixels), beside what
+  /// the start frames.
   void begin(const DeskStart& start, int width, int height);
   /// Takes an event, whether or not it is for the view.
   void take(const WindowEvent& event, const DeskRoom& room);

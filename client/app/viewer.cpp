@@ -7,13 +7,11 @@
 #include <cstdlib>
 #include <thread>
 
+#include "client/app/desk_session.h"
 #include "client/app/picture_file.h"
-#include "client/view/anatomy_points.h"
 #include "client/view/camera.h"
-#include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
-#include "client/view/shown_effort.h"
 #include "client/view/words_ahead.h"
 #include "common/error.h"
 
@@ -235,54 +233,6 @@ Role Viewer::role_of(ParticipantId participant) {
   });
 }
 
-/// Seats the user before the anatomy, beside those who are there.
-void Viewer::begin_desk(Replica& replica, double tick, ParticipantId self) {
-  std::vector<Vec3> heads;
-  for (const auto& [id, entry] : replica.roster())
-    if (const auto user = replica.user(id, tick); id != self && user && user->head_tracked)
-      heads.push_back(user->head.p);
-  const double aspect = static_cast<double>(stage_->context->width()) / stage_->context->height();
-  stage_->desk->begin(desk_start(replica.scene()->camera, anatomy_points(replica), heads, aspect));
-}
-
-DeskSession Viewer::desk_session(const Replica& replica, double tick, ParticipantId self) {
-  DeskSession out;
-  const HandRef hand{self, right_hand};
-  out.room.surface = [this, held = held_by(replica, hand)](const Ray& ray) {
-    return stage_->view.surface_at(ray, held);
-  };
-  out.room.box = [this](BodyId body) { return stage_->view.box_of(body); };
-  out.room.opens = [this](BodyId body) {
-    return connection_.with_replica(
-        [&](const Replica& r) { return is_openable(r.scene()->bodies[body].appearance); });
-  };
-  out.is_soft = [this](BodyId body) {
-    return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
-  };
-  out.is_blade = [this](BodyId body) {
-    return connection_.with_replica([&](const Replica& r) {
-      const RigidReplica* rigid = r.rigid(body);
-      return rigid != nullptr && !rigid->edges.empty();
-    });
-  };
-  const auto own = replica.panels().find(self);
-  if (own != replica.panels().end()) {
-    out.own_panel = own->second;
-    out.effort = shown_effort(replica, own->second.body, self);
-    out.hidden_panel_lines = stage_->view.hidden_panel_lines();
-  }
-  const auto user = replica.user(self, tick);
-  if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
-  out.tip = instrument_tip(replica, hand, tick);
-  out.blade = held_blade(replica, hand, tick);
-  out.pace = replica.pace();
-  const PartsDesk& list = stage_->desk->parts();
-  if (list.is_open()) out.parts = part_rows(parts_known(replica), parts_, list.search());
-  out.watched = shown_time(replica, tick);
-  out.scale = scale();
-  return out;
-}
-
 /// Returns the force on the desk user's hand, N.
 double Viewer::touch_force(ParticipantId self) {
   return connection_.with_replica([&](const Replica& replica) {
@@ -313,8 +263,12 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   desk.see_by(look_);
   const DeskSession session = connection_.with_replica([&](Replica& replica) {
     const double tick = replica.advance(monotonic_ns());
-    if (!desk.has_begun()) begin_desk(replica, tick, self.participant);
-    return desk_session(replica, tick, self.participant);
+    const double aspect = static_cast<double>(stage_->context->width()) / stage_->context->height();
+    if (!desk.has_begun()) desk.begin(seat_of(replica, tick, self.participant, aspect));
+    DeskSession out = desk_session(replica, stage_->view, tick, self.participant);
+    if (desk.parts().is_open()) out.parts = part_rows(parts_known(replica), parts_, desk.parts().search());
+    out.scale = scale();
+    return out;
   });
   // Who looks through a camera points where that sees, and is where it stands.
   desk.look_as(through_ && through_->is_placed ? std::optional(through_->camera) : std::nullopt);
@@ -326,16 +280,9 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   if (!head_leads) settings.eye = desk.eye();
   if (!head_leads || through_) settings.pointed = desk.pointed();
   if (!head_leads && look_) settings.window = desk.camera();
-  settings.pointer = desk.pointer_pixel();
-  settings.cut_guide = desk.cut_line();
-  settings.cut_depth = desk.cut_depth();
+  show_choices(desk, settings);
   settings.wireframes = options_.wireframes != choices.wireframes;
-  settings.shown = choices.shown;
   for (const PartsOrder& order : desk.parts().take_orders()) obey(order);
-  settings.highlighted = desk.parts().hovered_bodies();
-  settings.parts_list = desk.parts().shown();
-  settings.section = choices.section;
-  settings.panel = desk.panel_look();
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());

@@ -125,8 +125,6 @@ class Viewer {
   Image draw(InputPump* pump, bool keep);
   double touch_force(ParticipantId self);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
-  void begin_desk(Replica& replica, double tick, ParticipantId self);
-  DeskSession desk_session(const Replica& replica, double tick, ParticipantId self);
   void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
   void ask_for_time();
   void read_panel(const Replica& replica, const LocalUser& self, ViewSettings& settings);

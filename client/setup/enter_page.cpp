@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/setup/beside.h"
 #include "client/setup/words.h"
 #include "common/error.h"
 
@@ -26,19 +27,19 @@ std::string refusal(const FoundSession& session) {
   return {};
 }
 
+/// Lets the next control stand in the same line where there is room for its width, else in a new one.
+void continue_line(float width) {
+  const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0, gap);
+}
+
 }  // namespace
 
 void EnterPage::draw(Interface& ui, Anteroom& room) {
   draw_person(ui, room);
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  const float left = std::floor(0.36f * width);
-  ImGui::BeginChild("sessions", {left, 0}, true);
-  draw_sessions(ui, room);
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("scenes", {0, 0}, true);
-  draw_scenes(ui, room);
-  ImGui::EndChild();
+  draw_beside(
+      ui, 0.36, [&] { draw_sessions(ui, room); }, [&] { draw_scenes(ui, room); });
 }
 
 void EnterPage::draw_person(Interface& ui, Anteroom& room) {
@@ -54,7 +55,7 @@ void EnterPage::draw_person(Interface& ui, Anteroom& room) {
   ImGui::SameLine();
   if (ImGui::RadioButton("watch", room.memory.watches)) room.memory.watches = true;
   ui.note("watch");
-  ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
+  continue_line(14 * ImGui::GetFontSize());
   bool lan = room.memory.lan;
   if (ImGui::Checkbox("the local network, too", &lan)) room.look_on_lan(lan);
   ui.note("lan");
@@ -125,8 +126,9 @@ void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
                                    [&](const ListedScene& s) { return s.file == room.memory.scene; });
     if (last != scenes.end()) scene_ = static_cast<std::size_t>(last - scenes.begin());
   }
-  const float below = ImGui::GetFrameHeightWithSpacing() + 3 * ImGui::GetTextLineHeightWithSpacing();
-  ImGui::BeginChild("grid", {0, -below});
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + 3 * ImGui::GetTextLineHeightWithSpacing();
+  const float least = 10 * ImGui::GetTextLineHeightWithSpacing();  // of a page that scrolls
+  ImGui::BeginChild("grid", {0, std::max(ImGui::GetContentRegionAvail().y - below, least)});
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width =
       std::floor((ImGui::GetContentRegionAvail().x - (scenes_across - 1) * gap) / scenes_across);
@@ -181,7 +183,7 @@ void EnterPage::draw_hosting(Interface& ui, Anteroom& room) {
   ImGui::SameLine();
   if (ImGui::Button("Host and enter") && scene_ < scenes.size()) room.host(scenes[scene_].file, hosted_name_);
   ui.note("host");
-  ImGui::SameLine(0, 3 * ImGui::GetStyle().ItemSpacing.x);
+  continue_line(14 * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##own", "another scene file, then Enter", &own_scene_,
                                ImGuiInputTextFlags_EnterReturnsTrue))

@@ -10,7 +10,6 @@ namespace {
 constexpr std::size_t sides = 24;
 constexpr double shadow_radius = 0.03, ring_radius = 0.012;  // m
 constexpr double farthest = 1;                               // m: below that nothing is told
-constexpr double near = 0.08;                                // m: what a hand is about to touch
 constexpr double from_above = 0.03;     // m: rays begin there, for fingertips may be in the surface
 constexpr double steepest_step = 0.03;  // m: a surface that drops by more beside the hand is another place
 constexpr double lift = 0.0015;         // m, off the surface
@@ -42,10 +41,10 @@ void HandCues::make_meshes(std::uint64_t& next_mesh_id) {
   }
 }
 
-std::optional<BodyId> HandCues::add(DrawList& list, const Vec3& fingertips, const FindSurface& find,
-                                    std::uint64_t& next_mesh_id) {
+void HandCues::add(DrawList& list, const Vec3& fingertips, const FindSurface& find,
+                   std::uint64_t& next_mesh_id) {
   const auto below = find({fingertips + from_above * Vec3::UnitY(), -Vec3::UnitY()}, std::nullopt);
-  if (!below || below->distance > farthest) return std::nullopt;
+  if (!below || below->distance > farthest) return;
   if (!shadow_[0]) make_meshes(next_mesh_id);
   const double height = std::max(below->distance - from_above, 0.0);
   const auto around = [&](double radius) {
@@ -75,7 +74,6 @@ std::optional<BodyId> HandCues::add(DrawList& list, const Vec3& fingertips, cons
   for (std::size_t k = 0; k < sides; ++k)
     list.lines.push_back({ring[k], ring[(k + 1) % sides], line_color, 1.5, false});
   list.lines.push_back({fingertips, below->at, line_color, 1.5, false});
-  return height < near ? std::optional(below->body) : std::nullopt;
 }
 
 }  // namespace prosector

@@ -14,9 +14,8 @@ namespace prosector {
 class HandCues {
  public:
   /// Adds the cues of a hand whose fingertips are there (m, world frame); over nothing there are none.
-  /// Returns what lies near below them. Meshes get ids from `next_mesh_id` on.
-  std::optional<BodyId> add(DrawList& list, const Vec3& fingertips, const FindSurface& find,
-                            std::uint64_t& next_mesh_id);
+  /// Meshes get ids from `next_mesh_id` on.
+  void add(DrawList& list, const Vec3& fingertips, const FindSurface& find, std::uint64_t& next_mesh_id);
 
  private:
   static constexpr std::size_t bands = 7;  // of the shadow, from its middle outwards

@@ -1,16 +1,22 @@
 #include "client/view/hand_nails.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace prosector {
 namespace {
 
-// A nail is the upper part of a flat ball. Lengths are in radii of the fingertip.
-constexpr double half_width = 0.62, half_height = 0.42, half_length = 0.78;
-constexpr double over_bone = 0.62;   // of the ball's middle
-constexpr double behind_tip = 0.05;  // of the ball's middle, behind the bone's end
-constexpr std::uint32_t nail_around = 14, nail_rings = 5;
+// A nail is a thin plate around the back of the fingertip. Lengths are in radii of its bone.
+constexpr double half_angle = 0.68;              // rad around the bone, from the middle to each side
+constexpr double root = 1.2, free_edge = -0.08;  // from the bone's end, towards the hand
+constexpr double thickness = 0.05, sunk = 0.06;  // over the skin in the middle; its rim, below the plate
+constexpr double tip_radius = 0.83;              // of the flesh at the bone's end, a ball
+constexpr double tip_middle = 0.5;               // of that ball, from the bone's end
+constexpr double growth = 0.085;                 // of the flesh's radius, along a radius towards the hand
+constexpr double overhang = 0.88;                // of the tip's radius: the plate doesn't bend down further
+constexpr double corner = 0.65;                  // 1: an ellipse; nearer to 0: a rectangle
+constexpr std::uint32_t nail_around = 24, nail_rings = 6;            // the last ring is the rim, in the skin
 constexpr std::uint32_t nail_points = nail_around * nail_rings + 1;  // of a nail
 
 /// Returns the outermost joint of a finger.
@@ -18,12 +24,33 @@ constexpr std::size_t last_joint(std::size_t finger) {
   return finger == 0 ? 1 : 1 + 3 * finger;
 }
 
-/// Returns point k of the unit ball's upper half: its top, then ring after ring down to its rim.
-Vec3 on_ball(std::uint32_t k) {
-  if (k == 0) return Vec3::UnitY();
-  const double down = std::numbers::pi / 2 * ((k - 1) / nail_around + 1) / nail_rings;
-  const double turn = 2 * std::numbers::pi * ((k - 1) % nail_around) / nail_around;
-  return {std::sin(down) * std::sin(turn), std::cos(down), std::sin(down) * std::cos(turn)};
+/// A point of a nail, in the frame of a bone of radius 1 that ends at the origin.
+struct NailPoint {
+  Vec3 at, normal;
+};
+
+/// Returns how far the plate's lower side is from the bone's axis.
+double plate_radius(double z) {
+  const double ahead = tip_middle - z;  // of the ball's middle
+  if (ahead < 0) return tip_radius - growth * ahead;
+  return std::max(std::sqrt(std::max(tip_radius * tip_radius - ahead * ahead, 0.0)), overhang * tip_radius);
+}
+
+/// Returns point k of a nail: its middle, then ring after ring, the rim last.
+NailPoint nail_point(std::uint32_t k) {
+  const std::uint32_t ring = k == 0 ? 0 : (k - 1) / nail_around + 1;
+  const bool rim = ring == nail_rings;
+  const double share = std::min(1.0, static_cast<double>(ring) / (nail_rings - 1));
+  const double turn =
+      2 * std::numbers::pi * static_cast<double>((k + nail_around - 1) % nail_around) / nail_around;
+  const auto rounded = [&](double x) { return share * std::copysign(std::pow(std::abs(x), corner), x); };
+  const double angle = half_angle * rounded(std::sin(turn));
+  const double z = (root + free_edge) / 2 + (root - free_edge) / 2 * rounded(std::cos(turn));
+  const Vec3 out(std::sin(angle), std::cos(angle), 0);
+  const double lift = thickness * (1 - 0.7 * share * share) - (rim ? sunk : 0);
+  const Vec3 at = (plate_radius(z) + lift) * out + z * Vec3::UnitZ();
+  const Vec3 aside(std::sin(turn), 0, std::cos(turn));
+  return {at, rim ? Vec3((out + aside).normalized()) : out};
 }
 
 void add_triangles(std::uint32_t first, Triangles& triangles) {
@@ -58,21 +85,19 @@ void bend_nails(std::size_t hand, const std::array<double, fingers>& flexion, Dr
   for (std::size_t finger = 0; finger < fingers; ++finger) {
     const HandSegment& tip = hand_segments(hand)[last_joint(finger)];
     const Pose& joint = joints[last_joint(finger)];
-    const Vec3 middle(0, over_bone * tip.radius, -tip.length + behind_tip * tip.radius);
-    const Vec3 half = tip.radius * Vec3(half_width, half_height, half_length);
+    const Vec3 end(0, 0, -tip.length);
     for (std::uint32_t k = 0; k < nail_points; ++k) {
-      const Vec3 unit = on_ball(k);
+      const NailPoint point = nail_point(k);
       nails.positions[finger * nail_points + k] =
-          (joint * (middle + half.cwiseProduct(unit)).eval()).cast<float>();
-      nails.normals[finger * nail_points + k] =
-          (joint.q * unit.cwiseQuotient(half).normalized()).cast<float>();
+          (joint * (end + tip.radius * point.at).eval()).cast<float>();
+      nails.normals[finger * nail_points + k] = (joint.q * point.normal).cast<float>();
     }
   }
   ++nails.positions_revision;
 }
 
 Appearance nail_look(const Appearance& hand) {
-  return {.color = 0.6 * hand.color + 0.4 * Vec3(0.80, 0.66, 0.62), .roughness = 0.25};
+  return {.color = 0.75 * hand.color + 0.25 * Vec3(0.72, 0.50, 0.46), .roughness = 0.4};
 }
 
 }  // namespace prosector

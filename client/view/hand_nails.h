@@ -14,7 +14,7 @@ std::shared_ptr<DrawMesh> make_nails(std::size_t hand, std::uint64_t mesh_id);
 /// Moves nails of make_nails() with the fingers, and raises the mesh's positions_revision.
 void bend_nails(std::size_t hand, const std::array<double, fingers>& flexion, DrawMesh& nails);
 
-/// Returns how nails look on a hand that looks so: paler, and polished.
+/// Returns how nails look on a hand that looks so: a little paler, and smoother.
 Appearance nail_look(const Appearance& hand);
 
 }  // namespace prosector

@@ -59,6 +59,11 @@ DrawText write_centred(const Pose& panel, const Place& place, std::string text, 
   return out;
 }
 
+/// Tells whether the button is on before anybody pressed it: parts are in their places, the room is bright.
+bool is_on_at_first(PanelControl control) {
+  return control == PanelControl::attach || control == PanelControl::room_lights;
+}
+
 /// Returns the place on a cap for its label.
 Place label_place(const ControlDesc& control, const Vec3& face) {
   return {face, 2 * (control.half_width - label_margin), 2 * (control.half_height - label_margin)};
@@ -180,10 +185,11 @@ void PanelView::add_information(DrawList& list, const Pose& panel, const SceneBo
 void PanelView::add_controls(DrawList& list, const Panel& panel) const {
   for (const ControlDesc& control : panel_controls) {
     const ControlState& state = panel.controls[static_cast<std::size_t>(control.control)];
-    const bool button = control.kind == ControlKind::button, glows = state.touched || state.on;
+    const bool button = control.kind == ControlKind::button;
+    const bool changed = button && state.on != is_on_at_first(control.control);
     const Vec3 face = control_face(control, state.position);
     Appearance look{.color = cap_color, .surface = Surface::emissive};
-    if (state.on) look.color = on_color;
+    if (changed) look.color = on_color;
     if (state.touched) look.color = touched_color;
     const double depth = button ? cap_depth : knob_height + 0.002;
     list.items.push_back({.mesh = button ? button_ : knob_,
@@ -193,7 +199,7 @@ void PanelView::add_controls(DrawList& list, const Panel& panel) const {
     if (button)
       list.texts.push_back(write_centred(panel.pose, label_place(control, face),
                                          std::string(state.on ? control.label_on : control.label),
-                                         label_height, glows ? dark_writing : writing));
+                                         label_height, changed || state.touched ? dark_writing : writing));
   }
   const ControlDesc& slider = describe(PanelControl::stiffness);
   const double stiffness = stiffness_at(panel.controls[static_cast<std::size_t>(slider.control)].position);

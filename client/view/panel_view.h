@@ -23,8 +23,9 @@ class PanelView {
   explicit PanelView(std::uint64_t first_mesh_id);
   static constexpr std::size_t meshes = 8;
 
-  /// Adds the panel; touched controls are green, buttons that are on glow. `effort`: of a part that is soft.
-  /// `first_line`: of the description that is seen, where not all fit.
+  /// Adds the panel; touched controls are green. Buttons glow whose effect is on: the part is
+  /// detached, others are hidden, it is transparent or lit, the room is dim. `effort`: of a part that is
+  /// soft. `first_line`: of the description that is seen, where not all fit.
   void add(DrawList& list, const Panel& panel, const SceneBody& part,
            const std::optional<ShownEffort>& effort = std::nullopt, std::size_t first_line = 0);
   /// Returns how many lines of the part's description do not fit on the board.

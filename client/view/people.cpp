@@ -14,7 +14,7 @@ Appearance glove(const Vec3& color) {
 
 constexpr double ghost_from = 0.01;  // m between hand and target: from there on the target is seen
 constexpr double ghost_opacity = 0.25;
-constexpr double own_sleeve_opacity = 0.3;  // of whoever's eyes see
+constexpr double own_sleeve_opacity = 0.15;  // of whoever's eyes see
 
 /// Makes the user's own hand what the camera's picture shows.
 void make_real(DrawItem& item) {
@@ -41,7 +41,8 @@ void People::take_made(std::uint64_t& next_mesh_id) {
 
 void People::add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                  const ViewSettings& settings, std::uint64_t& next_mesh_id) {
-  own_hand_.reset();
+  own_hands_.clear();
+  own_sleeves_.clear();
   take_made(next_mesh_id);
   if (self.present) add_self(list, replica, tick, self, settings, next_mesh_id);
   for (const auto& [id, entry] : replica.roster()) {
@@ -86,15 +87,24 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
     const std::size_t hands = list.items.size();
     add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
     for (std::size_t k = hands; k < list.items.size(); ++k) make_real(list.items[k]);
-  } else if (!physical || !physical->hands[right_hand].tracked) {
-    add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
-    add_forearms(list, self.input.hands, head, color, own_eyes ? own_sleeve_opacity : 1);
-  } else {
-    own_hand_ = list.items.size();
-    add_hands(list, self.participant, physical->hands, color, next_mesh_id);
-    add_forearms(list, physical->hands, head, color, own_sleeve_opacity);
-    if ((physical->hands[right_hand].pose.p - target.pose.p).norm() > ghost_from)
-      add_ghost(list, target, color, next_mesh_id);
+    return;
+  }
+  const bool is_physical = physical && physical->hands[right_hand].tracked;
+  const std::array<HandPose, 2>& hands = is_physical ? physical->hands : self.input.hands;
+  const auto indices = [&](std::size_t from) {
+    std::vector<std::size_t> out;
+    for (std::size_t k = from; k < list.items.size(); ++k) out.push_back(k);
+    return out;
+  };
+  const std::size_t first_hand = list.items.size();
+  add_hands(list, self.participant, hands, color, next_mesh_id);
+  own_hands_ = indices(first_hand);
+  const std::size_t first_sleeve = list.items.size();
+  add_forearms(list, hands, head, color, own_eyes || self.at_desk ? own_sleeve_opacity : 1);
+  own_sleeves_ = indices(first_sleeve);
+  if (is_physical && (hands[right_hand].pose.p - target.pose.p).norm() > ghost_from) {
+    add_ghost(list, target, color, next_mesh_id);
+    own_hands_.push_back(list.items.size() - 1);
   }
 }
 

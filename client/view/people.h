@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/replica/replica.h"
 #include "client/view/avatar.h"
@@ -25,8 +26,9 @@ class People {
   /// `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const ViewSettings& settings, std::uint64_t& next_mesh_id);
-  /// Returns which of the list's items is one's own right hand, before its nails; nullopt: it isn't drawn.
-  std::optional<std::size_t> own_hand() const { return own_hand_; }
+  /// Returns which of the list's items are one's own hands with their nails, and one's sleeves.
+  const std::vector<std::size_t>& own_hands() const { return own_hands_; }
+  const std::vector<std::size_t>& own_sleeves() const { return own_sleeves_; }
 
  private:
   struct HandMeshes {
@@ -39,7 +41,7 @@ class People {
   std::future<FigureSurfaces> figure_to_come_ = std::async(std::launch::async, make_figure_surfaces);
   std::optional<std::array<HandSkin, 2>> skins_;
   std::optional<FigureMeshes> figure_;
-  std::optional<std::size_t> own_hand_;
+  std::vector<std::size_t> own_hands_, own_sleeves_;
 
   void take_made(std::uint64_t& next_mesh_id);
   void add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool is_seen_through);

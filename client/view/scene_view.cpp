@@ -15,6 +15,7 @@
 #include "client/view/held_things.h"
 #include "client/view/help_board.h"
 #include "client/view/light_shaft.h"
+#include "client/view/near_fade.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
@@ -38,7 +39,9 @@ double fov_of(const RosterEntry& user, const CameraInfo& camera) {
   return user.devices.empty() ? camera.fov : eye_fov;
 }
 
-constexpr double covering_opacity = 0.45, opacity_step = 0.15;  // of one's own hand; a picture
+// Opacity of one's own hand and sleeve at a desk while they cover anatomy or hold something; most change a
+// picture.
+constexpr double covering_hand = 0.3, covering_sleeve = 0.3, opacity_step = 0.15;
 
 }  // namespace
 
@@ -63,6 +66,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     return list_;
   }
   add_bodies(replica, tick, settings);
+  if (settings.shown != Shown::none) paint_bodies(replica, settings.shown);
   if (settings.through) lay_on_table(replica, *settings.through);
   close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
@@ -75,13 +79,14 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     parts_board_->add(list_, *settings.parts_board);
   }
   people_.add(list_, replica, tick, self, settings, next_mesh_id_);
+  if (self.present) fade_own_hands(replica, self, tick);
   if (self.at_desk) add_hand_cues(replica, self, tick);
   cut_lines_.add(list_);
   add_blades(replica, self, tick);
   add_guide(list_, settings.cut_guide);
   strokes_.look(replica, tick * replica.tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
-  if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
+  if (settings.shown != Shown::none) add_legend(list_, scale_);
   if (!settings.notes.empty() && settings.help.empty())
     list_.texts.push_back({.text = settings.notes,
                            .at = {notes_left, notes_top, 0},
@@ -266,8 +271,6 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
     if (cut != nullptr) cut_lines_.put(id, *cut, *item.mesh, item.shape);
     const auto add = [&](DrawItem seen) {
       body_items_.push_back({id, list_.items.size(), seen.mesh == inner});
-      if (settings.shown != Shown::none && bodies[id].kind == BodyKind::soft)
-        paint(seen, settings.shown, replica.body_status(id));
       list_.items.push_back(std::move(seen));
     };
     add(item);
@@ -284,16 +287,39 @@ void SceneView::close_section() {
     body_items_.push_back({solid - 1, item, true});
 }
 
+/// Colours all soft bodies by one scale.
+void SceneView::paint_bodies(const Replica& replica, Shown shown) {
+  const auto& bodies = replica.scene()->bodies;
+  std::vector<const BodyItem*> soft;
+  for (const BodyItem& one : body_items_)
+    if (bodies[one.body].kind == BodyKind::soft) soft.push_back(&one);
+  scale_ = scale_of(shown);
+  if (shown == Shown::strain) {
+    std::vector<double> strains;
+    for (const BodyItem* one : soft) {
+      const DrawMesh& mesh = *list_.items[one->index].mesh;
+      const std::vector<double>& of_mesh = painted_of(mesh).strains(mesh);
+      strains.insert(strains.end(), of_mesh.begin(), of_mesh.end());
+    }
+    scale_.most = strain_range_.follow(std::move(strains));
+  }
+  for (const BodyItem* one : soft) paint(list_.items[one->index], shown, replica.body_status(one->body));
+}
+
 void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
   std::optional<double> value;  // of the whole body
   if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
   const bool known = status != nullptr && status->error >= 0;
   if (shown == Shown::error) value = known ? status->error : not_known;
   const ErrorMap* map = shown == Shown::error && known ? &status->error_map : nullptr;
-  const auto [painted, is_new] = painted_.try_emplace(item.mesh->id, next_mesh_id_);
-  if (is_new) ++next_mesh_id_;
-  item.mesh = painted->second.of(*item.mesh, scale_of(shown), value, map);
+  item.mesh = painted_of(*item.mesh).of(*item.mesh, scale_, value, map);
   item.painted = true;
+}
+
+PaintedMesh& SceneView::painted_of(const DrawMesh& mesh) {
+  const auto [painted, is_new] = painted_.try_emplace(mesh.id, next_mesh_id_);
+  if (is_new) ++next_mesh_id_;
+  return painted->second;
 }
 
 SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick,
@@ -348,29 +374,37 @@ FindSurface SceneView::finder_without(std::vector<BodyId> held) {
   };
 }
 
-/// Adds what tells a desk user, who feels nothing, where their hand is. It is half seen through where it
-/// covers what it touches or is about to.
+/// Adds what tells a desk user, who feels nothing, where their hand is.
 void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, double tick) {
-  const auto index = people_.own_hand();
   const auto user = replica.user(self.participant, tick);
-  if (!index || !user) return;
+  if (people_.own_hands().empty() || !user || !user->hands[right_hand].tracked) return;
   const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
   const HandPose& hand = user->hands[right_hand];
   const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
-  const auto below = hand_cues_.add(list_, fingertips, finder_without(held), next_mesh_id_);
+  hand_cues_.add(list_, fingertips, finder_without(held), next_mesh_id_);
   const ContactSample* contact = replica.contact(self.participant, right_hand);
-  std::optional<BodyId> worked_on = below;
-  if (contact != nullptr && contact->touching) {
-    worked_on = contact->body;
-    add_force_arrow(list_, contact->point, -contact->force);
+  if (contact != nullptr && contact->touching) add_force_arrow(list_, contact->point, -contact->force);
+}
+
+/// Lets a desk user see through their own hand and sleeve where these cover what can be worked at, and
+/// through a hand that holds something. Nothing of one's own is cut open by the near plane.
+void SceneView::fade_own_hands(const Replica& replica, const LocalUser& self, double tick) {
+  if (people_.own_hands().empty()) own_solidity_.reset();
+  if (self.at_desk && !people_.own_hands().empty()) {
+    const auto user = replica.user(self.participant, tick);
+    const bool is_physical = user && user->hands[right_hand].tracked;
+    const HandPose& hand = is_physical ? user->hands[right_hand] : self.input.hands[right_hand];
+    const bool holds = !held_by(replica, {self.participant, right_hand}).empty();
+    const double to = holds || covers_anatomy(replica, hand) ? 0 : 1;
+    own_solidity_ =
+        own_solidity_ ? *own_solidity_ + std::clamp(to - *own_solidity_, -opacity_step, opacity_step) : to;
+    for (const std::size_t item : people_.own_hands())
+      list_.items[item].opacity *= covering_hand + (1 - covering_hand) * *own_solidity_;
+    for (const std::size_t item : people_.own_sleeves())
+      list_.items[item].opacity *= covering_sleeve + (1 - covering_sleeve) * *own_solidity_;
   }
-  if (!held.empty()) worked_on = held.front();
-  const auto& bodies = replica.scene()->bodies;
-  const bool matters = worked_on && *worked_on < bodies.size() &&
-                       (bodies[*worked_on].kind == BodyKind::soft || bodies[*worked_on].moves);
-  const double to = matters && hand_covers(hand, *worked_on) ? covering_opacity : 1;
-  hand_opacity_ += std::clamp(to - hand_opacity_, -opacity_step, opacity_step);
-  for (const std::size_t item : {*index, *index + 1}) list_.items[item].opacity = hand_opacity_;
+  fade_near_eyes(list_, people_.own_hands());
+  fade_near_eyes(list_, people_.own_sleeves());
 }
 
 /// Adds the edges of blades in hands, and where they would cut. A desk user's is known better from the
@@ -420,13 +454,17 @@ void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self
   }
 }
 
-/// Tells whether the first eye sees a good part of the hand before the body.
-bool SceneView::hand_covers(const HandPose& hand, BodyId body) {
+/// Tells whether the first eye sees a good part of the hand before what can be worked at.
+bool SceneView::covers_anatomy(const Replica& replica, const HandPose& hand) {
+  const auto& bodies = replica.scene()->bodies;
+  const auto matters = [&](BodyId id) {
+    return id < bodies.size() && (bodies[id].kind == BodyKind::soft || bodies[id].part || bodies[id].moves);
+  };
   const Vec3& eye = list_.cameras.front().pose.p;
   std::size_t before = 0;
   for (const Pose& joint : hand_pose(right_hand, hand.flexion)) {
     const Vec3 way = hand.pose * joint.p - eye;
-    const auto point = nearest_item({eye, way.normalized()}, [&](BodyId other) { return other == body; });
+    const auto point = nearest_item({eye, way.normalized()}, matters);
     if (point && point->distance > way.norm()) ++before;
   }
   return before >= hand_joints / 4;
@@ -533,9 +571,11 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
                    {Eigen::Vector2d(border, top), Eigen::Vector2d(right, frame.height - message_band)});
 }
 
-/// Adds figures above each body that is drawn and whose scene asks for it.
+/// Adds figures above each body that is drawn and whose scene asks for it: above as the first eye sees it, so
+/// that they hide nothing of the body.
 void SceneView::add_body_figures(const Replica& replica) {
-  constexpr double clearance = 0.03;  // m
+  constexpr double clearance = 0.015;  // m
+  const Vec3 up = list_.cameras.front().pose.q * Vec3::UnitY();
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
@@ -544,9 +584,14 @@ void SceneView::add_body_figures(const Replica& replica) {
     Eigen::AlignedBox3f box;
     for (const auto& x : mesh->second.outer()->positions) box.extend(x);
     if (box.isEmpty()) continue;
-    const Vec3 top = box.center().cast<double>() + Vec3(0, box.sizes().y() / 2 + clearance, 0);
-    list_.texts.push_back(
-        {.text = body_figures(bodies[id], *status), .at = top, .overlay = false, .height = 11});
+    const Vec3 middle = box.center().cast<double>();
+    double rise = 0;  // m, of the body's highest point in the picture over its middle
+    for (const auto& x : mesh->second.outer()->positions)
+      rise = std::max(rise, up.dot(x.cast<double>() - middle));
+    list_.texts.push_back({.text = body_figures(bodies[id], *status),
+                           .at = middle + (rise + clearance) * up,
+                           .overlay = false,
+                           .height = 11});
   }
 }
 

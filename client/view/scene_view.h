@@ -10,6 +10,7 @@
 
 #include "client/replica/replica.h"
 #include "client/replica/stroke_figures.h"
+#include "client/view/auto_range.h"
 #include "client/view/cut_lines.h"
 #include "client/view/draw_list.h"
 #include "client/view/hand_cues.h"
@@ -46,6 +47,8 @@ class SceneView {
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
   std::map<BodyId, SoftBodyMesh> soft_meshes_;
   std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
+  AutoRange strain_range_{0.01};
+  ValueScale scale_;  // of the colours of the list built last
   People people_;
   std::vector<DrawItem> room_;
   std::shared_ptr<const DrawMesh> table_;    // the real one's plane; null: no camera saw it yet
@@ -54,7 +57,8 @@ class SceneView {
   HandCues hand_cues_;
   CutLines cut_lines_;
   StrokeGauge strokes_;
-  double hand_opacity_ = 1;  // of one's own at a desk
+  std::optional<double>
+      own_solidity_;  // of one's own hand at a desk; 0: seen through; nullopt: not drawn yet
   std::optional<PanelView> panel_view_;
   std::optional<PartsBoardView> parts_board_;  // nullopt: no board was seen yet
   std::size_t hidden_panel_lines_ = 0;
@@ -82,14 +86,17 @@ class SceneView {
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
   void close_section();
+  void paint_bodies(const Replica& replica, Shown shown);
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
+  PaintedMesh& painted_of(const DrawMesh& mesh);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
   template <class Counts>
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
   FindSurface finder_without(std::vector<BodyId> held);
   void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
-  bool hand_covers(const HandPose& hand, BodyId body);
+  void fade_own_hands(const Replica& replica, const LocalUser& self, double tick);
+  bool covers_anatomy(const Replica& replica, const HandPose& hand);
   void add_blades(const Replica& replica, const LocalUser& self, double tick);
   void add_guide_of(const Replica& replica, const HandRef& hand, double tick);
   void add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,

@@ -77,13 +77,20 @@ std::vector<double> surface_strains(const DrawMesh& mesh) {
   return sum;
 }
 
+const std::vector<double>& PaintedMesh::strains(const DrawMesh& mesh) {
+  const std::array<std::uint64_t, 2> revisions = {mesh.revision, mesh.positions_revision};
+  if (strained_ != revisions) strains_ = surface_strains(mesh);
+  strained_ = revisions;
+  return strains_;
+}
+
 std::shared_ptr<const DrawMesh> PaintedMesh::of(const DrawMesh& mesh, const ValueScale& scale,
                                                 std::optional<double> value, const ErrorMap* map) {
   const std::array<std::uint64_t, 2> revisions = {mesh.revision, mesh.positions_revision};
   const bool same_value = value == value_ || (value && value_ && std::isnan(*value) && std::isnan(*value_));
   const std::vector<std::uint8_t> levels = map != nullptr ? map->levels : std::vector<std::uint8_t>();
-  if (scale_ == &scale && same_value && revisions_ == revisions && levels == levels_) return mesh_;
-  scale_ = &scale;
+  if (scale_ == scale && same_value && revisions_ == revisions && levels == levels_) return mesh_;
+  scale_ = scale;
   value_ = value;
   levels_ = levels;
   revisions_ = revisions;
@@ -103,7 +110,7 @@ std::shared_ptr<const DrawMesh> PaintedMesh::of(const DrawMesh& mesh, const Valu
     return mesh_;
   }
   mesh_->rest_positions.clear();
-  for (const double strain : surface_strains(mesh))
+  for (const double strain : strains(mesh))
     mesh_->rest_positions.push_back(value_color(scale, strain).cast<float>());
   return mesh_;
 }

@@ -23,10 +23,12 @@ struct ValueScale {
   double least = 0, most = 1;
   double factor = 1;  // of the legend's numbers
   bool logarithmic = false;
+
+  bool operator==(const ValueScale&) const = default;
 };
 inline constexpr std::array<ValueScale, 4> value_scales = {
     {{"none", ""},
-     {"strain", "strain, %", 0, 0.3, 100, false},
+     {"strain", "strain, %", 0, 0.3, 100, false},  // its end follows what is shown: AutoRange
      {"residual", "worst residual of\nthe last second\n(gray: not known)", 1e-8, 1, 1, true},
      {"error", "estimated error, %,\nby where it comes from\n(gray: not known)", 0, 0.2, 100, false}}};
 constexpr const ValueScale& scale_of(Shown shown) {
@@ -43,7 +45,7 @@ inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// don't count.
 std::vector<double> surface_strains(const DrawMesh& mesh);
 
-/// The colours of one mesh, kept as long as neither it nor the value changed.
+/// The colours of one mesh, kept as long as neither it, nor the scale, nor the value changed.
 class PaintedMesh {
  public:
   explicit PaintedMesh(std::uint64_t id) { mesh_->id = id; }
@@ -52,10 +54,14 @@ class PaintedMesh {
   /// null or empty: none.
   std::shared_ptr<const DrawMesh> of(const DrawMesh& mesh, const ValueScale& scale,
                                      std::optional<double> value, const ErrorMap* map = nullptr);
+  /// Returns the surface_strains() of the mesh.
+  const std::vector<double>& strains(const DrawMesh& mesh);
 
  private:
   std::shared_ptr<DrawMesh> mesh_ = std::make_shared<DrawMesh>();
-  const ValueScale* scale_ = nullptr;
+  std::optional<ValueScale> scale_;
+  std::vector<double> strains_;
+  std::optional<std::array<std::uint64_t, 2>> strained_;  // the mesh's revisions that strains_ are of
   std::optional<double> value_;
   std::vector<std::uint8_t> levels_;  // of the map
   std::array<std::uint64_t, 2> revisions_{};

@@ -10,37 +10,12 @@
 #include "client/app/figures.h"
 #include "client/view/camera.h"
 #include "common/panel_placing.h"
+#include "tests/client/acted_window.h"
 
 namespace prosector {
 namespace {
 
-/// A window in which somebody acts.
-class ActedWindow final : public WindowContext {
- public:
-  std::vector<WindowEvent> events;
-
-  void press(Key key) {
-    events.push_back(KeyEvent{key, true, false});
-    events.push_back(KeyEvent{key, true, true});  // held
-    events.push_back(KeyEvent{key, false, false});
-  }
-  void drag_right(double x, double y) {
-    events.insert(events.end(), {MouseMoved{100, 100}, MouseButtonEvent{MouseButton::right, true},
-                                 MouseMoved{100 + x, 100 + y}, MouseButtonEvent{MouseButton::right, false}});
-  }
-
-  std::vector<WindowEvent> poll_events() override { return std::exchange(events, {}); }
-  void capture_pointer(bool) override {}
-  void set_full_screen(std::optional<int>) override {}
-  void open_audience(const Audience&) override {}
-  double content_scale() const override { return 1; }
-  void* proc(const char*) const override { return nullptr; }
-  int width() const override { return 800; }
-  int height() const override { return 600; }
-  bool has_screen() const override { return true; }
-  void present() override {}
-  std::string description() const override { return "a window in which somebody acts"; }
-};
+using test::ActedWindow;
 
 class AtTheDesk : public testing::Test {
  protected:

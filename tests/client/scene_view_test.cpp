@@ -50,8 +50,9 @@ class Client {
     scene.camera = {{0, 1.8, 0.8}, {0, 1, 0}, 0.9};
   }
 
-  /// A square of two triangles on streamed corners, whose figures the scene asks for.
-  BodyId add_soft(const std::string& name) {
+  /// A square of two triangles on streamed corners, stretched along x by a factor, whose figures the scene
+  /// asks for.
+  BodyId add_soft(const std::string& name, float stretch = 1) {
     const std::vector<Vec3> corners = {{0, 1.1, 0}, {0.2, 1.1, 0}, {0.2, 1.3, 0}, {0, 1.3, 0}};
     StreamedSurface streamed{corners, {}};
     for (std::uint32_t v = 0; v < 4; ++v) streamed.map.rows.push_back({{v}, {1}});
@@ -74,7 +75,8 @@ class Client {
     whole.chain_hash = chain_hash_of(whole);
     first_states_.push_back(whole);
     Settled settled{.body = id, .time = {0, 1}, .revision = 0, .hash = 0, .positions = {}};
-    for (const Vec3& x : corners) settled.positions.push_back(x.cast<float>());
+    for (const Vec3& x : corners)
+      settled.positions.push_back(x.cast<float>().cwiseProduct(Eigen::Vector3f(stretch, 1, 1)));
     first_states_.push_back(settled);
     return id;
   }
@@ -293,8 +295,15 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
   ASSERT_EQ(figures().size(), 1u);
   EXPECT_EQ(figures()[0].text, "membrane\n12 steps of 1.39 ms");
   EXPECT_NEAR(figures()[0].at.x(), 0.1, 1e-6);
-  EXPECT_GT(figures()[0].at.y(), 1.3);
-  EXPECT_LT(figures()[0].at.y(), 1.4);
+  // In the picture, which is seen from above, they hide nothing of the body.
+  const DrawCamera camera = client.list(1, settings).cameras.front();
+  const auto height = [&](const Vec3& at) {
+    const Eigen::Vector4d clip = view_projection_of(camera) * at.homogeneous();
+    return clip.y() / clip.w();
+  };
+  for (const double x : {0.0, 0.2})
+    for (const double y : {1.1, 1.3}) EXPECT_GT(height(figures()[0].at), height({x, y, 0}));
+  EXPECT_LT((figures()[0].at - Vec3(0.1, 1.3, 0)).norm(), 0.1);
   status.error = 0.031;
   status.press_error = 0.06;
   client.tell(status);
@@ -305,6 +314,24 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
   EXPECT_NE(figures()[0].text.find("at rest"), std::string::npos);
   settings.overlay = false;
   EXPECT_TRUE(figures().empty());
+}
+
+TEST(SceneView, StrainColoursReachAsFarAsTheStrainsAndTheLegendSaysHowFar) {
+  for (const auto& [stretch, end] : {std::pair(1.015F, "2 and more"), {1.15F, "20 and more"}}) {
+    Client client;
+    client.add_soft("membrane", stretch);
+    client.join();
+    ViewSettings settings = plain(320, 240);
+    settings.shown = Shown::strain;
+    const DrawList& list = client.list(1, settings);
+    EXPECT_TRUE(std::ranges::any_of(list.texts, [&](const DrawText& text) { return text.text == end; }))
+        << end;
+    const auto painted = std::ranges::find(list.items, true, &DrawItem::painted);
+    ASSERT_NE(painted, list.items.end());
+    EXPECT_LT((painted->mesh->rest_positions[0].cast<double>() - value_color({"", "", 0, 1}, 0.75)).norm(),
+              0.01)
+        << "three quarters of the scale";
+  }
 }
 
 // Of a desk user, whose eyes the scene's camera's field of view is known of.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/view/auto_range.h"
 #include "common/error_map.h"
 
 namespace prosector {
@@ -117,6 +118,36 @@ TEST(ValueColor, OfALogarithmicScaleGoesByPowersOfTen) {
   const ValueScale& scale = scale_of(Shown::residual);
   EXPECT_LT((value_color(scale, 0) - value_color(scale, 1e-8)).norm(), 1e-12);
   EXPECT_GT((value_color(scale, 1e-6) - value_color(scale, 1e-8)).norm(), 0.1);
+}
+
+TEST(AutoRange, EndsAtOneTwoOrFiveTimesAPowerOfTen) {
+  for (const auto& [largest, end] : {std::pair(0.0, 0.01),
+                                     {0.004, 0.01},
+                                     {0.011, 0.02},
+                                     {0.03, 0.05},
+                                     {0.05, 0.05},
+                                     {0.07, 0.1},
+                                     {0.3, 0.5},
+                                     {3.0, 5.0}})
+    EXPECT_NEAR(AutoRange(0.01).follow(std::vector<double>(100, largest)), end, 1e-12) << largest;
+  EXPECT_EQ(AutoRange(0.01).follow({}), 0.01);
+  EXPECT_EQ(AutoRange(0.01).follow({not_known, not_known}), 0.01);
+}
+
+TEST(AutoRange, IsNotSetByAFewValuesAlone) {
+  std::vector<double> values(1000, 0.015);
+  values[7] = 0.3;
+  EXPECT_NEAR(AutoRange(0.01).follow(values), 0.1, 1e-12) << "a third of the largest";
+}
+
+TEST(AutoRange, RisesAtOnceAndFallsWhenValuesAreWellBelow) {
+  AutoRange range(0.01);
+  const auto follow = [&](double value) { return range.follow(std::vector<double>(100, value)); };
+  EXPECT_NEAR(follow(0.15), 0.2, 1e-12);
+  EXPECT_NEAR(follow(0.09), 0.2, 1e-12) << "not yet below 80 % of 10 %";
+  EXPECT_NEAR(follow(0.11), 0.2, 1e-12);
+  EXPECT_NEAR(follow(0.079), 0.1, 1e-12);
+  EXPECT_NEAR(follow(0), 0.01, 1e-12);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -13,6 +15,7 @@
 #include "client/view/contact_overlay.h"
 #include "client/view/force_arrow.h"
 #include "client/view/hand_cues.h"
+#include "client/view/near_fade.h"
 #include "client/view/normals.h"
 #include "client/view/panel_view.h"
 #include "client/view/pick.h"
@@ -52,6 +55,57 @@ TEST(PanelView, ScrollsADescriptionThatDoesNotFit) {
   Typesetter typesetter;
   EXPECT_FALSE(set_text(typesetter, list.texts[1], 1).block->cut);
   EXPECT_NE(list.texts[1].text.find("word199"), std::string::npos);
+}
+
+/// Returns how many buttons glow: those drawn much brighter than an idle one, without being touched.
+std::ptrdiff_t glowing(const Panel& panel) {
+  PanelView view(1);
+  DrawList list;
+  view.add(list, panel, {});
+  return std::ranges::count_if(list.items,
+                               [](const DrawItem& item) { return item.appearance.color.x() > 0.5; });
+}
+
+TEST(PanelView, AButtonGlowsOnlyWhileItsEffectIsOn) {
+  Panel panel;
+  const auto set = [&](PanelControl control, bool on) {
+    panel.controls[static_cast<std::size_t>(control)].on = on;
+  };
+  set(PanelControl::attach, true);  // as a scene begins
+  set(PanelControl::room_lights, true);
+  EXPECT_EQ(glowing(panel), 0);
+  for (const ControlDesc& control : panel_controls) {
+    if (control.kind != ControlKind::button) continue;
+    const bool at_first = panel.controls[static_cast<std::size_t>(control.control)].on;
+    set(control.control, !at_first);
+    EXPECT_EQ(glowing(panel), 1) << control.label;
+    set(control.control, at_first);
+  }
+}
+
+/// A ball of 2 cm before an eye at the origin, and how opaque it is.
+double opacity_at(const Vec3& middle) {
+  PartDesc ball;
+  ball.shape = "sphere";
+  ball.size = Vec3::Constant(0.02);
+  DrawList list;
+  list.cameras.emplace_back();
+  list.items.push_back(
+      {.mesh = rigid_mesh(mesh_of(ball), 1), .pose = {middle, Quat::Identity()}, .appearance = {}});
+  const std::array<std::size_t, 1> items = {0};
+  fade_near_eyes(list, items);
+  return list.items[0].opacity;
+}
+
+TEST(NearFade, HidesWhatTheNearPlaneWouldCutOpen) {
+  const double near = DrawCamera().near;
+  EXPECT_EQ(opacity_at({0, 0, -near}), 0) << "in it";
+  EXPECT_EQ(opacity_at({0, 0, -near - 0.011}), 0) << "just beyond";
+  EXPECT_GT(opacity_at({0, 0, -0.09}), 0.1);
+  EXPECT_LT(opacity_at({0, 0, -0.09}), 0.9);
+  EXPECT_EQ(opacity_at({0, 0, -near_fade_begins - 0.011}), 1);
+  EXPECT_EQ(opacity_at({0.5, 0, -near}), 1) << "beside the picture";
+  EXPECT_EQ(opacity_at({0, 0, 0.2}), 1) << "behind the eye";
 }
 
 TEST(Normals, OfASphereAreItsRadii) {

@@ -27,6 +27,9 @@ inline BusConfig test_bus() {
 class PagesRoom {
  public:
   PagesRoom(const std::string& config, double scale, double wide = 1)
+      : PagesRoom(config, scale, static_cast<int>(1280 * wide), static_cast<int>(720 * wide)) {}
+  /// Takes the window's size, pixels.
+  PagesRoom(const std::string& config, double scale, int wide, int high)
       : folder_("pages"),
         file_(folder_.path / "client.toml"),
         draft_((write_file(file_, config), file_)),
@@ -35,7 +38,7 @@ class PagesRoom {
                .cache = folder_.path,
                .memory = folder_.path / "m.toml",
                .config = file_}),
-        context_(make_offscreen_context(static_cast<int>(1280 * wide), static_cast<int>(720 * wide))),
+        context_(make_offscreen_context(wide, high)),
         ui_(*context_, default_shader_dir(), scale),
         pages_(room_, draft_,
                [] {

@@ -36,12 +36,21 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
 
 // A window that is too narrow for both panels of a page has one below the other, and scrolls.
 TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
-  PagesRoom room(no_devices, 2);
-  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Window", "Pictures"}) {
-    room.click(page);
-    room.picture(std::string(page) + "-narrow");
-    for (const PlacedControl& c : room.placed())
-      EXPECT_LE(c.right, room.width() - 16) << page << " " << c.name;
+  const struct {
+    double scale;
+    int wide, high;
+  } windows[] = {{2, 1280, 720}, {1, 1024, 600}, {2, 1920, 1080}, {1.5, 1366, 768}};
+  for (const auto& [scale, wide, high] : windows) {
+    PagesRoom room(no_devices, scale, wide, high);
+    for (const char* page :
+         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
+      room.click(page);
+      room.picture(fmt::format("{}-{}x{}-at-{}", page, wide, high, scale));
+      for (const PlacedControl& c : room.placed()) {
+        EXPECT_LE(c.right, wide - 16) << page << " " << c.name << " at " << wide << ", scale " << scale;
+        EXPECT_GT(c.right - c.left, 2 * scale) << page << " " << c.name << " at " << wide;
+      }
+    }
   }
 }
 
