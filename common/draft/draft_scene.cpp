@@ -7,15 +7,20 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "common/anatomy/atlas.h"
 #include "common/anatomy/surface_field.h"
 #include "common/anatomy/surface_io.h"
+#include "common/anatomy/surface_repair.h"
+#include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
 #include "common/draft/setting.h"
 #include "common/draft/toml_text.h"
 #include "common/error.h"
+#include "common/file_endings.h"
+#include "common/regular_file.h"
 #include "common/scene/label_table.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
@@ -30,7 +35,6 @@ constexpr double tet_share = 0.128;                         // of the cube of it
 constexpr double finest_cell = 1e-3, coarsest_cell = 0.05;  // m
 constexpr double least_size = 1e-3, most_size = 10;         // m
 constexpr double hold = 2e5;  // N/m⁴: what ties an organ to its place, as of [[atlas]]
-constexpr std::array<std::string_view, 4> volume_endings = {".inr", ".inr.gz", ".nii", ".nii.gz"};
 
 struct Unit {
   const char* name;
@@ -48,17 +52,14 @@ struct Part {
   bool rigid = false;
   TriangleMesh surface;  // in the file's unit
   Eigen::AlignedBox3d box;
+  double volume = 0;               // in the file's unit, of what a soft body is filled with
+  std::vector<std::string> notes;  // on how the file was read
 };
 
 Eigen::AlignedBox3d box_of(const TriangleMesh& surface, const Pose& pose, double unit) {
   Eigen::AlignedBox3d out;
   for (const Vec3& x : surface.positions) out.extend(pose * (unit * x));
   return out;
-}
-
-bool ends_so(const std::filesystem::path& file, const auto& endings) {
-  const std::string name = file.filename().string();
-  return std::ranges::any_of(endings, [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 /// Returns how a scene in `folder` names the file: from there, or wholly where it lies elsewhere.
@@ -68,9 +69,19 @@ std::string named_from(const std::filesystem::path& file, const std::filesystem:
   return relative.empty() || relative.native().starts_with("..") ? whole.string() : relative.string();
 }
 
-std::string name_of(const std::filesystem::path& file) {
+std::string spaced_name(const std::filesystem::path& file) {
   std::string name = file.stem().string();
   std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// Returns the name that a body of this file gets, cut to what names may have.
+std::string name_of(const std::filesystem::path& file) {
+  std::string name = spaced_name(file);
+  if (name.size() > max_name_length && valid_utf8(name)) {
+    name.resize(max_name_length);
+    while (!valid_utf8(name) || name.ends_with(' ')) name.pop_back();
+  }
   if (!valid_name(name))
     throw InputError(fmt::format("{}: its name must do as a body's: 1 to {} bytes of UTF-8", file.string(),
                                  max_name_length));
@@ -80,7 +91,9 @@ std::string name_of(const std::filesystem::path& file) {
 std::vector<std::filesystem::path> surfaces_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> out;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.is_regular_file() && is_surface_file(entry.path().string())) out.push_back(entry.path());
+    if (const std::string name = entry.path().filename().string();
+        entry.is_regular_file() && is_surface_file(name) && !name.starts_with('.'))
+      out.push_back(entry.path());
   if (out.empty())
     throw InputError(fmt::format("{}: holds no surface; allowed: files that end in {}", folder.string(),
                                  fmt::join(surface_endings, " ")));
@@ -91,10 +104,42 @@ std::vector<std::filesystem::path> surfaces_in(const std::filesystem::path& fold
   return out;
 }
 
+/// Finds the solid that fills a soft body. Throws InputError where the surface isn't closed, or where the
+/// largest of its separate solids is too small a share.
+void take_solid(Part& part) {
+  if (const SurfaceFaults faults = surface_faults(part.surface))
+    throw InputError(faults.in_words() + " (--rigid)");
+  SolidShells shells = solid_shells(part.surface);
+  part.notes.insert(part.notes.end(), shells.notes.begin(), shells.notes.end());
+  part.surface = std::move(shells.surface);
+  const double all = std::accumulate(shells.solids.begin(), shells.solids.end(), 0.);
+  if (shells.solids.size() < 2 || shells.overlapping) {
+    part.volume = all;
+    return;
+  }
+  part.volume = shells.solids.front();
+  const double left_out = 100 * (1 - part.volume / all);
+  const std::string said = fmt::format(
+      "holds {} separate solids, the largest of which has {:.3g} % of their volume. A body is one piece: "
+      "write each "
+      "into a file of its own",
+      shells.solids.size(), 100 - left_out);
+  if (left_out > accepted_volume_error) throw InputError(said + ", or keep its shape (--rigid)");
+  part.notes.push_back(said);
+}
+
 Part read_part(const std::filesystem::path& file, bool rigid) {
-  Part out{.file = file, .name = name_of(file), .surface = load_unscaled_surface(file), .box = {}};
-  out.material = &material_of(out.name);
+  Part out{.file = file, .name = name_of(file), .surface = {}, .box = {}, .notes = {}};
+  RepairedSurface whole = repaired(
+      load_unscaled_surface(file, {.report = [&](const std::string& line) { out.notes.push_back(line); }}));
+  out.notes.insert(out.notes.end(), whole.notes.begin(), whole.notes.end());
+  out.surface = std::move(whole.surface);
+  if (const std::string full = spaced_name(file); full != out.name)
+    out.notes.push_back(
+        fmt::format("its name is longer than {} bytes: called \"{}\"", max_name_length, out.name));
+  out.material = &material_of(spaced_name(file));
   out.rigid = rigid || out.material->rigid;
+  if (!out.rigid) take_solid(out);
   out.box = box_of(out.surface, Pose{}, 1);
   return out;
 }
@@ -105,18 +150,33 @@ std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, bo
   std::string bad;
   std::set<std::string> names = {"table"};
   const auto refuse = [&](const std::filesystem::path& file, const std::string& why) {
-    bad += fmt::format("{}{}: {}", bad.empty() ? "" : "\n", file.string(), why);
+    const bool named = why.starts_with(file.string());
+    bad += fmt::format("{}{}{}", bad.empty() ? "" : "\n", named ? "" : file.string() + ": ", why);
   };
-  for (const auto& file : files) {
-    Part part = read_part(file, rigid);
-    if (!names.insert(part.name).second)
-      refuse(file, fmt::format("another body is called \"{}\"; names must differ", part.name));
-    if (!part.rigid)
-      if (const SurfaceFaults faults = surface_faults(part.surface))
-        refuse(file, fmt::format("{} (--rigid)", faults.in_words()));
-    out.push_back(std::move(part));
-  }
+  for (const auto& file : files) try {
+      const std::string name = name_of(file);
+      if (!names.insert(name).second)
+        refuse(file, fmt::format("another body is called \"{}\"; names must differ", name));
+      out.push_back(read_part(file, rigid));
+    } catch (const InputError& error) {
+      refuse(file, error.what());
+    }
   if (!bad.empty()) throw InputError(bad);
+  return out;
+}
+
+std::string exact_numbers(const Vec3& x) {
+  return fmt::format("[{}, {}, {}]", x[0], x[1], x[2]);
+}
+
+/// Returns the point of the files that becomes the bodies' origin (file units): zero, or where they lie far
+/// from it the middle of all.
+Vec3 origin_for(const Eigen::AlignedBox3d& box, double unit, std::vector<std::string>& notes) {
+  constexpr double far = 10;  // m
+  if (unit * box.center().norm() <= far) return Vec3::Zero();
+  const Vec3 out = box.center().array().round();
+  notes.push_back(fmt::format("{:.4g} m from the origin of the file: mesh_origin = {}",
+                              unit * box.center().norm(), exact_numbers(out)));
   return out;
 }
 
@@ -174,25 +234,25 @@ std::string head(const std::string& name, const std::string& description) {
 
 /// Writes what bodies of a surface have in common.
 template <class Desc>
-std::string body_text(const char* table, const Part& part, double unit, const Pose& pose, bool z_up,
-                      const std::filesystem::path& folder) {
+std::string body_text(const char* table, const Part& part, double unit, const Vec3& origin, const Pose& pose,
+                      bool z_up, const std::filesystem::path& folder) {
   Desc desc;
   make_of(*part.material, desc);
   return fmt::format(
-      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\nposition = {}\n{}anatomy = true\n"
+      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\n{}position = {}\n{}anatomy = true\n"
       "group = \"anatomy\"  # what lies against each other at rest needs no contacts\n"
       "touches = [\"default\", \"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
       table, toml_text(part.name), toml_text(named_from(part.file, folder)), toml_number(unit),
-      toml_numbers(pose.p), rotation_text(z_up), toml_number(desc.density),
-      part.material->rigid ? "bone" : "tissue", toml_numbers(desc.appearance.color),
-      toml_number(desc.appearance.wetness));
+      origin.isZero() ? "" : fmt::format("mesh_origin = {}\n", exact_numbers(origin)), toml_numbers(pose.p),
+      rotation_text(z_up), toml_number(desc.density), part.material->rigid ? "bone" : "tissue",
+      toml_numbers(desc.appearance.color), toml_number(desc.appearance.wetness));
 }
 
 std::string soft_text(const Part& part, double unit, const Pose& pose, double tets,
                       std::vector<std::string>& notes) {
   SoftDesc desc;
   make_of(*part.material, desc);
-  const double volume = std::abs(enclosed_volume(part.surface)) * unit * unit * unit;
+  const double volume = part.volume * unit * unit * unit;
   const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
   const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
   notes.push_back(fmt::format(
@@ -210,8 +270,15 @@ std::string soft_text(const Part& part, double unit, const Pose& pose, double te
 Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
-  const std::vector<Part> parts = read_parts(files, options.rigid);
+  std::vector<Part> parts = read_parts(files, options.rigid);
+  for (const Part& part : parts)
+    for (const std::string& note : part.notes) out.notes.push_back(fmt::format("{}: {}", part.name, note));
   const double unit = unit_of(parts, options, out.notes);
+  Eigen::AlignedBox3d in_files;
+  for (const Part& part : parts) in_files.extend(part.box);
+  const Vec3 origin = origin_for(in_files, unit, out.notes);
+  for (Part& part : parts)
+    for (Vec3& x : part.surface.positions) x -= origin;
   const bool z_up = options.z_up.value_or(false);
   Pose pose{Vec3::Zero(), rotation(z_up)};
   Eigen::AlignedBox3d box;
@@ -225,10 +292,10 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
              setting_for(box);
   for (const Part& part : parts) {
     if (part.rigid) {
-      out.toml += body_text<RigidDesc>("rigid", part, unit, pose, z_up, folder);
+      out.toml += body_text<RigidDesc>("rigid", part, unit, origin, pose, z_up, folder);
       out.notes.push_back(fmt::format("{}: keeps its shape ({})", part.name, part.material->name));
     } else {
-      out.toml += body_text<SoftDesc>("soft", part, unit, pose, z_up, folder) +
+      out.toml += body_text<SoftDesc>("soft", part, unit, origin, pose, z_up, folder) +
                   soft_text(part, unit, pose, tets, out.notes);
     }
   }
@@ -238,7 +305,7 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
 /// Finds the table of a label map: map.nii.gz beside map.csv, map.txt, map.nii.csv or map.nii.txt.
 std::filesystem::path labels_beside(const std::filesystem::path& map) {
   std::filesystem::path stem = map;
-  if (stem.extension() == ".gz") stem.replace_extension();
+  if (has_ending(stem.native(), ".gz")) stem.replace_extension();
   for (const auto& base : {stem, std::filesystem::path(stem).replace_extension()})
     for (const char* ending : {".csv", ".txt"})
       if (std::filesystem::path file = base.string() + ending; std::filesystem::is_regular_file(file))
@@ -279,6 +346,7 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
                   const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
   const Volume volume = load_volume(map);
+  out.notes = volume.notes;
   const auto voxels = count_labels(volume, map.string());
   const auto is_structure = [](const auto& entry) { return entry.second >= least_voxels; };
   if (std::ranges::none_of(voxels, is_structure))
@@ -303,11 +371,13 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
     box.extend(pose * Vec3(in_volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
   pose.p = onto_table(box);
   box.translate(pose.p);
-  out.toml =
-      head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
-      fmt::format("\n[[atlas]]\nvolume = {}\n{}position = {}\n{}", toml_text(named_from(map, folder)),
-                  labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
-                  toml_numbers(pose.p), rotation_text(z_up));
+  out.toml = head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
+             fmt::format(
+                 "\n[[atlas]]\nvolume = {}\n{}max_volume_error = \"40 %\"  # thin structures lose volume at "
+                 "this cell; the server reports how much\nposition = {}\n{}",
+                 toml_text(named_from(map, folder)),
+                 labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
+                 toml_numbers(pose.p), rotation_text(z_up));
   return out;
 }
 
@@ -316,10 +386,11 @@ Draft draft(const std::filesystem::path& source, const std::filesystem::path& fo
   const std::filesystem::path whole = std::filesystem::weakly_canonical(source);
   if (std::filesystem::is_directory(source))
     return draft_surfaces(name_of(whole), surfaces_in(source), folder, options);
-  if (!std::filesystem::is_regular_file(source))
+  refuse_special_file(source);
+  if (!std::filesystem::exists(source))
     throw InputError(fmt::format("{}: no such file or folder", source.string()));
   if (is_surface_file(source.string())) return draft_surfaces(name_of(whole), {source}, folder, options);
-  if (ends_so(source, volume_endings))
+  if (has_ending(source.native(), volume_endings))
     return draft_atlas(name_of(std::filesystem::path(whole).replace_extension()), source, folder, options);
   throw InputError(
       fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a folder of surfaces, or "
