@@ -40,6 +40,10 @@ const char* kind_in_words(mode_t mode) {
   throw InputError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(error)));
 }
 
+[[noreturn]] void refuse_kind(const std::filesystem::path& file, mode_t mode) {
+  throw InputError(fmt::format("{}: is {}; allowed: a regular file", file.string(), kind_in_words(mode)));
+}
+
 [[noreturn]] void refuse_larger(const std::filesystem::path& file, std::size_t max_bytes) {
   throw InputError(fmt::format("{}: larger than {} bytes, which is as much as is allowed of such a file",
                                file.string(), max_bytes));
@@ -47,14 +51,17 @@ const char* kind_in_words(mode_t mode) {
 
 }  // namespace
 
+void refuse_special_file(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) refuse_kind(file, status.st_mode);
+}
+
 std::string read_regular_file(const std::filesystem::path& file, std::size_t max_bytes) {
   // Without O_NONBLOCK, opening a pipe waits for somebody who writes to it.
   const OpenFile in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) refuse_unreadable(file, errno);
-  if (!S_ISREG(status.st_mode))
-    throw InputError(
-        fmt::format("{}: is {}; allowed: a regular file", file.string(), kind_in_words(status.st_mode)));
+  if (!S_ISREG(status.st_mode)) refuse_kind(file, status.st_mode);
   const auto said = static_cast<std::size_t>(status.st_size);
   if (said > max_bytes) refuse_larger(file, max_bytes);
   // One byte more than the file says it has: its end is seen without growing.

@@ -11,13 +11,15 @@
 namespace prosector {
 namespace {
 
+constexpr std::size_t max_remarks = 64;
+
 std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHash& key) {
   return dir / (to_hex(key) + ".anatomy");
 }
 
 /// Returns what the file is sealed under: its layout, and what the mesh was made from.
 std::string seal_key(const ContentHash& key) {
-  return "anatomy 3 " + to_hex(key);
+  return "anatomy 4 " + to_hex(key);
 }
 
 bool consistent(const Anatomy& a) {
@@ -44,7 +46,9 @@ bool read(std::span<const std::uint8_t> bytes, CachedAnatomy& out) try {
   in.read_all(a.surface.positions);
   in.read_all(a.surface.triangles);
   in.read_all(a.embedding.rows);
-  in.read_all(out.warning);
+  out.expected_volume = in.number<double>();
+  for (std::size_t remarks = in.count(max_remarks); remarks > 0; --remarks)
+    in.read_all(out.remarks.emplace_back());
   return in.done();
 } catch (const InputError&) {
   return false;
@@ -70,7 +74,10 @@ bool store_cached(const std::filesystem::path& dir, const ContentHash& key, cons
   body.add_all(a.surface.positions);
   body.add_all(a.surface.triangles);
   body.add_all(a.embedding.rows);
-  body.add_all(made.warning);
+  body.add(made.expected_volume);
+  const std::size_t remarks = std::min(made.remarks.size(), max_remarks);
+  body.add(static_cast<std::uint64_t>(remarks));
+  for (std::size_t i = 0; i < remarks; ++i) body.add_all(made.remarks[i]);
   return write_sealed(file_of(dir, key), seal_key(key), body.bytes());
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/hash.h"
 #include "common/mesh.h"
@@ -12,7 +13,8 @@ namespace prosector {
 
 struct CachedAnatomy {
   Anatomy anatomy;
-  std::string warning;  // what its author should know each time that it is used; empty when all is well
+  std::vector<std::string> remarks;  // what its author should read each time that it is used
+  double expected_volume = 0;        // m³: what its file encloses or labels; 0: not known
 };
 
 /// What was found: a mesh, or none and why not ("" where there was none): the caller builds anew.

@@ -60,6 +60,8 @@ class AtlasReader {
 
   /// Adds the bodies to the scene, and says what of the map is left out.
   void add_to(SceneDesc& scene, const Progress& progress) const {
+    for (const std::string& note : volume_.notes)
+      if (progress) progress(fmt::format("{}: {}: {}", where_, atlas_.volume, note));
     std::vector<const Label*> taken;
     for (const Label& label : table_.labels)
       if (wanted(label) && has(label) && !is_speck(label)) taken.push_back(&label);
@@ -191,8 +193,10 @@ class AtlasReader {
     body.volume = atlas_.volume;
     body.label = label.id;
     body.smoothing = atlas_.smoothing;
+    body.max_volume_error = atlas_.max_volume_error;
     body.pose = atlas_.pose;
     body.part = true;
+    body.of_atlas = true;
     body.group = atlas_.group;
     body.touches = atlas_.touches;
     make_of(made_of, body);

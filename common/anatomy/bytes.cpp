@@ -40,6 +40,7 @@ std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, std::size_
     status = inflate(&stream, Z_NO_FLUSH);
     out.resize(at + step - stream.avail_out);
     if (status == Z_BUF_ERROR) break;
+    if (status == Z_STREAM_END && is_gzip({stream.next_in, stream.avail_in})) status = inflateReset(&stream);
   }
   const bool damaged = status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR;
   const std::string why = damaged && stream.msg != nullptr ? stream.msg : "invalid stream";

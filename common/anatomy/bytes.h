@@ -16,8 +16,9 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file,
 
 bool is_gzip(std::span<const std::uint8_t> bytes);
 
-/// Returns up to `max_bytes` of what the gzip stream holds (bytes that aren't gzip are returned as they are).
-/// Throws InputError naming `name` when the stream is damaged; one that ends early yields what there is.
+/// Returns up to `max_bytes` of what the gzip members hold, one after the other (bytes that aren't gzip are
+/// returned as they are). Throws InputError naming `name` when the stream is damaged; one that ends early
+/// yields what there is.
 std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, std::size_t max_bytes,
                                  const std::string& name);
 

@@ -4,6 +4,16 @@
 
 namespace prosector {
 
+double sampled_volume(const SolidField& field, int samples) {
+  const Vec3 step = field.box.size() / samples;
+  int inside = 0;
+  for (int k = 0; k < samples; ++k)
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i)
+        if (field.value(field.box.min + step.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5))) < 0) ++inside;
+  return field.box.size().prod() * inside / (samples * samples * samples);
+}
+
 Vec3 gradient(const SolidField& field, const Vec3& x, double step) {
   Vec3 g;
   for (int k = 0; k < 3; ++k) {

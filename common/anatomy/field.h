@@ -23,6 +23,9 @@ struct SolidField {
   Box box;
 };
 
+/// Returns the solid's volume (m³) as `samples` points along each side of its box show it.
+double sampled_volume(const SolidField& field, int samples);
+
 /// Returns the gradient of `value` by central differences, step in metres.
 Vec3 gradient(const SolidField& field, const Vec3& x, double step);
 

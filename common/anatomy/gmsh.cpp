@@ -1,19 +1,18 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "common/anatomy/mesh_cells.h"
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/token_reader.h"
 
 namespace prosector {
 namespace {
 
-constexpr int tetrahedron = 4;  // Gmsh's element type: 4 nodes
-
 class GmshReader {
  public:
   GmshReader(std::string_view text, const std::string& name) : in_(text, name) {}
 
-  TetMesh read() {
+  TetMesh read(const Progress& report) {
     if (!in_.skip_to("$MeshFormat")) in_.fail("no $MeshFormat; allowed: Gmsh 2.2 or 4.1 ASCII");
     const auto version = in_.number<double>("format version");
     const bool old = version == 2.2;
@@ -23,6 +22,7 @@ class GmshReader {
       if (w == "$Nodes") old ? nodes_2() : nodes_4();
       if (w == "$Elements") old ? elements_2() : elements_4();
     }
+    cells_.report(report);
     return std::move(mesh_);
   }
 
@@ -33,15 +33,27 @@ class GmshReader {
     numbers_[tag] = static_cast<std::uint32_t>(mesh_.positions.size());
     mesh_.positions.push_back(x);
   }
-  void add_tet() {
-    std::array<std::uint32_t, 4> tet;
-    for (auto& node : tet) {
+  const CellKind& kind(int type) const {
+    const CellKind* kind = gmsh_cell(type);
+    if (kind == nullptr) in_.fail(unknown_cell(static_cast<std::uint64_t>(type)));
+    return *kind;
+  }
+  /// Reads an element's nodes, as far as they are used.
+  void add_cell(const CellKind& kind) {
+    if (kind.shape == CellShape::flat) {
+      in_.rest();
+      cells_.skip(kind);
+      return;
+    }
+    corners_.clear();
+    for (std::size_t left = corners_of(kind.shape); left > 0; --left) {
       const auto tag = in_.number<std::uint64_t>("a node number");
       const auto it = numbers_.find(tag);
       if (it == numbers_.end()) in_.fail(fmt::format("element uses node {}, which isn't there", tag));
-      node = it->second;
+      corners_.push_back(it->second);
     }
-    mesh_.tets.push_back(tet);
+    for (std::size_t k = corners_.size(); k < kind.nodes; ++k) in_.number<std::uint64_t>("a node number");
+    cells_.add(kind, corners_, mesh_);
   }
   void nodes_2() {
     for (auto n = in_.count("number of nodes"); n > 0; --n)
@@ -50,13 +62,9 @@ class GmshReader {
   void elements_2() {
     for (auto n = in_.count("number of elements"); n > 0; --n) {
       in_.number<std::uint64_t>("an element number");
-      const int type = in_.number<int>("an element type");
-      if (type != tetrahedron) {
-        in_.rest();
-        continue;
-      }
+      const CellKind& type = kind(in_.number<int>("an element type"));
       for (auto tags = in_.count("number of tags"); tags > 0; --tags) in_.number<std::int64_t>("a tag");
-      add_tet();
+      add_cell(type);
     }
   }
   void nodes_4() {
@@ -75,26 +83,25 @@ class GmshReader {
     for (int k = 0; k < 3; ++k) in_.number<std::uint64_t>("an element count");
     for (; blocks > 0; --blocks) {
       for (int k = 0; k < 2; ++k) in_.number<int>("an entity");
-      const int type = in_.number<int>("an element type");
+      const CellKind& type = kind(in_.number<int>("an element type"));
       for (auto n = in_.count("number of elements"); n > 0; --n) {
         in_.number<std::uint64_t>("an element number");
-        if (type == tetrahedron)
-          add_tet();
-        else
-          in_.rest();
+        add_cell(type);
       }
     }
   }
 
   TokenReader in_;
   TetMesh mesh_;
+  CellCollector cells_;
+  std::vector<std::uint32_t> corners_;  // of the current element
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
 };
 
 }  // namespace
 
-TetMesh parse_gmsh(std::string_view text, const std::string& name) {
-  return GmshReader(text, name).read();
+TetMesh parse_gmsh(std::string_view text, const std::string& name, const Progress& report) {
+  return GmshReader(text, name).read(report);
 }
 
 }  // namespace prosector

@@ -14,6 +14,7 @@ namespace prosector {
 struct ImportReply {
   TriangleMesh mesh;    // in the file's units, nodes' transforms applied; positions may be no finite numbers
   std::string refusal;  // the reader's words; empty: the mesh is what the file holds
+  std::vector<std::string> notes = {};  // one line each: what of the file is not used
 };
 
 std::vector<std::uint8_t> encode(const ImportReply& reply);

@@ -65,11 +65,12 @@ VolumeHeader parse_inrimage_header(std::span<const std::uint8_t> head, const std
       {{"unsigned fixed", 8}, VoxelType::uint8},   {{"signed fixed", 8}, VoxelType::int8},
       {{"unsigned fixed", 16}, VoxelType::uint16}, {{"signed fixed", 16}, VoxelType::int16},
       {{"unsigned fixed", 32}, VoxelType::uint32}, {{"signed fixed", 32}, VoxelType::int32},
+      {{"unsigned fixed", 64}, VoxelType::uint64}, {{"signed fixed", 64}, VoxelType::int64},
       {{"float", 32}, VoxelType::float32},         {{"float", 64}, VoxelType::float64}};
   const auto it = types.find({type, bits});
   if (it == types.end())
     throw InputError(fmt::format(
-        "{}: header: TYPE={}, PIXSIZE={} bits; allowed: unsigned fixed or signed fixed of 8, 16 or 32, "
+        "{}: header: TYPE={}, PIXSIZE={} bits; allowed: unsigned fixed or signed fixed of 8, 16, 32 or 64, "
         "float of 32 or 64 bits",
         name, type, bits));
   h.type = it->second;

@@ -127,7 +127,10 @@ void keep_largest(Mask& mask) {
   if (v.values.front() != 0) return;  // no border: nothing says where outside is
   const auto cleaned = find_pieces(v);
   for (const Run& run : cleaned)
-    if (!run.inside && run.piece != cleaned.front().piece) fill(v, run, 1);
+    if (!run.inside && run.piece != cleaned.front().piece) {
+      fill(v, run, 1);
+      mask.filled_voxels += static_cast<std::size_t>(run.end - run.first);
+    }
 }
 
 void blur_axis(Volume& v, std::size_t axis, const std::vector<float>& kernel) {
@@ -219,6 +222,11 @@ Mask mask_above(const Volume& volume, double threshold, int margin, const std::s
                                  inside(*low) ? "everything inside" : "nothing inside", *low, *high));
   keep_largest(out);
   return out;
+}
+
+double Mask::inside_volume() const {
+  const auto inside = std::count(volume.values.begin(), volume.values.end(), 1.f);
+  return static_cast<double>(inside) * volume.voxel_size.prod();
 }
 
 int smoothing_margin(double sigma) {

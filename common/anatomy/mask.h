@@ -1,15 +1,13 @@
 #pragma once
 // One structure out of a volume, as a smooth solid.
 
-#include <functional>
 #include <string>
 
 #include "common/anatomy/field.h"
+#include "common/anatomy/progress.h"
 #include "common/anatomy/volume.h"
 
 namespace prosector {
-
-using Progress = std::function<void(const std::string& line)>;
 
 /// A structure as voxels: 1 inside, 0 outside, cropped to the structure with a margin of zeros; the frame
 /// stays the volume's.
@@ -18,6 +16,10 @@ struct Mask {
   Vec3 origin = Vec3::Zero();      // the cropped volume's centre in the whole one's frame, m
   std::size_t dropped_voxels = 0;  // in other pieces
   std::size_t dropped_pieces = 0;
+  std::size_t filled_voxels = 0;  // of cavities, which count as inside
+
+  /// Returns the volume of the voxels inside (m³), cavities included.
+  double inside_volume() const;
 };
 
 /// Returns voxels equal to `label`: the largest piece (joined through faces), with `margin` voxels of border.

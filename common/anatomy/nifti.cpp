@@ -31,25 +31,81 @@ Mat3 quaternion_axes(double b, double c, double d, double qfac) {
   return r;
 }
 
-// Which file axis lies nearest to right, anterior, superior, and whether it runs the other way.
-void orient(VolumeHeader& h, const Mat3& file_to_patient) {
+/// Which file axis becomes x, y and z, and which are reversed.
+struct Axes {
+  std::array<int, 3> axis = {0, 1, 2};
+  std::array<bool, 3> flip{};
+  bool operator==(const Axes&) const = default;
+};
+
+/// Returns the file axis nearest to right, anterior and superior each, and whether it points the other way.
+Axes axes_of(const Mat3& file_to_patient) {
+  Axes out;
   Mat3 a = file_to_patient.cwiseAbs();
-  if (!a.allFinite() || a.colwise().norm().minCoeff() < 1e-12) return;
   for (int k = 0; k < 3; ++k) a.col(k).normalize();
   for (int n = 0; n < 3; ++n) {
     int row = 0, col = 0;
     a.maxCoeff(&row, &col);
-    h.axis[static_cast<std::size_t>(row)] = col;
-    h.flip[static_cast<std::size_t>(col)] = file_to_patient(row, col) < 0;
+    out.axis[static_cast<std::size_t>(row)] = col;
+    out.flip[static_cast<std::size_t>(col)] = file_to_patient(row, col) < 0;
     a.row(row).setConstant(-1);
     a.col(col).setConstant(-1);
   }
+  return out;
+}
+
+std::string in_mm(const Vec3& metres) {
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} mm", 1e3 * metres[0], 1e3 * metres[1], 1e3 * metres[2]);
+}
+
+/// Returns by how much the box that three steps span is smaller than one with right angles, 0 to 1.
+double shear(const Mat3& steps) {
+  return 1 - std::abs(steps.determinant()) / steps.colwise().norm().prod();
+}
+
+bool spans_space(const Mat3& steps) {
+  return steps.allFinite() && steps.colwise().norm().minCoeff() > 1e-12 && shear(steps) < 0.999;
+}
+
+/// Takes the voxels' size from the sform's columns where pixdim says another: other programs show it so.
+void take_sform_size(VolumeHeader& h, const Mat3& sform, double metres, const std::string& name) {
+  const Vec3 steps = metres * sform.colwise().norm().transpose();
+  constexpr double rounding = 1e-3;
+  if (!((steps - h.voxel_size).cwiseQuotient(steps).cwiseAbs().maxCoeff() <= rounding)) {
+    h.notes.push_back(fmt::format(
+        "warning: its voxels are {} by pixdim and {} by the sform: the sform's are used. Is that wrong? "
+        "Correct the file's header",
+        in_mm(h.voxel_size), in_mm(steps)));
+    h.voxel_size = steps;
+  }
+  const double too_large = shear(sform);
+  constexpr double reported = 0.02, refused = 0.2;
+  if (too_large > refused)
+    throw InputError(fmt::format(
+        "{}: header: the sform's axes are {:.0f} % sheared; allowed: at most {:.0f} %. Resample it to right "
+        "angles",
+        name, 100 * too_large, 100 * refused));
+  if (too_large > reported)
+    h.notes.push_back(
+        fmt::format("warning: its sform is sheared, which is ignored: structures get {:.0f} % too large; "
+                    "resample it to right angles",
+                    100 * too_large));
 }
 
 }  // namespace
 
 bool is_nifti(std::span<const std::uint8_t> head) {
   return head.size() >= header_bytes && std::memcmp(head.data() + 344, "n+1", 4) == 0;
+}
+
+std::string other_nifti(std::span<const std::uint8_t> head) {
+  if (head.size() < header_bytes) return "";
+  const auto starts = [&](std::size_t at, const char* magic) {
+    return std::memcmp(head.data() + at, magic, 3) == 0;
+  };
+  if (starts(344, "ni1")) return " (the header of a .hdr/.img pair: save both as one .nii)";
+  if (starts(4, "n+2") || starts(4, "ni2")) return " (NIfTI-2: save it as NIfTI-1)";
+  return "";
 }
 
 VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::string& name) {
@@ -71,8 +127,9 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
     if (k < 3)
       h.dims[static_cast<std::size_t>(k)] = d;
     else if (d > 1)
-      throw InputError(
-          fmt::format("{}: header: dimension {} has {} steps; allowed: one 3-D volume", name, k + 1, d));
+      throw InputError(fmt::format(
+          "{}: header: dimension {} has {} steps; allowed: one 3-D volume. Save one of them by itself", name,
+          k + 1, d));
   }
 
   switch (const auto type = field<std::int16_t>(head, 70, swap)) {
@@ -94,6 +151,12 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
     case 768:
       h.type = VoxelType::uint32;
       break;
+    case 1024:
+      h.type = VoxelType::int64;
+      break;
+    case 1280:
+      h.type = VoxelType::uint64;
+      break;
     case 16:
       h.type = VoxelType::float32;
       break;
@@ -103,7 +166,7 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
     default:
       throw InputError(fmt::format(
           "{}: header: datatype {}; allowed: 2 (uint8), 256 (int8), 4 (int16), 512 (uint16), 8 (int32), "
-          "768 (uint32), 16 (float32), 64 (float64)",
+          "768 (uint32), 1024 (int64), 1280 (uint64), 16 (float32), 64 (float64). Save it as one of these",
           name, type));
   }
 
@@ -115,7 +178,11 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
                                               field<float>(head, static_cast<std::size_t>(80 + 4 * k), swap)))
                                : metres;
 
-  const auto offset = static_cast<double>(field<float>(head, 108, swap));
+  auto offset = static_cast<double>(field<float>(head, 108, swap));
+  if (offset == 0) {
+    offset = header_bytes + 4;
+    h.notes.push_back(fmt::format("its header names no beginning of the voxels: taken as byte {}", offset));
+  }
   constexpr double max_offset = 16 * 1024 * 1024;
   if (!(offset >= 348 && offset <= max_offset))
     throw InputError(fmt::format("{}: header: voxels at byte {}; allowed: {} to {}", name, offset,
@@ -123,19 +190,31 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
   h.offset = static_cast<std::size_t>(offset);
   h.slope = static_cast<double>(field<float>(head, 112, swap));
   h.intercept = static_cast<double>(field<float>(head, 116, swap));
+  if (!std::isfinite(h.slope)) {
+    h.notes.push_back(fmt::format("its scl_slope is {}: taken as unscaled", h.slope));
+    h.slope = 0;
+  }
   if (h.slope == 0) {  // the standard's way to say "unscaled"
     h.slope = 1;
     h.intercept = 0;
   }
 
   const auto real = [&](std::size_t at) { return static_cast<double>(field<float>(head, at, swap)); };
-  if (field<std::int16_t>(head, 254, swap) > 0) {  // sform_code: affine rows srow_x, srow_y, srow_z
-    Mat3 affine;
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) affine(r, c) = real(static_cast<std::size_t>(280 + 16 * r + 4 * c));
-    orient(h, affine);
-  } else if (field<std::int16_t>(head, 252, swap) > 0) {  // qform_code
-    orient(h, quaternion_axes(real(256), real(260), real(264), real(76)));
+  Mat3 sform, qform = quaternion_axes(real(256), real(260), real(264), real(76));
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) sform(r, c) = real(static_cast<std::size_t>(280 + 16 * r + 4 * c));
+  const bool has_sform = field<std::int16_t>(head, 254, swap) > 0;
+  const bool use_sform = has_sform && spans_space(sform);
+  const bool use_qform = field<std::int16_t>(head, 252, swap) > 0 && spans_space(qform);
+  if (has_sform && !use_sform) h.notes.push_back("warning: its sform spans no space and is not used");
+  if (use_sform) take_sform_size(h, sform, metres, name);
+  if (use_sform && use_qform && axes_of(sform) != axes_of(qform))
+    h.notes.push_back(
+        "warning: its sform and its qform turn it differently: the sform is used; check left and right");
+  if (use_sform || use_qform) {
+    const Axes axes = axes_of(use_sform ? sform : qform);
+    h.axis = axes.axis;
+    h.flip = axes.flip;
   }
   return h;
 }

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "common/regular_file.h"
+
 namespace prosector {
 namespace {
 
@@ -15,8 +19,11 @@ std::vector<std::filesystem::path> candidates(const std::string& file, const Sou
 }  // namespace
 
 std::filesystem::path find_source(const std::string& file, const SourcePaths& paths) {
-  for (const auto& path : candidates(file, paths))
-    if (std::filesystem::is_regular_file(path)) return path;
+  const auto places = candidates(file, paths);
+  std::error_code unreadable;
+  for (const auto& path : places)
+    if (std::filesystem::is_regular_file(path, unreadable)) return path;
+  if (!file.empty()) std::ranges::for_each(places, refuse_special_file);
   return {};
 }
 

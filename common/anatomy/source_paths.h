@@ -14,7 +14,8 @@ struct SourcePaths {
   std::filesystem::path cache_dir;  // empty: no cache
 };
 
-/// Finds the first place that has the file; empty: none has.
+/// Finds the first place that has the file; empty: none has. Throws InputError where none has it but one
+/// holds a folder, a pipe or a device of that name.
 std::filesystem::path find_source(const std::string& file, const SourcePaths& paths);
 
 /// Returns what to say of a file that no place has: where it was looked for, and how to get it.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numeric>
 #include <span>
 
 #include "common/anatomy/anatomy_cache.h"
@@ -17,7 +19,10 @@
 #include "common/anatomy/surface_check.h"
 #include "common/anatomy/surface_field.h"
 #include "common/anatomy/surface_io.h"
+#include "common/anatomy/surface_repair.h"
 #include "common/anatomy/tet_io.h"
+#include "common/anatomy/tet_repair.h"
+#include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
 #include "common/curves/from_scene.h"
 #include "common/error.h"
@@ -27,7 +32,7 @@
 namespace prosector {
 namespace {
 
-constexpr int recipe = 2;  // raised when the same source gives another mesh: old cache files then don't match
+constexpr int recipe = 3;  // raised when the same source gives another mesh: old cache files then don't match
 
 void say(const Progress& progress, const std::string& line) {
   if (progress) progress(line);
@@ -53,6 +58,10 @@ std::string file_hash(const std::filesystem::path& file) {
   return to_hex(content_hash(std::as_bytes(std::span(bytes))));
 }
 
+std::string origin_key(const Vec3& origin) {
+  return fmt::format(" {} {} {}", origin[0], origin[1], origin[2]);
+}
+
 /// Returns what `make()` gives; what it refuses names the body, too.
 template <class Make>
 auto of_body(const std::string& name, const Make& make) {
@@ -75,25 +84,43 @@ CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const
   const Anatomy& a = embedded.anatomy;
   say(progress, fmt::format("{}: surface of {} triangles, {} of {} vertices outside the tetrahedra", name,
                             a.surface.triangles.size(), embedded.outside, a.surface.positions.size()));
-  std::string warning;
+  CachedAnatomy out;
   if (embedded.drawn_in > 0)
-    warning = fmt::format(
-        "cell is too coarse for the shape's thin parts: {} surface vertices drawn in by up to {:.2g} mm",
-        embedded.drawn_in, 1000 * embedded.farthest);
-  return {std::move(embedded.anatomy), std::move(warning)};
+    out.remarks.push_back(
+        fmt::format("warning: cell is too coarse for the shape's thin parts: {} surface vertices drawn in by "
+                    "up to {:.2g} mm",
+                    embedded.drawn_in, 1000 * embedded.farthest));
+  out.anatomy = std::move(embedded.anatomy);
+  return out;
 }
+
+/// One structure of a volume file.
+struct Structure {
+  SolidField field;
+  double volume = 0;  // m³: of all voxels of the label; of grey volumes, of the piece that is taken
+  double voxel = 0;   // m: the longest side of a voxel
+  std::vector<std::string> remarks;
+};
 
 /// Makes the structure for a SoftDesc or a RigidDesc: both name a volume's structure alike.
 template <class Desc>
-SolidField structure_of(const Volume& volume, const std::string& name, const Desc& desc,
-                        const Progress& progress) {
+Structure structure_of(const std::filesystem::path& file, const Desc& desc, const Progress& progress) {
+  const Volume volume = load_volume(file);
+  const std::string name = file.string();
   const int margin = smoothing_margin(desc.smoothing);
-  const Mask mask = desc.label >= 0 ? mask_of_label(volume, desc.label, margin, name)
-                                    : mask_above(volume, desc.threshold, margin, name);
+  const bool labelled = desc.label >= 0;
+  const Mask mask = labelled ? mask_of_label(volume, desc.label, margin, name)
+                             : mask_above(volume, desc.threshold, margin, name);
   if (mask.dropped_pieces > 0)
     say(progress, fmt::format("{}: kept the largest of {} pieces ({} voxels dropped)", desc.name,
                               mask.dropped_pieces + 1, mask.dropped_voxels));
-  return smooth_solid(mask, desc.smoothing);
+  if (mask.filled_voxels > 0)
+    say(progress, fmt::format("{}: {} voxels of cavities filled", desc.name, mask.filled_voxels));
+  const double voxel = volume.voxel_size.prod();
+  const double of_label = mask.inside_volume() + voxel * (static_cast<double>(mask.dropped_voxels) -
+                                                          static_cast<double>(mask.filled_voxels));
+  return {smooth_solid(mask, desc.smoothing), labelled ? of_label : mask.inside_volume(),
+          volume.voxel_size.maxCoeff(), desc.of_atlas ? std::vector<std::string>() : volume.notes};
 }
 
 // Whether a mesh file's surface has a vertex on each edge, as quadratic elements have a node there: a load on
@@ -102,31 +129,77 @@ bool halves_edges(const SoftDesc& desc) {
   return desc.element == "tet10";
 }
 
+void add(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+Sign sign_for(const SolidShells& shells, std::size_t crossings) {
+  return shells.simple && crossings == 0 ? Sign::nearest : Sign::winding;
+}
+
+/// Returns the volume within a closed surface, where it overlaps itself once (m³).
+double volume_within(const SolidShells& shells, std::size_t crossings) {
+  constexpr int samples = 48;
+  if (crossings > 0 || shells.overlapping)
+    return sampled_volume(solid_within(shells.surface, Sign::winding), samples);
+  return std::accumulate(shells.solids.begin(), shells.solids.end(), 0.);
+}
+
+void warn_of_crossings(std::size_t pairs, std::vector<std::string>& remarks) {
+  if (pairs > 0)
+    remarks.push_back(fmt::format("warning: its surface intersects itself: {} pairs of triangles", pairs));
+}
+
 // The mesh's own boundary is its surface.
 CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
-  TetMesh tets = load_tets(file, desc.scale);
+  CachedAnatomy out;
+  TetMesh tets = load_tets(
+      file, desc.scale,
+      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { out.remarks.push_back(line); }});
   say(progress, fmt::format("{}: {}", desc.name, describe(tet_quality(tets))));
+  const Tangles tangles = find_tangles(tets);
+  if (tangles.tets > 0)
+    out.remarks.push_back(fmt::format(
+        "warning: {} tetrahedra are tangled: they lie on the wrong side of a neighbour. Mesh it again",
+        tangles.tets));
   TriangleMesh surface{tets.positions, boundary_faces(tets)};
   drop_unused(surface);
-  std::string warning = check_surface(surface).warning();
+  const SurfaceReport report = check_surface(surface);
+  if (const std::string warning = report.warning(); !warning.empty())
+    out.remarks.push_back("warning: " + warning);
+  out.expected_volume = tangles.enclosed;
+  if (report.intersecting_pairs > 0 && !surface_faults(surface))
+    out.expected_volume = volume_within(solid_shells(surface), report.intersecting_pairs);
   if (halves_edges(desc)) surface = quartered(std::move(surface));
-  return {embed(std::move(tets), std::move(surface)).anatomy, std::move(warning)};
+  out.anatomy = embed(std::move(tets), std::move(surface)).anatomy;
+  return out;
 }
 
 /// Fills a closed surface.
 CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& desc,
                            const Progress& progress) {
-  TriangleMesh surface = load_surface(file, desc.scale);
-  if (const std::size_t pieces = surface_pieces(surface); pieces > 1)
-    say(progress, fmt::format("{}: {} surfaces in the file: the largest solid between them is kept",
-                              desc.name, pieces));
-  const std::size_t crossings = intersecting_triangles(surface).size();
-  const SolidField field = of_body(file.string(), [&] { return solid_within(std::move(surface)); });
-  CachedAnatomy made = mesh_solid(desc.name, field, desc, progress);
-  if (crossings > 0)
-    made.warning += fmt::format("{}its surface intersects itself: {} pairs of triangles",
-                                made.warning.empty() ? "" : "; ", crossings);
-  return made;
+  std::vector<std::string> remarks;
+  RepairedSurface whole = repaired(load_surface(
+      file, desc.scale,
+      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { remarks.push_back(line); }}));
+  add(remarks, whole.notes);
+  if (const SurfaceFaults faults = surface_faults(whole.surface))
+    throw InputError(fmt::format("{}: {}", file.string(), faults.in_words()));
+  SolidShells shells = solid_shells(whole.surface);
+  add(remarks, shells.notes);
+  const std::size_t crossings = intersecting_triangles(shells.surface).size();
+  const double volume = volume_within(shells, crossings);
+  if (shells.solids.size() > 1 && crossings == 0 && !shells.overlapping)
+    remarks.push_back(fmt::format(
+        "{} separate solids in the file: the largest is taken, {:.4g} of {:.4g} ml. A body is one piece: "
+        "write each solid into a file of its own",
+        shells.solids.size(), 1e6 * shells.solids.front(), 1e6 * volume));
+  const Sign sign = sign_for(shells, crossings);
+  CachedAnatomy out = mesh_solid(desc.name, solid_within(std::move(shells.surface), sign), desc, progress);
+  out.remarks.insert(out.remarks.begin(), remarks.begin(), remarks.end());
+  warn_of_crossings(crossings, out.remarks);
+  out.expected_volume = volume;
+  return out;
 }
 
 CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, const std::string& shape,
@@ -134,27 +207,44 @@ CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, con
   if (!shape.empty()) return mesh_solid(desc.name, implicit_shape(shape, desc.size), desc, progress);
   if (is_surface_file(desc.mesh)) return fill_surface(file, desc, progress);
   if (desc.volume.empty()) return mesh_file(file, desc, progress);
-  return mesh_solid(desc.name, structure_of(load_volume(file), file.string(), desc, progress), desc,
-                    progress);
+  const Structure structure = structure_of(file, desc, progress);
+  CachedAnatomy out = mesh_solid(desc.name, structure.field, desc, progress);
+  add(out.remarks, structure.remarks);
+  out.expected_volume = structure.volume;
+  return out;
 }
 
-TriangleMesh read_surface(const std::filesystem::path& file, const RigidDesc& desc,
-                          const Progress& progress) {
-  if (!desc.volume.empty()) {
-    const Volume volume = load_volume(file);
-    const double cell = desc.surface_cell > 0 ? desc.surface_cell : volume.voxel_size.maxCoeff();
-    return isosurface(structure_of(volume, file.string(), desc, progress), cell);
+/// Reads a rigid body's surface, open or closed. Of a closed one the expected volume is that of its solids.
+CachedAnatomy read_surface(const std::filesystem::path& file, const RigidDesc& desc) {
+  CachedAnatomy out;
+  RepairedSurface whole = repaired(load_surface(
+      file, desc.scale,
+      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { out.remarks.push_back(line); }}));
+  TriangleMesh& surface = out.anatomy.surface;
+  surface = std::move(whole.surface);
+  if (!surface_faults(surface)) {
+    add(out.remarks, whole.notes);
+    const std::size_t crossings = intersecting_triangles(surface).size();
+    out.expected_volume = volume_within(solid_shells(surface), crossings);
   }
-  TriangleMesh surface = load_surface(file, desc.scale);
-  return desc.surface_cell > 0 ? simplify(surface, desc.surface_cell) : surface;
+  if (desc.surface_cell > 0) surface = simplify(surface, desc.surface_cell);
+  return out;
 }
 
 CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, const Progress& progress) {
   CachedAnatomy made;
   TriangleMesh& surface = made.anatomy.surface;
-  surface = read_surface(file, desc, progress);
+  if (desc.volume.empty()) {
+    made = read_surface(file, desc);
+  } else {
+    const Structure structure = structure_of(file, desc, progress);
+    surface = isosurface(structure.field, desc.surface_cell > 0 ? desc.surface_cell : structure.voxel);
+    made.remarks = structure.remarks;
+    made.expected_volume = structure.volume;
+  }
   const SurfaceReport report = check_surface(surface);
-  made.warning = report.warning();
+  if (const std::string warning = report.warning(); !warning.empty())
+    made.remarks.push_back("warning: " + warning);
   if (report.volume < 0)
     for (auto& t : surface.triangles) std::swap(t[1], t[2]);
   return made;
@@ -170,8 +260,24 @@ Anatomy make_fabric(const SoftDesc& desc) {
   return make_sheet(desc.size, desc.cell);
 }
 
-void warn(const std::string& name, const CachedAnatomy& made, const Progress& progress) {
-  if (!made.warning.empty()) say(progress, fmt::format("{}: warning: {}", name, made.warning));
+void say_remarks(const std::string& name, const std::vector<std::string>& remarks, const Progress& progress) {
+  for (const std::string& remark : remarks) say(progress, fmt::format("{}: {}", name, remark));
+}
+
+/// Reports how far a body's volume is from what its file says; throws InputError where it is too far. `desc`
+/// is a SoftDesc or a RigidDesc.
+template <class Desc>
+void judge_volume(const Desc& desc, double made, double expected, const Progress& progress) {
+  const bool labelled = !desc.volume.empty();
+  const std::string warning = of_body(desc.name, [&] {
+    return check_volume(
+        made, expected, desc.max_volume_error.value, labelled ? "of its voxels" : "that its file encloses",
+        labelled ? "Of a label in pieces the largest is taken, and cavities are filled; thin parts need a "
+                   "smaller cell, and parts as thin as a voxel need a finer volume."
+                 : "A body is one piece: write separate solids into files of their own; thin parts "
+                   "need a smaller cell.");
+  });
+  if (!warning.empty()) say(progress, fmt::format("{}: {}", desc.name, warning));
 }
 
 /// Takes a mesh from the cache. A damaged file is told of, and none is returned: the mesh is made again.
@@ -203,10 +309,11 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
   }
   const std::string made_from = shape.empty() ? file_hash(file) : shape;
   const bool own_boundary = shape.empty() && desc.volume.empty() && !is_surface_file(desc.mesh);
-  const ContentHash key = hash_of(fmt::format(
-      "soft {} {} {} {} {} {} {} {} {} {} {} {}{}", recipe, made_from, desc.volume.empty(), desc.label,
-      desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell, desc.surface_cell,
-      desc.smoothing, own_boundary && halves_edges(desc) ? " halved edges" : ""));
+  const ContentHash key = hash_of(
+      fmt::format("soft {} {} {} {} {} {} {} {} {} {} {} {}{}{}", recipe, made_from, desc.volume.empty(),
+                  desc.label, desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell,
+                  desc.surface_cell, desc.smoothing,
+                  own_boundary && halves_edges(desc) ? " halved edges" : "", origin_key(desc.mesh_origin)));
   CachedAnatomy made;
   if (auto cached = take_cached(desc.name, paths, key, progress)) {
     made = std::move(*cached);
@@ -215,7 +322,8 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
     made = of_body(desc.name, [&] { return build(desc, file, shape, progress); });
     store_cached(paths.cache_dir, key, made);
   }
-  warn(desc.name, made, progress);
+  say_remarks(desc.name, made.remarks, progress);
+  judge_volume(desc, tet_quality(made.anatomy.tets).volume, made.expected_volume, progress);
   Anatomy anatomy = std::move(made.anatomy);
   const bool stands_in = desc.shape.empty() && file.empty();
   const Pose pose = stands_in ? desc.pose * desc.fallback_pose : desc.pose;
@@ -241,9 +349,9 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
     for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
     return surface;
   }
-  const ContentHash key =
-      hash_of(fmt::format("rigid {} {} {} {} {} {} {} {}", recipe, file_hash(file), desc.volume.empty(),
-                          desc.label, desc.threshold, desc.smoothing, desc.scale, desc.surface_cell));
+  const ContentHash key = hash_of(fmt::format("rigid {} {} {} {} {} {} {} {}{}", recipe, file_hash(file),
+                                              desc.volume.empty(), desc.label, desc.threshold, desc.smoothing,
+                                              desc.scale, desc.surface_cell, origin_key(desc.mesh_origin)));
   CachedAnatomy made;
   auto cached = take_cached(desc.name, paths, key, progress);
   if (cached) {
@@ -254,7 +362,9 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
   }
   say(progress, fmt::format("{}: {} triangles{}", desc.name, made.anatomy.surface.triangles.size(),
                             cached ? " (cached)" : ""));
-  warn(desc.name, made, progress);
+  say_remarks(desc.name, made.remarks, progress);
+  if (made.expected_volume > 0)
+    judge_volume(desc, std::abs(enclosed_volume(made.anatomy.surface)), made.expected_volume, progress);
   return std::move(made.anatomy.surface);
 }
 

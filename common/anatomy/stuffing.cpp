@@ -308,15 +308,8 @@ TetMesh stuff(const SolidField& field, double cell, const Vec3& offset) {
 
 double expected_tets(const SolidField& field, double cell) {
   constexpr int samples = 24;  // along each axis
-  const Vec3 step = field.box.size() / samples;
-  int inside = 0;
-  for (int k = 0; k < samples; ++k)
-    for (int j = 0; j < samples; ++j)
-      for (int i = 0; i < samples; ++i)
-        if (field.value(field.box.min + step.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5))) < 0) ++inside;
   constexpr double tet_volume_in_cells = 0.128;
-  const double volume = field.box.size().prod() * inside / (samples * samples * samples);
-  return volume / (tet_volume_in_cells * cell * cell * cell);
+  return sampled_volume(field, samples) / (tet_volume_in_cells * cell * cell * cell);
 }
 
 TetMesh stuff_solid(const SolidField& field, double cell) {

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <vector>
 
+#include "common/anatomy/winding_tree.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -183,7 +184,7 @@ SurfaceFaults surface_faults(const TriangleMesh& surface) {
     }
   SurfaceFaults out;
   for (const auto& [edge, use] : uses) {
-    if (use == std::array<std::size_t, 2>{1, 1}) continue;
+    if (use[0] == use[1]) continue;  // also of more than two: then several shells meet there
     if (!out) out.first = 0.5 * (surface.positions[edge[0]] + surface.positions[edge[1]]);
     const std::size_t triangles = use[0] + use[1];
     ++(triangles == 1 ? out.hole_edges : triangles == 2 ? out.opposed_edges : out.crowded_edges);
@@ -200,30 +201,20 @@ double enclosed_volume(const TriangleMesh& surface) {
   return six_times / 6;
 }
 
-std::size_t surface_pieces(const TriangleMesh& surface) {
-  std::vector<std::uint32_t> above(surface.positions.size());
-  std::iota(above.begin(), above.end(), 0u);
-  const auto top = [&](std::uint32_t v) {
-    while (above[v] != v) v = above[v] = above[above[v]];
-    return v;
-  };
-  std::vector<bool> used(above.size());
-  for (const auto& t : surface.triangles)
-    for (const std::uint32_t v : t) {
-      used[v] = true;
-      above[top(v)] = top(t[0]);
-    }
-  std::size_t out = 0;
-  for (std::uint32_t v = 0; v < above.size(); ++v) out += used[v] && top(v) == v ? 1 : 0;
-  return out;
-}
-
-SolidField solid_within(TriangleMesh surface) {
+SolidField solid_within(TriangleMesh surface, Sign sign) {
   if (const SurfaceFaults faults = surface_faults(surface)) throw InputError(faults.in_words());
   if (enclosed_volume(surface) < 0)
     for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+  const auto winding = sign == Sign::winding ? std::make_shared<const WindingTree>(surface) : nullptr;
   const auto tree = std::make_shared<const DistanceTree>(std::move(surface));
-  return {[tree](const Vec3& x) { return (*tree)(x); }, {tree->box().min(), tree->box().max()}};
+  const Box box{tree->box().min(), tree->box().max()};
+  if (!winding) return {[tree](const Vec3& x) { return (*tree)(x); }, box};
+  return {[tree, winding](const Vec3& x) {
+            // Not zero at walls within the solid: only its border is there.
+            const double distance = std::max(std::abs((*tree)(x)), std::numeric_limits<double>::min());
+            return winding->at(x) > 0.5 ? -distance : distance;
+          },
+          box};
 }
 
 }  // namespace prosector

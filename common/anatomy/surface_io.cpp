@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
 #include "common/anatomy/child_process.h"
+#include "common/anatomy/close_points.h"
 #include "common/anatomy/import_reply.h"
 #include "common/anatomy/simplify.h"
 #include "common/error.h"
+#include "common/messages.h"
+#include "common/regular_file.h"
 
 namespace prosector {
 namespace {
@@ -18,14 +22,14 @@ constexpr std::size_t max_reply_bytes = std::size_t{1} << 30;
 
 /// Returns what the file holds, read by a process of its own. Throws InputError with the reader's words, or
 /// its end.
-TriangleMesh import(const std::filesystem::path& file, double patience) {
+TriangleMesh import(const std::filesystem::path& file, const MeshReading& how) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(
         fmt::format("{}: not a surface ({}); allowed: OBJ, STL, PLY, OFF, glTF", file.string(), why));
   };
   const auto reader = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "prosector-import";
   const ChildOutcome child =
-      run_child(reader, {std::filesystem::absolute(file).string()}, {patience, max_reply_bytes});
+      run_child(reader, {std::filesystem::absolute(file).string()}, {how.patience, max_reply_bytes});
   if (!child.trouble.empty())
     refuse(fmt::format("its reader {} {}", reader.filename().string(), child.trouble));
   ImportReply reply;
@@ -35,6 +39,7 @@ TriangleMesh import(const std::filesystem::path& file, double patience) {
     refuse(error.what());
   }
   if (!reply.refusal.empty()) refuse(reply.refusal);
+  if (how.report) std::ranges::for_each(reply.notes, how.report);
   return std::move(reply.mesh);
 }
 
@@ -51,32 +56,56 @@ void merge_equal(TriangleMesh& mesh) {
   drop_unused(mesh);
 }
 
+/// Warns where the file's coordinates are so large that single precision rounds its shape.
+void report_rounding(const TriangleMesh& mesh, const Progress& report) {
+  double largest = 0;
+  for (const Vec3& x : mesh.positions) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  const double extent = extent_of(mesh.positions), step = largest * 0x1p-23;
+  constexpr double visible = 1e-3;  // of its extent
+  if (report && step > visible * extent)
+    report(
+        fmt::format("warning: its coordinates reach {:.6g}: in single precision they are rounded to {:.2g}, "
+                    "of its {:.4g} across. "
+                    "Move it to its origin in a mesh editor",
+                    largest, step, extent));
+}
+
 }  // namespace
 
-TriangleMesh load_unscaled_surface(const std::filesystem::path& file, double patience) {
+TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const MeshReading& how) {
   const std::string name = file.string();
-  if (!std::filesystem::is_regular_file(file)) throw InputError(fmt::format("{}: no such file", name));
-  TriangleMesh mesh = import(file, patience);
+  refuse_special_file(file);
+  if (!std::filesystem::exists(file)) throw InputError(fmt::format("{}: no such file", name));
+  TriangleMesh mesh = import(file, how);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (!mesh.positions[v].allFinite())
       throw InputError(fmt::format("{}: vertex {} is not a finite position", name, v));
   merge_equal(mesh);
   if (mesh.triangles.empty()) throw InputError(fmt::format("{}: no triangles; allowed: at least one", name));
+  report_rounding(mesh, how.report);
   return mesh;
 }
 
-TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience) {
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, const MeshReading& how) {
   if (!(scale > 0) || !std::isfinite(scale))
     throw InputError(fmt::format("{}: scale {}; allowed: above 0", file.string(), scale));
-  TriangleMesh mesh = load_unscaled_surface(file, patience);
+  TriangleMesh mesh = load_unscaled_surface(file, how);
   Eigen::AlignedBox3d box;
-  for (Vec3& x : mesh.positions) box.extend(x *= scale);
+  for (Vec3& x : mesh.positions) box.extend(x = scale * (x - how.origin));
   const double extent = box.sizes().maxCoeff();
   constexpr double max_extent = 100, min_extent = 1e-4;
   if (!(extent >= min_extent && extent <= max_extent))
     throw InputError(fmt::format(
         "{}: {} m across at scale {}; allowed: {} to {} m (is the file in millimetres? scale = 0.001)",
         file.string(), extent, scale, min_extent, max_extent));
+  if (const Vec3 middle = box.center(); middle.cwiseAbs().maxCoeff() > max_coordinate) {
+    const Vec3 in_file = middle / scale + how.origin;
+    throw InputError(
+        fmt::format("{}: lies {:.4g} m from its origin at scale {}; allowed: at most {:.4g} m. Say which of "
+                    "its points is the "
+                    "origin: mesh_origin = [{:.6g}, {:.6g}, {:.6g}]",
+                    file.string(), middle.norm(), scale, max_coordinate, in_file[0], in_file[1], in_file[2]));
+  }
   return mesh;
 }
 

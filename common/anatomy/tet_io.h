@@ -6,18 +6,22 @@
 #include <string>
 #include <string_view>
 
+#include "common/anatomy/mesh_reading.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
-/// Reads a tetrahedral mesh, times `scale` (to metres); inverted tetrahedra are turned, flat ones dropped.
-/// Throws InputError with file and line: not such a file, an index out of range, a position that isn't
-/// finite, no tetrahedra.
-TetMesh load_tets(const std::filesystem::path& file, double scale);
+/// Reads a tetrahedral mesh, times `scale` (to metres), repaired (tet_repair.h). Hexahedra, prisms and
+/// pyramids are split into tetrahedra; quadratic cells are taken by their corners. Throws InputError with
+/// file and line for
+///   a file of another kind, an index out of range, a position that isn't finite
+///   a kind of element that isn't known
+///   no tetrahedra, or elements that lie in each other
+TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshReading& how = {});
 
 /// Reads a tetrahedral mesh from text, by format; `name` is for messages. Positions are as in the file,
 /// tetrahedra unchecked.
-TetMesh parse_gmsh(std::string_view text, const std::string& name);
-TetMesh parse_vtk(std::string_view text, const std::string& name);
+TetMesh parse_gmsh(std::string_view text, const std::string& name, const Progress& report = {});
+TetMesh parse_vtk(std::string_view text, const std::string& name, const Progress& report = {});
 
 }  // namespace prosector

@@ -15,6 +15,7 @@ namespace prosector {
 
 class TokenReader {
  public:
+  /// Reads `text`. Messages begin with the file's name and the line, or without a name with the line.
   TokenReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
   /// Returns the next word; empty at the end.
@@ -32,17 +33,14 @@ class TokenReader {
   }
   /// Returns the line after the current one, without its end; the text's end reads as an empty line.
   std::string_view next_line() {
-    rest();
-    if (at_ < text_.size()) {
-      ++at_;
-      ++line_;
-    }
+    end_line();
     const std::string_view line = rest();
     return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
   }
   template <class T>
   T number(const char* what) {
-    const std::string_view w = word();
+    std::string_view w = word();
+    if (w.size() > 1 && w[0] == '+' && w[1] != '-') w.remove_prefix(1);  // which from_chars doesn't know
     T value{};
     const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
     if (w.empty()) fail(fmt::format("ends where {} should be", what));
@@ -50,17 +48,29 @@ class TokenReader {
       fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), what));
     return value;
   }
-  /// Returns the `bytes` bytes that follow the end of the current line.
-  std::string_view raw(std::size_t bytes, const char* what) {
+  /// Ends the current line: what follows is the first byte of the next one.
+  void end_line() {
     rest();
-    if (at_ >= text_.size() || text_.size() - at_ - 1 < bytes)
-      fail(fmt::format("truncated: {} need {} bytes, the file has {} more", what, bytes,
-                       text_.size() - std::min(text_.size(), at_ + 1)));
-    const std::string_view out = text_.substr(at_ + 1, bytes);
-    line_ += 1 + static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
-    at_ += 1 + bytes;
+    if (at_ == text_.size()) return;
+    ++at_;
+    ++line_;
+  }
+  /// Returns the next bytes.
+  std::string_view bytes(std::size_t count, const char* what) {
+    if (left() < count)
+      fail(fmt::format("truncated: {} need {} bytes, the file has {} more", what, count, left()));
+    const std::string_view out = text_.substr(at_, count);
+    line_ += static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
+    at_ += count;
     return out;
   }
+  /// Returns the bytes that follow the end of the current line.
+  std::string_view raw(std::size_t count, const char* what) {
+    end_line();
+    return bytes(count, what);
+  }
+  /// Returns how many bytes follow.
+  std::size_t left() const { return text_.size() - at_; }
   /// Reads a count of records that each take at least `bytes` of the text still to come: a lie allocates
   /// nothing.
   std::uint64_t count(const char* what, std::size_t bytes = 2) {
@@ -78,7 +88,8 @@ class TokenReader {
     return false;
   }
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", name_, line_, what));
+    throw InputError(name_.empty() ? fmt::format("line {}: {}", line_, what)
+                                   : fmt::format("{}:{}: {}", name_, line_, what));
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "common/math.h"
@@ -18,8 +19,9 @@ inline constexpr double max_voxel_size = 0.1;  // m
 /// patient lies are turned to the nearest of right, anterior, superior.
 struct Volume {
   std::array<std::int64_t, 3> dims{};
-  Vec3 voxel_size = Vec3::Zero();  // m
-  std::vector<float> values;       // finite
+  Vec3 voxel_size = Vec3::Zero();       // m
+  std::vector<float> values;            // finite
+  std::vector<std::string> notes = {};  // what its file says ambiguously, and how it was read
 
   float at(std::int64_t i, std::int64_t j, std::int64_t k) const {
     return values[static_cast<std::size_t>(i + dims[0] * (j + dims[1] * k))];

@@ -38,6 +38,10 @@ Decoder decoder(VoxelType type) {
       return decode<std::int32_t>;
     case VoxelType::uint32:
       return decode<std::uint32_t>;
+    case VoxelType::int64:
+      return decode<std::int64_t>;
+    case VoxelType::uint64:
+      return decode<std::uint64_t>;
     case VoxelType::float32:
       return decode<float>;
     case VoxelType::float64:
@@ -60,6 +64,8 @@ std::size_t voxel_bytes(VoxelType type) {
     case VoxelType::uint32:
     case VoxelType::float32:
       return 4;
+    case VoxelType::int64:
+    case VoxelType::uint64:
     case VoxelType::float64:
       return 8;
   }
@@ -94,6 +100,7 @@ Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, c
                                  bytes.size() - std::min(bytes.size(), h.offset), h.dims[0], h.dims[1],
                                  h.dims[2], size));
   Volume out;
+  out.notes = h.notes;
   for (std::size_t k = 0; k < 3; ++k) {
     out.dims[k] = h.dims[static_cast<std::size_t>(h.axis[k])];
     out.voxel_size[static_cast<int>(k)] = h.voxel_size[h.axis[k]];
@@ -129,7 +136,8 @@ Volume parse_volume(std::span<const std::uint8_t> bytes, const std::string& name
     header = parse_nifti_header(head, name);
   } else {
     throw InputError(fmt::format(
-        "{}: not a volume; allowed: INRIMAGE-4 (.inr), single-file NIfTI-1 (.nii), either gzipped", name));
+        "{}: not a volume{}; allowed: INRIMAGE-4 (.inr), single-file NIfTI-1 (.nii), either gzipped", name,
+        other_nifti(head)));
   }
   const std::size_t size = check_header(header, name);
   if (!is_gzip(bytes)) return read_voxels(header, bytes, name);

@@ -10,7 +10,18 @@
 
 namespace prosector {
 
-enum class VoxelType : std::uint8_t { uint8, int8, int16, uint16, int32, uint32, float32, float64 };
+enum class VoxelType : std::uint8_t {
+  uint8,
+  int8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
 std::size_t voxel_bytes(VoxelType type);
 
 /// What a header says before its voxels are read.
@@ -23,6 +34,7 @@ struct VolumeHeader {
   double slope = 1, intercept = 0;
   std::array<int, 3> axis = {0, 1, 2};  // file axis that becomes x, y, z
   std::array<bool, 3> flip{};           // of the file's axes
+  std::vector<std::string> notes;       // as of Volume
 };
 
 /// Throws InputError when dims, voxel size or scaling are out of range. Returns the bytes of all voxels.
@@ -37,6 +49,8 @@ inline constexpr std::size_t max_header_bytes = 64 * 1024;
 bool is_inrimage(std::span<const std::uint8_t> head);
 VolumeHeader parse_inrimage_header(std::span<const std::uint8_t> head, const std::string& name);
 bool is_nifti(std::span<const std::uint8_t> head);
+/// Returns which kind of NIfTI file that isn't read it is, and what to do, in parentheses; "": none.
+std::string other_nifti(std::span<const std::uint8_t> head);
 VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::string& name);
 
 }  // namespace prosector

@@ -8,13 +8,12 @@
 #include <cstring>
 #include <vector>
 
+#include "common/anatomy/mesh_cells.h"
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/token_reader.h"
 
 namespace prosector {
 namespace {
-
-constexpr std::uint64_t vtk_tetra = 10;
 
 /// A number type of the format; integers decode exactly below 2^53.
 struct Scalar {
@@ -50,7 +49,7 @@ class VtkReader {
  public:
   VtkReader(std::string_view text, const std::string& name) : in_(text, name) {}
 
-  TetMesh read() {
+  TetMesh read(const Progress& report) {
     header();
     for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) {
       if (w == "CELL_DATA" || w == "POINT_DATA") break;
@@ -68,6 +67,7 @@ class VtkReader {
         in_.fail(fmt::format("\"{}\" where POINTS, CELLS, CELL_TYPES, FIELD or METADATA should be",
                              w.substr(0, 32)));
     }
+    cells_.report(report);
     return std::move(mesh_);
   }
 
@@ -165,18 +165,31 @@ class VtkReader {
     if (count != cells) in_.fail(fmt::format("{} cell types for {} cells", count, cells));
     const std::vector<std::uint64_t> types = integers(count, scalars[int_row], "cell types");
     for (std::size_t c = 0; c < types.size(); ++c) {
-      if (types[c] != vtk_tetra) continue;
-      if (starts_[c + 1] > connectivity_.size() || starts_[c] + 4 != starts_[c + 1])
-        in_.fail(fmt::format("tetrahedron {} does not have 4 points", c));
-      std::array<std::uint32_t, 4> tet;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint64_t point = connectivity_[starts_[c] + k];
-        if (point >= mesh_.positions.size())
-          in_.fail(fmt::format("cell uses point {}; allowed: below {}", point, mesh_.positions.size()));
-        tet[k] = static_cast<std::uint32_t>(point);
-      }
-      mesh_.tets.push_back(tet);
+      constexpr std::uint64_t most = 255;
+      const CellKind* kind = types[c] <= most ? vtk_cell(static_cast<int>(types[c])) : nullptr;
+      if (kind == nullptr) in_.fail(unknown_cell(types[c]));
+      if (kind->shape == CellShape::flat)
+        cells_.skip(*kind);
+      else
+        add_cell(*kind, c);
     }
+  }
+
+  void add_cell(const CellKind& kind, std::size_t cell) {
+    const std::uint64_t begin = starts_[cell], end = starts_[cell + 1];
+    const std::size_t corners = corners_of(kind.shape);
+    if (end > connectivity_.size() || begin > end || (kind.nodes > 0 && end - begin != kind.nodes) ||
+        end - begin < corners)
+      in_.fail(fmt::format("cell {} of the {} does not have {} points", cell, kind.plural,
+                           std::max(kind.nodes, corners)));
+    corners_.clear();
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::uint64_t point = connectivity_[begin + k];
+      if (point >= mesh_.positions.size())
+        in_.fail(fmt::format("cell uses point {}; allowed: below {}", point, mesh_.positions.size()));
+      corners_.push_back(static_cast<std::uint32_t>(point));
+    }
+    cells_.add(kind, corners_, mesh_);
   }
 
   /// Arrays that belong to the whole file, such as its time.
@@ -199,6 +212,8 @@ class VtkReader {
 
   TokenReader in_;
   TetMesh mesh_;
+  CellCollector cells_;
+  std::vector<std::uint32_t> corners_;  // of the current cell
   bool binary_ = false;
   bool has_offsets_ = false;
   std::vector<std::uint64_t> starts_, connectivity_;
@@ -206,8 +221,8 @@ class VtkReader {
 
 }  // namespace
 
-TetMesh parse_vtk(std::string_view text, const std::string& name) {
-  return VtkReader(text, name).read();
+TetMesh parse_vtk(std::string_view text, const std::string& name, const Progress& report) {
+  return VtkReader(text, name).read(report);
 }
 
 }  // namespace prosector

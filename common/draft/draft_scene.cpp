@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "common/anatomy/atlas.h"
@@ -14,11 +15,15 @@
 #include "common/anatomy/simplify.h"
 #include "common/anatomy/surface_field.h"
 #include "common/anatomy/surface_io.h"
+#include "common/anatomy/surface_repair.h"
 #include "common/anatomy/tet_io.h"
+#include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
 #include "common/draft/setting.h"
 #include "common/draft/toml_text.h"
 #include "common/error.h"
+#include "common/file_endings.h"
+#include "common/regular_file.h"
 #include "common/scene/label_table.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
@@ -35,7 +40,6 @@ constexpr double least_size = 1e-3, most_size = 10;         // m
 constexpr double drawn_toughness = 10;  // J/m²: a drawn blade cuts such tissue though nobody holds it taut
 constexpr double hold = 2e5;            // N/m⁴: what ties an organ to its place, as of [[atlas]]
 constexpr std::array<std::string_view, 2> tet_endings = {".msh", ".vtk"};
-constexpr std::array<std::string_view, 4> volume_endings = {".inr", ".inr.gz", ".nii", ".nii.gz"};
 
 struct Unit {
   const char* name;
@@ -54,17 +58,14 @@ struct Part {
   std::size_t tets = 0;  // that the file has; 0: a surface
   TriangleMesh surface;  // in the file's unit; of tetrahedra their boundary
   Eigen::AlignedBox3d box;
+  double volume = 0;               // in the file's unit, of what a soft body is filled with
+  std::vector<std::string> notes;  // on how the file was read
 };
 
 Eigen::AlignedBox3d box_of(const TriangleMesh& surface, const Pose& pose, double unit) {
   Eigen::AlignedBox3d out;
   for (const Vec3& x : surface.positions) out.extend(pose * (unit * x));
   return out;
-}
-
-bool ends_so(const std::filesystem::path& file, const auto& endings) {
-  const std::string name = file.filename().string();
-  return std::ranges::any_of(endings, [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 /// Returns how a scene in `folder` names the file: from there, or wholly where it lies elsewhere.
@@ -74,9 +75,19 @@ std::string named_from(const std::filesystem::path& file, const std::filesystem:
   return relative.empty() || relative.native().starts_with("..") ? whole.string() : relative.string();
 }
 
-std::string name_of(const std::filesystem::path& file) {
+std::string spaced_name(const std::filesystem::path& file) {
   std::string name = file.stem().string();
   std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// Returns the name that a body of this file gets, cut to what names may have.
+std::string name_of(const std::filesystem::path& file) {
+  std::string name = spaced_name(file);
+  if (name.size() > max_name_length && valid_utf8(name)) {
+    name.resize(max_name_length);
+    while (!valid_utf8(name) || name.ends_with(' ')) name.pop_back();
+  }
   if (!valid_name(name))
     throw InputError(fmt::format("{}: its name must do as a body's: 1 to {} bytes of UTF-8", file.string(),
                                  max_name_length));
@@ -84,7 +95,7 @@ std::string name_of(const std::filesystem::path& file) {
 }
 
 bool is_tet_file(const std::filesystem::path& file) {
-  return ends_so(file, tet_endings);
+  return has_ending(file.native(), tet_endings);
 }
 
 bool is_body_file(const std::filesystem::path& file) {
@@ -94,7 +105,9 @@ bool is_body_file(const std::filesystem::path& file) {
 std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> out;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.is_regular_file() && is_body_file(entry.path())) out.push_back(entry.path());
+    if (const std::filesystem::path name = entry.path().filename();
+        entry.is_regular_file() && is_body_file(name) && !name.native().starts_with('.'))
+      out.push_back(entry.path());
   if (out.empty())
     throw InputError(
         fmt::format("{}: holds no surface and no tetrahedral mesh; allowed: files that end in {} {}",
@@ -106,21 +119,53 @@ std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder
   return out;
 }
 
+/// Finds the solid that fills a soft body. Throws InputError where the surface isn't closed, or where the
+/// largest of its separate solids is too small a share.
+void take_solid(Part& part) {
+  if (const SurfaceFaults faults = surface_faults(part.surface))
+    throw InputError(faults.in_words() + " (--rigid)");
+  SolidShells shells = solid_shells(part.surface);
+  part.notes.insert(part.notes.end(), shells.notes.begin(), shells.notes.end());
+  part.surface = std::move(shells.surface);
+  const double all = std::accumulate(shells.solids.begin(), shells.solids.end(), 0.);
+  if (shells.solids.size() < 2 || shells.overlapping) {
+    part.volume = all;
+    return;
+  }
+  part.volume = shells.solids.front();
+  const double left_out = 100 * (1 - part.volume / all);
+  const std::string said = fmt::format(
+      "holds {} separate solids, the largest of which has {:.3g} % of their volume. A body is one piece: "
+      "write each "
+      "into a file of its own",
+      shells.solids.size(), 100 - left_out);
+  if (left_out > accepted_volume_error) throw InputError(said + ", or keep its shape (--rigid)");
+  part.notes.push_back(said);
+}
+
 Part read_part(const std::filesystem::path& file, bool rigid) {
-  Part out{.file = file, .name = name_of(file), .surface = {}, .box = {}};
+  Part out{.file = file, .name = name_of(file), .surface = {}, .box = {}, .notes = {}};
+  const auto report = [&](const std::string& line) { out.notes.push_back(line); };
   if (is_tet_file(file)) {
     if (rigid)
       throw InputError(fmt::format("{}: --rigid is for surfaces; a tetrahedral mesh deforms", file.string()));
-    const TetMesh mesh = load_tets(file, 1);
+    const TetMesh mesh = load_tets(file, 1, {.report = report});
     out.tets = mesh.tets.size();
     out.surface = TriangleMesh{mesh.positions, boundary_faces(mesh)};
     drop_unused(out.surface);
+    out.volume = std::abs(enclosed_volume(out.surface));
   } else {
-    out.surface = load_unscaled_surface(file);
+    RepairedSurface whole = repaired(load_unscaled_surface(file, {.report = report}));
+    out.notes.insert(out.notes.end(), whole.notes.begin(), whole.notes.end());
+    out.surface = std::move(whole.surface);
   }
-  out.material = &material_of(out.name);
+  if (const std::string full = spaced_name(file); full != out.name)
+    out.notes.push_back(
+        fmt::format("its name is longer than {} bytes: called \"{}\"", max_name_length, out.name));
+  out.material = &material_of(spaced_name(file));
   if (out.tets > 0 && out.material->rigid) out.material = &materials().back();  // tetrahedra deform
   out.rigid = rigid || out.material->rigid;
+  if (!out.rigid && out.tets == 0) take_solid(out);
   out.box = box_of(out.surface, Pose{}, 1);
   return out;
 }
@@ -132,19 +177,34 @@ std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, co
   std::set<std::string> names = {std::string(table_name)};
   if (options.scalpel) names.emplace(scalpel_name);
   const auto refuse = [&](const std::filesystem::path& file, const std::string& why) {
-    bad += fmt::format("{}{}: {}", bad.empty() ? "" : "\n", file.string(), why);
+    const bool named = why.starts_with(file.string());
+    bad += fmt::format("{}{}{}", bad.empty() ? "" : "\n", named ? "" : file.string() + ": ", why);
   };
-  for (const auto& file : files) {
-    Part part = read_part(file, options.rigid);
-    if (!names.insert(part.name).second)
-      refuse(file, fmt::format("another body is called \"{}\"; names must differ{}", part.name,
-                               part.name == scalpel_name ? " (--no-scalpel)" : ""));
-    if (!part.rigid && part.tets == 0)
-      if (const SurfaceFaults faults = surface_faults(part.surface))
-        refuse(file, fmt::format("{} (--rigid)", faults.in_words()));
-    out.push_back(std::move(part));
-  }
+  for (const auto& file : files) try {
+      const std::string name = name_of(file);
+      if (!names.insert(name).second)
+        refuse(file, fmt::format("another body is called \"{}\"; names must differ{}", name,
+                                 name == scalpel_name ? " (--no-scalpel)" : ""));
+      out.push_back(read_part(file, options.rigid));
+    } catch (const InputError& error) {
+      refuse(file, error.what());
+    }
   if (!bad.empty()) throw InputError(bad);
+  return out;
+}
+
+std::string exact_numbers(const Vec3& x) {
+  return fmt::format("[{}, {}, {}]", x[0], x[1], x[2]);
+}
+
+/// Returns the point of the files that becomes the bodies' origin (file units): zero, or where they lie far
+/// from it the middle of all.
+Vec3 origin_for(const Eigen::AlignedBox3d& box, double unit, std::vector<std::string>& notes) {
+  constexpr double far = 10;  // m
+  if (unit * box.center().norm() <= far) return Vec3::Zero();
+  const Vec3 out = box.center().array().round();
+  notes.push_back(fmt::format("{:.4g} m from the origin of the file: mesh_origin = {}",
+                              unit * box.center().norm(), exact_numbers(out)));
   return out;
 }
 
@@ -202,25 +262,25 @@ std::string head(const std::string& name, const std::string& description) {
 
 /// Writes what bodies of a surface have in common.
 template <class Desc>
-std::string body_text(const char* table, const Part& part, double unit, const Pose& pose, bool z_up,
-                      const std::filesystem::path& folder) {
+std::string body_text(const char* table, const Part& part, double unit, const Vec3& origin, const Pose& pose,
+                      bool z_up, const std::filesystem::path& folder) {
   Desc desc;
   make_of(*part.material, desc);
   return fmt::format(
-      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\nposition = {}\n{}anatomy = true\n"
+      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\n{}position = {}\n{}anatomy = true\n"
       "group = \"anatomy\"  # what lies against each other at rest needs no contacts\n"
       "touches = [\"default\", \"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
       table, toml_text(part.name), toml_text(named_from(part.file, folder)), toml_number(unit),
-      toml_numbers(pose.p), rotation_text(z_up), toml_number(desc.density),
-      part.material->rigid ? "bone" : "tissue", toml_numbers(desc.appearance.color),
-      toml_number(desc.appearance.wetness));
+      origin.isZero() ? "" : fmt::format("mesh_origin = {}\n", exact_numbers(origin)), toml_numbers(pose.p),
+      rotation_text(z_up), toml_number(desc.density), part.material->rigid ? "bone" : "tissue",
+      toml_numbers(desc.appearance.color), toml_number(desc.appearance.wetness));
 }
 
 std::string soft_text(const Part& part, double unit, const Pose& pose, double tets,
                       std::vector<std::string>& notes) {
   SoftDesc desc;
   make_of(*part.material, desc);
-  const double volume = std::abs(enclosed_volume(part.surface)) * unit * unit * unit;
+  const double volume = part.volume * unit * unit * unit;
   const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
   const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
   notes.push_back(
@@ -249,8 +309,15 @@ void add_scalpel(const Eigen::AlignedBox3d& box, const DraftOptions& options, Dr
 Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
                      const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
-  const std::vector<Part> parts = read_parts(files, options);
+  std::vector<Part> parts = read_parts(files, options);
+  for (const Part& part : parts)
+    for (const std::string& note : part.notes) out.notes.push_back(fmt::format("{}: {}", part.name, note));
   const double unit = unit_of(parts, options, out.notes);
+  Eigen::AlignedBox3d in_files;
+  for (const Part& part : parts) in_files.extend(part.box);
+  const Vec3 origin = origin_for(in_files, unit, out.notes);
+  for (Part& part : parts)
+    for (Vec3& x : part.surface.positions) x -= origin;
   const bool z_up = options.z_up.value_or(false);
   Pose pose{Vec3::Zero(), rotation(z_up)};
   Eigen::AlignedBox3d box;
@@ -264,10 +331,10 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
              setting_for(box);
   for (const Part& part : parts) {
     if (part.rigid) {
-      out.toml += body_text<RigidDesc>("rigid", part, unit, pose, z_up, folder);
+      out.toml += body_text<RigidDesc>("rigid", part, unit, origin, pose, z_up, folder);
       out.notes.push_back(fmt::format("{}: keeps its shape ({})", part.name, part.material->name));
     } else {
-      out.toml += body_text<SoftDesc>("soft", part, unit, pose, z_up, folder) +
+      out.toml += body_text<SoftDesc>("soft", part, unit, origin, pose, z_up, folder) +
                   soft_text(part, unit, pose, tets, out.notes);
     }
   }
@@ -278,7 +345,7 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
 /// Finds the table of a label map: map.nii.gz beside map.csv, map.txt, map.nii.csv or map.nii.txt.
 std::filesystem::path labels_beside(const std::filesystem::path& map) {
   std::filesystem::path stem = map;
-  if (stem.extension() == ".gz") stem.replace_extension();
+  if (has_ending(stem.native(), ".gz")) stem.replace_extension();
   for (const auto& base : {stem, std::filesystem::path(stem).replace_extension()})
     for (const char* ending : {".csv", ".txt"})
       if (std::filesystem::path file = base.string() + ending; std::filesystem::is_regular_file(file))
@@ -319,6 +386,7 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
                   const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
   const Volume volume = load_volume(map);
+  out.notes = volume.notes;
   const auto voxels = count_labels(volume, map.string());
   const auto is_structure = [](const auto& entry) { return entry.second >= least_voxels; };
   if (std::ranges::none_of(voxels, is_structure))
@@ -343,11 +411,13 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
     box.extend(pose * Vec3(in_volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
   pose.p = onto_table(box);
   box.translate(pose.p);
-  out.toml =
-      head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
-      fmt::format("\n[[atlas]]\nvolume = {}\n{}position = {}\n{}", toml_text(named_from(map, folder)),
-                  labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
-                  toml_numbers(pose.p), rotation_text(z_up));
+  out.toml = head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
+             fmt::format(
+                 "\n[[atlas]]\nvolume = {}\n{}max_volume_error = \"40 %\"  # thin structures lose volume at "
+                 "this cell; the server reports how much\nposition = {}\n{}",
+                 toml_text(named_from(map, folder)),
+                 labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
+                 toml_numbers(pose.p), rotation_text(z_up));
   add_scalpel(box, options, out);
   return out;
 }
@@ -357,10 +427,11 @@ Draft draft(const std::filesystem::path& source, const std::filesystem::path& fo
   const std::filesystem::path whole = std::filesystem::weakly_canonical(source);
   if (std::filesystem::is_directory(source))
     return draft_surfaces(name_of(whole), bodies_in(source), folder, options);
-  if (!std::filesystem::is_regular_file(source))
+  refuse_special_file(source);
+  if (!std::filesystem::exists(source))
     throw InputError(fmt::format("{}: no such file or folder", source.string()));
   if (is_body_file(source)) return draft_surfaces(name_of(whole), {source}, folder, options);
-  if (ends_so(source, volume_endings))
+  if (has_ending(source.native(), volume_endings))
     return draft_atlas(name_of(std::filesystem::path(whole).replace_extension()), source, folder, options);
   throw InputError(
       fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a tetrahedral mesh ({}), "

@@ -36,6 +36,8 @@ const Table& atlas_table() {
                              "of soft ones, as of [[soft]]; 0: by each one's volume and thickness"),
          number<A, &A::surface_cell>("surface_cell", "m", {5e-4, 1}, "as of [[soft]]"),
          number<A, &A::smoothing>("smoothing", "voxels", {0, 10}, "as of [[soft]]"),
+         quantity<A, &A::max_volume_error>("max_volume_error", "%", {0, 1000, true},
+                                           "of each, as of [[soft]]"),
          identifier<A, &A::model>("model", "of soft ones, as of [[soft]]"),
          words<A, &A::element>("element", {"tet4", "tet10"}, "of soft ones, as of [[soft]]"),
          identifier<A, &A::integrator>("integrator", "of soft ones, as of [[soft]]"),

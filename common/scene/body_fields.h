@@ -33,6 +33,19 @@ void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fid
       "(rigid against soft bodies, and rigid ones of one convex piece)"));
 }
 
+/// Adds the fields for how files of meshes and volumes are taken.
+template <class Struct>
+void add_file_reading(std::vector<Field>& fields) {
+  fields.push_back(number<Struct, &Struct::mesh_origin>(
+      "mesh_origin", "file units", {-1e9, 1e9},
+      "mesh files: the point of the file that becomes the body's origin, for files far from theirs"));
+  fields.push_back(
+      quantity<Struct, &Struct::max_volume_error>("max_volume_error", "%", {0, 1000, true},
+                                                  "how far the body's volume may be from what its file "
+                                                  "encloses or labels: more is refused, and more than "
+                                                  "2 % is reported; not given: 20 %"));
+}
+
 /// Adds the fields for a stand-in's pose: a missing file's origin and axes need not be its shape's.
 template <class Struct>
 void add_fallback_pose(std::vector<Field>& fields) {

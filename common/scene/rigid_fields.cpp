@@ -106,6 +106,7 @@ const Table& rigid_table() {
         "what it collides as: its parts, or the hull of its mesh (hull); its parts or triangles "
         "(mesh); one ball (sphere) or box (aabb: along the room's axes where it starts; obb) around "
         "it, that turns along; or nothing");
+    add_file_reading<R>(t.fields);
     add_pose<R>(t.fields, "the body's or mesh's origin in the room");
     add_fallback_pose<R>(t.fields);
     add_appearance<R>(t.fields);

@@ -17,6 +17,12 @@
 
 namespace prosector {
 
+/// A number written as text with its unit, for instance "4 ms"; in the unit that its field states.
+struct Quantity {
+  double value = 0;  // 0: not given
+  explicit operator bool() const { return value > 0; }
+};
+
 /// [[rigid.part]]: one primitive of a rigid body, in the body's frame.
 struct PartDesc {
   std::string shape = "box";  // box | sphere | capsule | cylinder | ellipsoid (capsule, cylinder: axis y)
@@ -87,10 +93,12 @@ struct RigidDesc {
   double threshold = 0;  // as of SoftDesc
   double smoothing = 1;  // voxels: as of SoftDesc
   std::string fallback;  // implicit shape (as of SoftDesc) used, with a clear line, when the file is missing
-  Vec3 size = {0.1, 0.1, 0.1};  // m: bounding box of the fallback, along its own axes
-  Pose fallback_pose;           // of the fallback's centre in the body's frame
-  double scale = 1;             // file units → metres
-  double surface_cell = 0;      // m: triangles' edge length, about; 0: a mesh as it is, a volume's voxel size
+  Vec3 size = {0.1, 0.1, 0.1};      // m: bounding box of the fallback, along its own axes
+  Pose fallback_pose;               // of the fallback's centre in the body's frame
+  double scale = 1;                 // file units → metres
+  Vec3 mesh_origin = Vec3::Zero();  // as of SoftDesc
+  Quantity max_volume_error;        // %: as of SoftDesc
+  double surface_cell = 0;  // m: triangles' edge length, about; 0: a mesh as it is, a volume's voxel size
   std::vector<PartDesc> parts;
   std::vector<CurveDesc> curves;  // and patches: together they are the body
   std::vector<PatchDesc> patches;
@@ -115,6 +123,7 @@ struct RigidDesc {
   Appearance appearance;
   std::vector<LocalName> names;  // from the scene's labels (LabelTable)
   std::string term;              // as of SceneBody
+  bool of_atlas = false;         // a structure of an [[atlas]], which reported on its file
 };
 
 /// [[soft.attach]]: tissue that holds the organ to its place. Nodes inside the sphere are tied to their rest
@@ -145,12 +154,6 @@ struct RelaxationDesc {
   double time = 1;  // s
 };
 
-/// A number written as text with its unit, for instance "4 ms"; in the unit that its field states.
-struct Quantity {
-  double value = 0;  // 0: not given
-  explicit operator bool() const { return value > 0; }
-};
-
 /// What of a rung the author fixed beside `accuracy` or `budget`; the server chooses the rest.
 struct FixedChoice {
   bool model = false, element = false, integrator = false, solver = false, cell = false, grade = false;
@@ -171,10 +174,12 @@ struct SoftDesc {
                                 // rope: its length in x, diameter in y
   Pose fallback_pose;           // of the fallback in the body's frame
   double scale = 1;             // mesh files: file units → metres (volumes carry their voxel size in mm)
-  double cell = 0.012;          // m: tetrahedra's edge length, about
-  double surface_cell = 0.006;  // m: triangles' edge length of the drawn and touched surface, about
-  double smoothing = 1.5;       // voxels: Gaussian σ on the mask before the surface is drawn through it
-  Pose pose;                    // volume or mesh frame → room. Volumes: origin at the volume's centre
+  Vec3 mesh_origin = Vec3::Zero();  // file units: point of a mesh file that is the body's origin
+  Quantity max_volume_error;        // %: of the filled volume from the file's, beyond which it is refused
+  double cell = 0.012;              // m: tetrahedra's edge length, about
+  double surface_cell = 0.006;      // m: triangles' edge length of the drawn and touched surface, about
+  double smoothing = 1.5;           // voxels: Gaussian σ on the mask before the surface is drawn through it
+  Pose pose;                        // volume or mesh frame → room. Volumes: origin at the volume's centre
 
   std::string model = "fem_corotational";
   std::string element = "tet4";  // tet4: linear | tet10: quadratic, straight-sided at rest
@@ -230,6 +235,7 @@ struct SoftDesc {
   Appearance appearance = {.surface = Surface::tissue};
   std::vector<LocalName> names;  // as of RigidDesc
   std::string term;
+  bool of_atlas = false;  // as of RigidDesc
 };
 
 inline constexpr std::size_t max_atlases = 64;
@@ -246,6 +252,7 @@ struct AtlasDesc {
   double cell = 0;                          // m: as of SoftDesc; 0: by the structure's volume
   double surface_cell = 0.005;              // m: as of SoftDesc
   double smoothing = 1.5;                   // voxels: as of SoftDesc
+  Quantity max_volume_error;                // %: as of SoftDesc, of each
   std::string model = "fem_corotational";
   std::string element = "tet4";
   std::string integrator = "implicit_euler";

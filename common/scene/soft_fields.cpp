@@ -205,6 +205,7 @@ const Table& soft_table() {
         "refine_reach", "m", {0, 1}, "how far from what touches it they are smaller; 0: as far as cell"));
     t.fields.push_back(number<S, &S::refine_most>("refine_most", "", {1, 1000000},
                                                   "elements, at most, that it has more for that"));
+    add_file_reading<S>(t.fields);
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

@@ -5,10 +5,12 @@
 #include <functional>
 #include <random>
 
+#include "common/anatomy/surface_formats.h"
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
 #include "tests/anatomy/files.h"
+#include "tests/draft/surface_texts.h"
 
 namespace prosector {
 namespace {
@@ -61,6 +63,42 @@ TEST(AnatomyFuzz, Nifti) {
   put<std::int16_t>(seed, 254, 1);
   for (std::size_t k = 0; k < 3; ++k) put(seed, 280 + 20 * k, 1.f);
   fuzz(seed, 20000, 352, [](const Bytes& b) { parse_volume(b, "fuzz"); });
+}
+
+TEST(AnatomyFuzz, SurfaceFiles) {
+  const TriangleMesh box = box_surface(Vec3::Zero(), Vec3::Ones());
+  std::string header = as_ply(box, 1);
+  header = header.substr(0, header.find("end_header") + 11);
+  header.replace(header.find("ascii"), 5, "binary_little_endian");
+  Bytes binary(header.begin(), header.end());
+  for (const Vec3& x : box.positions)
+    for (int k = 0; k < 3; ++k) put(binary, binary.size(), static_cast<float>(x[k]));
+  for (const auto& t : box.triangles) {
+    put<std::uint8_t>(binary, binary.size(), 3);
+    for (const std::uint32_t v : t) put(binary, binary.size(), v);
+  }
+  Bytes stl(80);
+  put(stl, 80, static_cast<std::uint32_t>(box.triangles.size()));
+  for (const auto& t : box.triangles) {
+    stl.resize(stl.size() + 12);
+    for (const std::uint32_t v : t)
+      for (int k = 0; k < 3; ++k) put(stl, stl.size(), static_cast<float>(box.positions[v][k]));
+    stl.resize(stl.size() + 2);
+  }
+  const std::string ply_text = as_ply(box, 1), stl_text = as_stl(box, 1);
+  const auto parse_with = [](auto parse) {
+    return [parse](const Bytes& b) {
+      std::vector<std::string> notes;
+      const TriangleMesh mesh =
+          parse(std::string_view(reinterpret_cast<const char*>(b.data()), b.size()), notes);
+      for (const auto& t : mesh.triangles)
+        for (const std::uint32_t v : t) ASSERT_LT(v, mesh.positions.size());
+    };
+  };
+  for (const Bytes& seed : {binary, Bytes(ply_text.begin(), ply_text.end())})
+    fuzz(seed, 20000, seed.size(), parse_with(parse_ply));
+  for (const Bytes& seed : {stl, Bytes(stl_text.begin(), stl_text.end())})
+    fuzz(seed, 20000, seed.size(), parse_with(parse_stl));
 }
 
 TEST(AnatomyFuzz, TetFiles) {

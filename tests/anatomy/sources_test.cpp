@@ -1,6 +1,7 @@
 #include "common/anatomy/sources.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
@@ -9,23 +10,12 @@
 #include "common/anatomy/surface_check.h"
 #include "common/error.h"
 #include "tests/anatomy/files.h"
+#include "tests/anatomy/reported_lines.h"
 
 namespace prosector {
 namespace {
 
 using namespace testing_files;
-
-struct Lines {
-  std::vector<std::string> lines;
-  Progress progress() {
-    return [this](const std::string& line) { lines.push_back(line); };
-  }
-  bool say(const std::string& text) const {
-    for (const auto& line : lines)
-      if (line.find(text) != std::string::npos) return true;
-    return false;
-  }
-};
 
 SoftDesc ball_of(int label) {
   SoftDesc d;
@@ -83,11 +73,95 @@ TEST(Sources, MissingFileFallsBackOrSaysWhereItLooked) {
   EXPECT_THROW(make_anatomy(nothing, paths, {}), InputError);
 }
 
+// Neither fetched anew nor replaced by a shape: it is there, and can't be read.
+TEST(Sources, PipesFoldersAndDevicesAreNotMissing) {
+  const TempDir dir;
+  ASSERT_EQ(mkfifo((dir.path / "pipe.nii").c_str(), 0600), 0);
+  std::filesystem::create_directory(dir.path / "folder.obj");
+  std::filesystem::create_symlink("/dev/null", dir.path / "device.stl");
+  const SourcePaths paths{"/nowhere", {dir.path}, {}};
+  const auto complaint_of = [&](const std::string& volume, const std::string& mesh) {
+    SoftDesc d;
+    d.name = "organ";
+    d.volume = volume;
+    d.mesh = mesh;
+    d.fallback = "kidney";
+    try {
+      make_anatomy(d, paths, {});
+      return std::string("accepted");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(complaint_of("pipe.nii", "").find("pipe.nii: is a pipe; allowed: a regular file"),
+            std::string::npos);
+  EXPECT_NE(complaint_of("", "folder.obj").find("folder.obj: is a folder"), std::string::npos);
+  EXPECT_NE(complaint_of("", "device.stl").find("device.stl: is a device"), std::string::npos);
+  EXPECT_EQ(complaint_of("", "gone.stl"), "accepted");
+}
+
+/// A volume of label 1 in the voxels that `inside` chooses.
+template <class Inside>
+Bytes labelled(int n, Inside&& inside) {
+  std::vector<std::uint8_t> voxels;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) voxels.push_back(inside(i, j, k) ? 1 : 0);
+  return inrimage(n, n, n, {2, 2, 2}, voxels);
+}
+
+std::string complaint(const SoftDesc& desc, const SourcePaths& paths, Lines* said = nullptr) {
+  try {
+    make_anatomy(desc, paths, said != nullptr ? said->progress() : Progress());
+    return "";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+// Each time, also from the cache: a label in two halves, a hollow one, one thinner than a voxel is long.
+TEST(Sources, VolumesFarFromTheirLabelsAreRefusedUnlessAsked) {
+  const TempDir dir;
+  write(dir.path / "halves.inr", labelled(40, [](int i, int j, int k) {
+          return (i < 18 || i > 21) && i > 3 && i < 36 && j > 8 && j < 30 && k > 8 && k < 30;
+        }));
+  write(dir.path / "hollow.inr", labelled(40, [](int i, int j, int k) {
+          const double r = (Vec3(i, j, k) - Vec3::Constant(19.5)).norm();
+          return r < 16 && r > 12;
+        }));
+  write(dir.path / "thin.inr",
+        labelled(40, [](int i, int j, int k) { return k == 20 && i > 4 && i < 35 && j > 4 && j < 35; }));
+  const SourcePaths paths{dir.path, {}, dir.path / "cache"};
+  for (const bool cached : {false, true}) {
+    SCOPED_TRACE(cached);
+    SoftDesc d = ball_of(1);
+    d.volume = "halves.inr";
+    const std::string halves = complaint(d, paths);
+    EXPECT_NE(halves.find("% less than the 98.78 ml of its voxels"), std::string::npos) << halves;
+    EXPECT_NE(halves.find("Of a label in pieces the largest is taken"), std::string::npos) << halves;
+    d.volume = "hollow.inr";
+    const std::string hollow = complaint(d, paths);
+    EXPECT_NE(hollow.find("% more than the"), std::string::npos) << hollow;
+    d.max_volume_error.value = 100;
+    Lines said;
+    EXPECT_EQ(complaint(d, paths, &said), "");
+    EXPECT_TRUE(said.say("ball: warning: its volume is"));
+    d.max_volume_error.value = 0;
+    d.volume = "thin.inr";
+    d.smoothing = 0.5;
+    d.cell = 0.003;
+    const std::string thin = complaint(d, paths);
+    EXPECT_NE(thin.find("than the 7.2 ml of its voxels"), std::string::npos) << thin;
+    EXPECT_NE(thin.find("parts as thin as a voxel need a finer volume"), std::string::npos) << thin;
+  }
+}
+
 TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
   const TempDir dir;
   write(dir.path / "balls.inr", two_balls());
   const SourcePaths paths{dir.path, {}, dir.path / "cache"};
-  const SoftDesc d = ball_of(9);
+  SoftDesc d = ball_of(9);
+  d.max_volume_error.value = 40;  // its cells are coarse
   const Anatomy first = make_anatomy(d, paths, {});
   const auto same = [&](const Anatomy& a) {
     return a.tets.positions == first.tets.positions && a.tets.tets == first.tets.tets &&
@@ -202,15 +276,6 @@ TEST(Sources, ShapesScaleToTheirSize) {
   EXPECT_GE(q.min_dihedral_deg, 10);
   d.shape = "teapot";
   EXPECT_THROW(make_anatomy(d, {}, {}), InputError);
-}
-
-std::string complaint(const SoftDesc& desc, const SourcePaths& paths) {
-  try {
-    make_anatomy(desc, paths, {});
-    return "";
-  } catch (const InputError& e) {
-    return e.what();
-  }
 }
 
 TEST(Sources, WhatIsRefusedNamesTheBody) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -62,10 +63,11 @@ TEST(Volume, InrimagePlainAndGzipped) {
 TEST(Volume, NiftiEveryTypeBothByteOrders) {
   for (const bool swap : {false, true}) {
     const std::vector<Bytes> files = {
-        nifti_of<std::uint8_t>(2, swap, 2, -1), nifti_of<std::int8_t>(256, swap, 2, -1),
-        nifti_of<std::int16_t>(4, swap, 2, -1), nifti_of<std::uint16_t>(512, swap, 2, -1),
-        nifti_of<std::int32_t>(8, swap, 2, -1), nifti_of<std::uint32_t>(768, swap, 2, -1),
-        nifti_of<float>(16, swap, 2, -1),       nifti_of<double>(64, swap, 2, -1),
+        nifti_of<std::uint8_t>(2, swap, 2, -1),    nifti_of<std::int8_t>(256, swap, 2, -1),
+        nifti_of<std::int16_t>(4, swap, 2, -1),    nifti_of<std::uint16_t>(512, swap, 2, -1),
+        nifti_of<std::int32_t>(8, swap, 2, -1),    nifti_of<std::uint32_t>(768, swap, 2, -1),
+        nifti_of<float>(16, swap, 2, -1),          nifti_of<double>(64, swap, 2, -1),
+        nifti_of<std::int64_t>(1024, swap, 2, -1), nifti_of<std::uint64_t>(1280, swap, 2, -1),
     };
     for (const Bytes& file : files) {
       const Volume v = parse_volume(file, "file");
@@ -92,6 +94,92 @@ TEST(Volume, NiftiIsTurnedToRightAnteriorSuperior) {
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k)
         EXPECT_EQ(v.at(1 - j, k, 2 - i), static_cast<float>((i + 3 * (j + 2 * k)) * 3 + 1));
+}
+
+bool notes(const Volume& volume, const std::string& text) {
+  return std::ranges::any_of(volume.notes,
+                             [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+void put_sform(Bytes& file, const Mat3& sform) {
+  put<std::int16_t>(file, 254, 1);
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      put(file, 280 + 16 * r + 4 * c, static_cast<float>(sform(static_cast<int>(r), static_cast<int>(c))));
+}
+
+// Other programs show a volume as its sform says.
+TEST(Volume, NiftiTakesTheSformsSizeAndSaysSo) {
+  Bytes file = nifti_of<std::uint8_t>(2, false, 1, 0);
+  const Mat3 pixdim = Vec3(1.5, 2, 2.5).asDiagonal();
+  put_sform(file, pixdim);
+  EXPECT_TRUE(parse_volume(file, "file").notes.empty());
+  put_sform(file, 2 * pixdim);
+  Volume v = parse_volume(file, "file");
+  EXPECT_NEAR((v.voxel_size - Vec3(3e-3, 4e-3, 5e-3)).norm(), 0, 1e-9);
+  EXPECT_TRUE(notes(v, "1.5 x 2 x 2.5 mm by pixdim and 3 x 4 x 5 mm by the sform"));
+  put(file, 80, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_NEAR(parse_volume(file, "file").voxel_size[0], 3e-3, 1e-9);
+  // An oblique one has the columns' lengths; a sheared one doesn't fit the grid.
+  file = nifti_of<std::uint8_t>(2, false, 1, 0);
+  const Mat3 oblique = Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized())).toRotationMatrix() * pixdim;
+  put_sform(file, oblique);
+  EXPECT_TRUE(parse_volume(file, "file").notes.empty());
+  Mat3 sheared = pixdim;
+  sheared(0, 2) = 1;
+  put_sform(file, sheared);
+  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform is sheared"));
+  sheared(0, 2) = 3;
+  put_sform(file, sheared);
+  EXPECT_NE(error_of(file).find("the sform's axes are 36 % sheared; allowed: at most 20 %"),
+            std::string::npos)
+      << error_of(file);
+  // One that spans nothing isn't used, and qform and sform may differ in which side is left.
+  put_sform(file, Mat3::Zero());
+  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform spans no space"));
+  put_sform(file, pixdim);
+  put<std::int16_t>(file, 252, 1);
+  put(file, 76, 1.f);
+  EXPECT_TRUE(parse_volume(file, "file").notes.empty());
+  put_sform(file, Vec3(-1.5, 2, 2.5).asDiagonal());
+  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform and its qform turn it differently"));
+}
+
+TEST(Volume, NiftiScalingThatIsNoNumberIsNone) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Volume v = parse_volume(nifti_of<std::int16_t>(4, false, nan, nan), "file");
+  EXPECT_EQ(v.values[1], 4.f);
+  EXPECT_TRUE(notes(v, "taken as unscaled"));
+  EXPECT_NE(error_of(nifti_of<std::int16_t>(4, false, 2, nan)), "");
+}
+
+TEST(Volume, OtherNiftiFilesNameTheRemedy) {
+  Bytes pair = nifti_of<std::int16_t>(4, false, 1, 0);
+  pair[345] = 'i';
+  EXPECT_NE(error_of(pair).find("save both as one .nii"), std::string::npos) << error_of(pair);
+  Bytes second(600);
+  put<std::int32_t>(second, 0, 540);
+  std::memcpy(second.data() + 4, "n+2", 4);
+  EXPECT_NE(error_of(second).find("NIfTI-2: save it as NIfTI-1"), std::string::npos) << error_of(second);
+}
+
+// pigz, bgzip and `cat a.gz b.gz` write several.
+TEST(Volume, GzipFilesOfSeveralMembersAreRead) {
+  std::vector<std::uint8_t> voxels(4000);
+  for (std::size_t n = 0; n < voxels.size(); ++n) voxels[n] = static_cast<std::uint8_t>(n % 251);
+  const Bytes file = inrimage(20, 20, 10, {1, 1, 1}, voxels);
+  Bytes members;
+  for (std::size_t at = 0; at < file.size(); at += 100) {
+    const auto begin = file.begin() + static_cast<std::ptrdiff_t>(at);
+    const Bytes member = gzip(Bytes(begin, begin + std::min<std::ptrdiff_t>(100, file.end() - begin)));
+    members.insert(members.end(), member.begin(), member.end());
+  }
+  const Volume whole = parse_volume(file, "file");
+  EXPECT_EQ(parse_volume(members, "file").values, whole.values);
+  members.insert(members.end(), 20, 0);  // padding
+  EXPECT_EQ(parse_volume(members, "file").values, whole.values);
+  members.resize(members.size() / 2);
+  EXPECT_NE(error_of(members).find("truncated"), std::string::npos);
 }
 
 TEST(Volume, TrilinearSamplingIsExactOnLinearFields) {

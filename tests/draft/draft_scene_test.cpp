@@ -3,7 +3,9 @@
 #include "common/draft/draft_scene.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/anatomy/mesh_quality.h"
@@ -202,6 +204,57 @@ TEST(DraftScene, WhatIsSaidIsDone) {
   EXPECT_EQ(drafted(file, other.path, {.rigid = true}).rigid[1].mesh, std::filesystem::canonical(file));
 }
 
+std::string notes_on(const std::filesystem::path& source) {
+  std::string out;
+  for (const std::string& note : draft_scene(source, source.parent_path(), {}).notes) out += note + "\n";
+  return out;
+}
+
+TEST(DraftScene, LongNamesAreCut) {
+  const TempDir dir;
+  const std::string long_name =
+      "Segment_1_left_kidney_cortex_and_medulla_without_vessels,_as_f\u00fcr_mich.off";
+  write(dir.path / long_name, as_off(box_surface(Vec3::Zero(), {60, 40, 90}), 1));
+  EXPECT_EQ(drafted(dir.path / long_name, dir.path).soft.at(0).name,
+            "Segment 1 left kidney cortex and medulla without vessels, as f");
+  EXPECT_NE(notes_on(dir.path / long_name).find("its name is longer than 63 bytes: called \"Segment 1"),
+            std::string::npos);
+}
+
+TEST(DraftScene, VolumesAreThoseThatAreFilled) {
+  const TempDir dir;
+  TriangleMesh nested = box_surface(Vec3::Zero(), Vec3::Constant(80));
+  append(nested, box_surface(Vec3::Constant(20), Vec3::Constant(60)));
+  write(dir.path / "organ.off", as_off(nested, 1));
+  const std::string notes = notes_on(dir.path / "organ.off");
+  EXPECT_NE(notes.find("organ: 512 ml"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("organ: warning: 1 shell lies within another"), std::string::npos) << notes;
+  run(drafted(dir.path / "organ.off", dir.path), dir.path, 2);
+}
+
+TEST(DraftScene, FilesFarFromTheirOriginAreBroughtToTheTable) {
+  const TempDir dir;
+  TriangleMesh far = box_surface(Vec3::Zero(), {60, 40, 90});
+  for (Vec3& x : far.positions) x[0] += 2e6;
+  write(dir.path / "far.off", as_off(far, 1));
+  const SceneDesc scene = drafted(dir.path / "far.off", dir.path);
+  ASSERT_EQ(scene.soft.size(), 1u);
+  EXPECT_EQ(scene.soft[0].mesh_origin, Vec3(2000030, 20, 45));
+  const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
+  Eigen::AlignedBox3d box;
+  for (const Vec3& x : made.surface.positions) box.extend(x);
+  EXPECT_NEAR(box.min()[1], 0.902, 0.004);
+  EXPECT_NEAR(box.center()[0], 0, 0.005);
+  EXPECT_NEAR(tet_quality(made.tets).volume, 216e-6, 5e-6);
+}
+
+TEST(DraftScene, EndingsInCapitalsAreTheSame) {
+  const TempDir dir;
+  write(dir.path / "MAP.INR", two_balls());
+  write(dir.path / "MAP.csv", std::string("id,name\n7,liver\n9,kidney\n"));
+  EXPECT_EQ(drafted(dir.path / "MAP.INR", dir.path).atlases.at(0).labels, "MAP.csv");
+}
+
 TEST(DraftScene, GuessesTheUnitBySize) {
   struct {
     double usual, extent, unit;
@@ -221,7 +274,8 @@ TEST(DraftScene, SaysWhatItCantUse) {
   TriangleMesh open = box_surface(Vec3::Zero(), Vec3::Constant(100));
   open.triangles.pop_back();
   refused("open.obj", as_obj(open, 1), "3 edges on the rims of holes");
-  open.triangles.push_back(open.triangles.front());
+  open.positions.emplace_back(50, 50, 200);
+  open.triangles.push_back({0, 3, 8});  // a fin on an edge of two
   refused("crowded.obj", as_obj(open, 1), "more than two triangles");
   refused("page.html", "<html>", "nothing that a scene is made of; allowed: a surface (.obj");
   refused("bad.stl", "nothing", "not a surface");
@@ -239,6 +293,10 @@ TEST(DraftScene, SaysWhatItCantUse) {
   EXPECT_NE(complaint(dir.path / "gone.obj").find("no such file"), std::string::npos);
   std::filesystem::create_directory(dir.path / "void");
   EXPECT_NE(complaint(dir.path / "void").find("holds no surface and no tetrahedral mesh"), std::string::npos);
+  TriangleMesh halves = box_surface(Vec3::Zero(), Vec3::Constant(40));
+  append(halves, box_surface(Vec3::Constant(40), Vec3::Constant(80)));
+  refused("halves.off", as_off(halves, 1),
+          "holds 2 separate solids, the largest of which has 50 % of their volume");
   // A folder names all that is wrong in it.
   const auto folder = dir.path / "several";
   std::filesystem::create_directory(folder);
@@ -247,6 +305,16 @@ TEST(DraftScene, SaysWhatItCantUse) {
   const std::string said = complaint(folder);
   EXPECT_NE(said.find("a.obj: not closed"), std::string::npos) << said;
   EXPECT_NE(said.find("a.off: another body is called \"a\""), std::string::npos) << said;
+  write(folder / "bad\xff.off", std::string("OFF\n"));
+  write(folder / "c.ply", std::string("ply\n"));
+  write(folder / "._c.ply", std::string("what another system keeps beside its files"));
+  const std::string more = complaint(folder);
+  EXPECT_NE(more.find("its name must do as a body's"), std::string::npos) << more;
+  EXPECT_NE(more.find("c.ply: not a surface (line"), std::string::npos) << more;
+  EXPECT_EQ(more.find("._c.ply"), std::string::npos) << more;
+  EXPECT_EQ(std::ranges::count(more, '\n'), 3) << more;
+  ASSERT_EQ(mkfifo((dir.path / "pipe.off").c_str(), 0600), 0);
+  EXPECT_NE(complaint(dir.path / "pipe.off").find("is a pipe; allowed: a regular file"), std::string::npos);
 }
 
 }  // namespace

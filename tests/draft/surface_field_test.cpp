@@ -9,6 +9,7 @@
 
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/stuffing.h"
+#include "common/anatomy/surface_repair.h"
 #include "common/error.h"
 #include "tests/draft/surface_texts.h"
 
@@ -85,12 +86,12 @@ TEST(SurfaceField, SaysWhatKeepsASurfaceOpen) {
   EXPECT_THROW(solid_within(open), InputError);
 }
 
-TEST(SurfaceField, CountsPieces) {
+TEST(SurfaceField, CountsSolids) {
   TriangleMesh two = box_surface(Vec3::Zero(), Vec3::Ones());
-  EXPECT_EQ(surface_pieces(two), 1u);
+  EXPECT_EQ(solid_shells(two).solids.size(), 1u);
   EXPECT_NEAR(enclosed_volume(two), 1, 1e-12);
   append(two, box_surface(Vec3::Constant(2), Vec3::Constant(4)));
-  EXPECT_EQ(surface_pieces(two), 2u);
+  EXPECT_EQ(solid_shells(two).solids.size(), 2u);
   EXPECT_NEAR(enclosed_volume(two), 9, 1e-12);
 }
 

@@ -15,6 +15,10 @@
 #include <string_view>
 
 #include "common/anatomy/import_reply.h"
+#include "common/anatomy/surface_formats.h"
+#include "common/error.h"
+#include "common/file_endings.h"
+#include "common/regular_file.h"
 #include "common/version.h"
 
 namespace prosector {
@@ -22,6 +26,7 @@ namespace {
 
 constexpr rlim_t max_cpu_seconds = 20;
 constexpr rlim_t max_memory = rlim_t{2} << 30;
+constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
 constexpr int max_node_depth = 1000;  // of the file's own tree of nodes, which `append` walks down
 
 void limit(int resource, rlim_t to) {
@@ -62,16 +67,39 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent,
     append(scene, *node.mChildren[c], transform, depth + 1, out);
 }
 
+/// Counts what isn't a triangle: what triangulation left as points and lines.
+std::size_t other_faces(const aiScene& scene) {
+  std::size_t out = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+      out += scene.mMeshes[m]->mFaces[f].mNumIndices == 3 ? 0 : 1;
+  return out;
+}
+
+/// Reads a format that has a reader of our own.
+ImportReply read_own(const char* file, TriangleMesh (*parse)(std::string_view, std::vector<std::string>&)) {
+  ImportReply reply;
+  const std::string bytes = read_regular_file(file, max_file_bytes);
+  reply.mesh = parse(bytes, reply.notes);
+  return reply;
+}
+
 ImportReply read_surface(const char* file) {
   ImportReply reply;
   try {
+    if (has_ending(file, ".ply")) return read_own(file, parse_ply);
+    if (has_ending(file, ".stl")) return read_own(file, parse_stl);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
       return {{}, fmt::format("its reader says: {}", importer.GetErrorString())};
     append(*scene, *scene->mRootNode, aiMatrix4x4(), 0, reply.mesh);
+    if (const std::size_t other = other_faces(*scene); other > 0)
+      reply.notes.push_back(fmt::format("{} points and lines are not used", other));
   } catch (const std::bad_alloc&) {
     return {{}, fmt::format("its reader needs more than {} GB of memory", max_memory >> 30)};
+  } catch (const InputError& error) {
+    return {{}, error.what()};
   } catch (const std::exception& error) {
     return {{}, fmt::format("its reader says: {}", error.what())};
   }

@@ -14,6 +14,7 @@
 
 #include "common/draft/draft_scene.h"
 #include "common/error.h"
+#include "common/file_endings.h"
 #include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
 #include "common/version.h"
@@ -78,7 +79,7 @@ CLI::App* add_new(CLI::App& app, NewScene& o) {
 
 std::filesystem::path default_out(const std::filesystem::path& source) {
   std::filesystem::path name = std::filesystem::weakly_canonical(source).filename();
-  if (name.extension() == ".gz") name.replace_extension();
+  if (has_ending(name.native(), ".gz")) name.replace_extension();
   return name.replace_extension(".toml");
 }
 

@@ -1,0 +1,308 @@
+#include "common/anatomy/surface_repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "common/anatomy/close_points.h"
+#include "common/anatomy/simplify.h"
+#include "common/anatomy/surface_field.h"
+#include "common/anatomy/winding_tree.h"
+
+namespace prosector {
+namespace {
+
+using Edge = std::array<std::uint32_t, 2>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Lists the triangles around each edge.
+std::map<Edge, std::vector<std::uint32_t>> triangles_by_edge(const TriangleMesh& surface) {
+  std::map<Edge, std::vector<std::uint32_t>> out;
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    const Triangle& t = surface.triangles[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      out[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}].push_back(i);
+  }
+  return out;
+}
+
+bool runs_along(const Triangle& t, const Edge& edge) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) return true;
+  return false;
+}
+
+/// Disjoint sets of numbers.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0u); }
+  std::uint32_t top(std::uint32_t i) {
+    while (above_[i] != i) i = above_[i] = above_[above_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { above_[top(a)] = top(b); }
+
+ private:
+  std::vector<std::uint32_t> above_;
+};
+
+void merge_rounded(RepairedSurface& out) {
+  TriangleMesh merged = out.surface;
+  const double tolerance = rounding_of_extent * extent_of(merged.positions);
+  const std::vector<std::uint32_t> stands_for = close_points(merged.positions, tolerance);
+  std::size_t moved = 0;
+  for (std::uint32_t v = 0; v < stands_for.size(); ++v) moved += stands_for[v] != v ? 1 : 0;
+  if (moved == 0) return;
+  for (Triangle& t : merged.triangles)
+    for (std::uint32_t& v : t) v = stands_for[v];
+  drop_unused(merged);
+  out.surface = std::move(merged);
+  out.notes.push_back(fmt::format(
+      "repaired: {} vertices within {:.2g} of another (a rounding of its size) are merged with it", moved,
+      tolerance));
+}
+
+/// Drops all but one of triangles with the same corners. Drops all where as many face to one side as to the
+/// other: a wall within a solid.
+void drop_repeated(RepairedSurface& out) {
+  std::map<Triangle, std::vector<std::uint32_t>> by_corners;
+  for (std::uint32_t i = 0; i < out.surface.triangles.size(); ++i) {
+    Triangle key = out.surface.triangles[i];
+    std::ranges::sort(key);
+    by_corners[key].push_back(i);
+  }
+  std::vector<bool> drop(out.surface.triangles.size());
+  std::size_t dropped = 0;
+  for (const auto& [key, same] : by_corners) {
+    if (same.size() < 2) continue;
+    const auto along = std::ranges::count_if(same, [&, &edge = key](std::uint32_t i) {
+      return runs_along(out.surface.triangles[i], {edge[0], edge[1]});
+    });
+    const bool forward = 2 * along > static_cast<std::ptrdiff_t>(same.size());
+    bool keep = 2 * along != static_cast<std::ptrdiff_t>(same.size());
+    for (const std::uint32_t i : same) {
+      const bool stays = keep && runs_along(out.surface.triangles[i], {key[0], key[1]}) == forward;
+      if (stays) keep = false;
+      drop[i] = !stays;
+      dropped += stays ? 0 : 1;
+    }
+  }
+  if (dropped == 0) return;
+  std::vector<Triangle> kept;
+  for (std::size_t i = 0; i < drop.size(); ++i)
+    if (!drop[i]) kept.push_back(out.surface.triangles[i]);
+  out.surface.triangles = std::move(kept);
+  drop_unused(out.surface);
+  out.notes.push_back(fmt::format("repaired: {} repeated triangles are dropped", dropped));
+}
+
+/// Turns triangles so that two at an edge face alike; of each connected patch as few as do.
+void turn_alike(RepairedSurface& out) {
+  std::vector<Triangle>& triangles = out.surface.triangles;
+  const auto edges = triangles_by_edge(out.surface);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<std::vector<std::uint32_t>> pairs_of(triangles.size());
+  std::vector<bool> unlike;
+  for (const auto& [edge, around] : edges) {
+    if (around.size() != 2) continue;
+    for (const std::uint32_t t : around) pairs_of[t].push_back(static_cast<std::uint32_t>(pairs.size()));
+    pairs.push_back({around[0], around[1]});
+    unlike.push_back(runs_along(triangles[around[0]], edge) == runs_along(triangles[around[1]], edge));
+  }
+  std::vector<signed char> turn(triangles.size(), -1);  // not yet reached
+  std::size_t turned = 0;
+  for (std::uint32_t first = 0; first < triangles.size(); ++first) {
+    if (turn[first] >= 0) continue;
+    std::vector<std::uint32_t> patch = {first};
+    turn[first] = 0;
+    std::size_t to_turn = 0;
+    for (std::size_t at = 0; at < patch.size(); ++at)
+      for (const std::uint32_t p : pairs_of[patch[at]]) {
+        const std::uint32_t other = pairs[p][0] == patch[at] ? pairs[p][1] : pairs[p][0];
+        if (turn[other] >= 0) continue;
+        turn[other] = static_cast<signed char>(unlike[p] ? 1 - turn[patch[at]] : turn[patch[at]]);
+        to_turn += turn[other] > 0 ? 1 : 0;
+        patch.push_back(other);
+      }
+    const bool the_others = 2 * to_turn > patch.size();
+    for (const std::uint32_t t : patch)
+      if ((turn[t] > 0) != the_others) {
+        std::swap(triangles[t][1], triangles[t][2]);
+        ++turned;
+      }
+  }
+  if (turned > 0)
+    out.notes.push_back(
+        fmt::format("repaired: {} triangles that faced to the other side are turned", turned));
+}
+
+/// Shells of a surface: triangles that are joined through edges.
+struct Shell {
+  TriangleMesh mesh;
+  double volume = 0;  // signed
+  Eigen::AlignedBox3d box;
+  std::unique_ptr<WindingTree> tree;  // made when it is first needed
+
+  void turn() {
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    volume = -volume;
+    tree.reset();
+  }
+  double winding(const Vec3& x) {
+    if (!tree) tree = std::make_unique<WindingTree>(mesh);
+    return tree->at(x);
+  }
+};
+
+/// Splits a surface into its shells, the largest first.
+std::vector<Shell> split_shells(const TriangleMesh& surface, bool& manifold) {
+  Sets sets(surface.triangles.size());
+  Sets corners(3 * surface.triangles.size());  // joined around a vertex through edges
+  for (const auto& [edge, around] : triangles_by_edge(surface)) {
+    manifold = manifold && around.size() == 2;
+    for (const std::uint32_t t : around) {
+      sets.join(t, around.front());
+      for (const std::uint32_t v : edge) {
+        const auto corner = [&, v = v](std::uint32_t i) {
+          const Triangle& of = surface.triangles[i];
+          return 3 * i + static_cast<std::uint32_t>(std::ranges::find(of, v) - of.begin());
+        };
+        corners.join(corner(t), corner(around.front()));
+      }
+    }
+  }
+  std::vector<std::uint32_t> fan(surface.positions.size(), UINT32_MAX);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    shells[sets.top(t)].push_back(t);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      std::uint32_t& first = fan[surface.triangles[t][k]];
+      if (first == UINT32_MAX) first = corners.top(3 * t + k);
+      manifold = manifold && first == corners.top(3 * t + k);
+    }
+  }
+  std::vector<Shell> out;
+  for (const auto& [top, triangles] : shells) {
+    Shell& shell = out.emplace_back();
+    shell.mesh.positions = shells.size() == 1 ? surface.positions : std::vector<Vec3>();
+    std::map<std::uint32_t, std::uint32_t> number;
+    for (const std::uint32_t t : triangles) {
+      Triangle corner = surface.triangles[t];
+      if (shells.size() > 1)
+        for (std::uint32_t& v : corner) {
+          const auto [it, fresh] =
+              number.try_emplace(v, static_cast<std::uint32_t>(shell.mesh.positions.size()));
+          if (fresh) shell.mesh.positions.push_back(surface.positions[v]);
+          v = it->second;
+        }
+      shell.mesh.triangles.push_back(corner);
+    }
+    for (const Vec3& x : shell.mesh.positions) shell.box.extend(x);
+    shell.volume = enclosed_volume(shell.mesh);
+  }
+  std::ranges::stable_sort(
+      out, [](const Shell& a, const Shell& b) { return std::abs(a.volume) > std::abs(b.volume); });
+  return out;
+}
+
+/// Returns whether the shell lies within the other, by some of its triangles; false where they cross.
+bool lies_within(const Shell& shell, Shell& other) {
+  if (!other.box.contains(shell.box)) return false;
+  constexpr std::size_t asked = 8;
+  const std::vector<Triangle>& triangles = shell.mesh.triangles;
+  const std::size_t step = std::max<std::size_t>(1, triangles.size() / asked);
+  for (std::size_t i = 0; i < triangles.size(); i += step) {
+    const auto& x = shell.mesh.positions;
+    const Vec3 middle = (x[triangles[i][0]] + x[triangles[i][1]] + x[triangles[i][2]]) / 3;
+    if (std::abs(other.winding(middle)) < 0.75) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+RepairedSurface repaired(TriangleMesh surface) {
+  RepairedSurface out{std::move(surface), {}};
+  if (surface_faults(out.surface)) merge_rounded(out);
+  if (surface_faults(out.surface)) drop_repeated(out);
+  if (surface_faults(out.surface).opposed_edges > 0) turn_alike(out);
+  return out;
+}
+
+SolidShells solid_shells(const TriangleMesh& closed) {
+  SolidShells out;
+  bool manifold = true;
+  std::vector<Shell> shells = split_shells(closed, manifold);
+  out.simple = manifold && shells.size() == 1;
+  double total = 0;
+  for (const Shell& shell : shells) total += shell.volume;
+  if (total < 0)
+    for (Shell& shell : shells) shell.turn();
+  struct Placed {
+    std::size_t solid;  // in `solids`: what it bounds, or is a cavity of
+    bool is_solid;
+  };
+  std::vector<std::pair<Shell*, Placed>> placed;  // of the shells that stay
+  std::size_t turned = 0, within = 0, cavities = 0;
+  double within_volume = 0;
+  std::vector<double> solids;
+  for (Shell& shell : shells) {
+    int depth = 0;
+    std::size_t around = 0;
+    bool overlaps = false;
+    for (auto& [other, place] : placed) {
+      if (!lies_within(shell, *other)) {
+        overlaps = overlaps || (shell.box.intersection(other->box).sizes().array() > 0).all();
+        continue;
+      }
+      depth += place.is_solid ? 1 : -1;
+      around = place.solid;  // the last is the smallest
+    }
+    if (shell.volume < 0 && depth < 1) {
+      shell.turn();
+      ++turned;
+    } else if (shell.volume >= 0 && depth >= 1) {
+      ++within;
+      within_volume += shell.volume;
+      continue;
+    }
+    out.overlapping = out.overlapping || overlaps;
+    const bool is_cavity = shell.volume < 0;
+    if (!is_cavity) solids.push_back(0);
+    const std::size_t solid = is_cavity ? around : solids.size() - 1;
+    solids[solid] += shell.volume;
+    cavities += is_cavity ? 1 : 0;
+    placed.push_back({&shell, {solid, !is_cavity}});
+  }
+  if (placed.size() == 1 && shells.size() == 1) {
+    out.surface = std::move(shells.front().mesh);
+  } else {
+    for (const auto& [shell, place] : placed) append(out.surface, shell->mesh);
+  }
+  std::ranges::sort(solids, std::greater<>());
+  out.solids = std::move(solids);
+  const auto shells_that = [](std::size_t count, const char* one, const char* several) {
+    return fmt::format("{} shell{} {}", count, count == 1 ? "" : "s", count == 1 ? one : several);
+  };
+  if (turned > 0)
+    out.notes.push_back("repaired: " +
+                        shells_that(turned, "that faced inward is turned", "that faced inward are turned"));
+  if (cavities > 0)
+    out.notes.push_back(shells_that(cavities, "within another faces inward: a cavity",
+                                    "within others face inward: cavities"));
+  if (within > 0)
+    out.notes.push_back(
+        fmt::format("warning: {} and bound{} nothing: left out. Turn the triangles inward where a cavity is "
+                    "meant ({:.2g} % of the "
+                    "volume)",
+                    shells_that(within, "lies within another and faces outward like it",
+                                "lie within others and face outward like them"),
+                    within == 1 ? "s" : "", 100 * within_volume / std::max(std::abs(total), 1e-300)));
+  return out;
+}
+
+}  // namespace prosector
