@@ -118,7 +118,7 @@ TEST(TagPose, SmallPicturesAreSearchedUndecimated) {
   const Board board = tablet();
   SyntheticScene scene = usual_scene(usual_lens().scaled(320, 240));
   Carrier held;
-  held.pose.p = {0, 0, -0.45};
+  held.pose.p = {0, 0, -0.6};
   scene.add_board(board, held);
   const Straightener straightener(scene.lens);
   const auto tags = TagFinder({}).find(straightener.straight(grey_of(ScenePainter(scene).paint(0))));
