@@ -296,6 +296,11 @@ void add_tracker(Keys& keys) {
     return ConfigValue(std::string(c.tracker_device.hand_nets == HandNets::lite ? "lite" : "full"));
   };
   keys.push_back(networks);
+  keys.push_back(ranged(plain<double>(
+                            "tracker.farthest_hand", "tracker_device.farthest_hand",
+                            [](ClientConfig& c) -> double& { return c.tracker_device.farthest_hand; }, "m",
+                            "bare hands: distance from the camera beyond which hands are bystanders'"),
+                        0.3, 5));
   keys.push_back(plain<std::string>(
       "tracker.second_lens", "tracker_device.second_lens",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.second_lens; }, "",

@@ -114,6 +114,7 @@ struct DeviceConfig {
   Pose first_second;        // bare hands: a second camera's pose in the first one's frame
   std::optional<double> hand_length;  // bare hands: m, wrist to the middle finger's tip; unknown: our hand's
   HandNets hand_nets = HandNets::full;       // bare hands
+  double farthest_hand = usual_hand_range;   // bare hands: m; those beyond it are bystanders'
   double eye_distance = usual_eye_distance;  // face: m, between the user's pupils; depth errs as it does
   std::array<std::string, max_stations>
       boards{};       // camera: each station's, a known board's name or a file; empty: none

@@ -118,6 +118,7 @@ void tell_fit(const LensFit& fit) {
   say(fmt::format(
       "{:.3f} px off at views that weren't fitted ({:.3f} at the others); {:.0f} % of the picture is covered",
       fit.held_out, fit.rms, 100 * fit.covered));
+  if (!fit.by_edges) say(rough_lens_words);
 }
 
 /// Returns the file of the second camera's lens: beside the first one's.

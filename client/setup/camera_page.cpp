@@ -170,6 +170,7 @@ void CameraPage::take_fit(ConfigDraft& draft) {
                              fmt::format("Focal lengths {:.1f} and {:.1f} px; {:.0f} % covered.", lens.fx,
                                          lens.fy, 100 * fit.covered)},
                             {}};
+    if (!fit.by_edges) outcome.words.push_back(rough_lens_words);
     const std::string& tracker = draft.config().tracker;
     const std::string& known_lens = draft.config().tracker_device.lens;
     outcome.changes = naming_lens(draft.config(), fitted_);

@@ -53,8 +53,10 @@ std::pair<double, double> scatter(const std::vector<Vec3>& places) {
 
 CameraReport::CameraReport(std::optional<CameraCalibration> calibration)
     : calibration_(calibration), reader_(std::move(calibration)) {
-  for (const KnownBoard& row : known_boards())
+  for (const KnownBoard& row : known_boards()) {
     boards_.push_back({BoardTracker(grid_board(row.name, row.grid)), {}, 0});
+    reader_.expect(boards_.back().tracker.board());
+  }
 }
 
 void CameraReport::take(const Frame& frame, std::int64_t now_ns) {

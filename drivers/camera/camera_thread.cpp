@@ -1,6 +1,6 @@
 #include "drivers/camera/camera_thread.h"
 
-#include "common/error.h"
+#include <exception>
 
 namespace prosector {
 namespace {
@@ -44,7 +44,8 @@ void CameraThread::run() {
       }
       begin_(*camera);
       while (!ends_) look(*camera);
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
+      // Whatever a camera sends, the session goes on without it.
       const std::lock_guard lock(mutex_);
       state_.is_open = false;
       state_.problem = error.what();
@@ -66,7 +67,7 @@ void CameraThread::look(Camera& camera) {
   try {
     see_(*frame);
     tell("");
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {
     tell(error.what());
   }
 }

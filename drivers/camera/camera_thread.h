@@ -25,7 +25,7 @@ struct CameraState {
 class CameraThread {
  public:
   using Begin = std::function<void(const Camera&)>;  // each time it was opened
-  using See = std::function<void(const Frame&)>;  // each picture; may throw InputError: why it says nothing
+  using See = std::function<void(const Frame&)>;     // each picture; may throw: why it says nothing
 
   /// Starts. Both functions are called on its thread. Throws nothing: what is wrong is in state().
   CameraThread(std::string address, Begin begin, See see);

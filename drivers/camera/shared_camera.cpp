@@ -1,5 +1,6 @@
 #include "drivers/camera/shared_camera.h"
 
+#include <exception>
 #include <utility>
 
 #include "common/error.h"
@@ -59,7 +60,7 @@ void SharedCamera::see(const Frame& frame) {
   for (Seat* seat : seats_) try {
       if (!std::exchange(seat->has_begun_, true)) seat->begin_(*open_);
       seat->see_(frame);
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
       problem = error.what();
     }
   told_ns_ = frame.time_ns;

@@ -3,19 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "drivers/camera/picture_file.h"
+#include "drivers/camera/video_reader.h"
 
 namespace prosector {
 namespace {
 
-constexpr int wanted_width = 640, wanted_height = 480;
-constexpr double wanted_rate = 30;
+constexpr double usual_rate = 30;  // images a second of files that don't say it
 constexpr double usual_delay =
     0.03;  // s from mid-exposure until a driver hands a picture out, where it doesn't say
 
@@ -32,33 +34,19 @@ std::string model_of(const std::string& device) {
   return model;
 }
 
-Frame frame_of(const cv::Mat& bgr) {
-  cv::Mat rgb;
-  if (bgr.channels() == 1)
-    cv::cvtColor(bgr, rgb, cv::COLOR_GRAY2RGB);
-  else
-    cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-  Frame frame;
-  frame.image.width = rgb.cols;
-  frame.image.height = rgb.rows;
-  frame.image.rgb.assign(rgb.datastart, rgb.dataend);
-  return frame;
-}
-
 /// A device that is plugged in, or a stream: it sets the pace.
 class LiveVideo final : public Camera {
  public:
-  LiveVideo(std::string address, cv::VideoCapture video, std::string identity)
+  LiveVideo(std::string address, VideoReader video, std::string identity)
       : address_(std::move(address)), identity_(std::move(identity)), video_(std::move(video)) {}
 
   std::optional<Frame> next(std::chrono::milliseconds) override {
-    cv::Mat picture;
-    if (!video_.read(picture) || picture.empty() || picture.depth() != CV_8U)
-      throw InputError(fmt::format("{}: gives no more pictures: is it plugged in?", address_));
-    Frame frame = frame_of(picture);
+    auto image = video_.read();
+    if (!image) throw InputError(fmt::format("{}: gives no more pictures: is it plugged in?", address_));
+    Frame frame{*std::move(image)};
     // V4L2 tells a picture's time on the monotonic clock; others tell none, or a time of their own.
     const std::int64_t now_ns = monotonic_ns();
-    const auto told_ns = static_cast<std::int64_t>(1e6 * video_.get(cv::CAP_PROP_POS_MSEC));
+    const auto told_ns = static_cast<std::int64_t>(1e6 * video_.stated_ms());
     constexpr std::int64_t latest_ns = 500'000'000;
     frame.time_ns = told_ns > now_ns - latest_ns && told_ns <= now_ns
                         ? told_ns
@@ -70,41 +58,31 @@ class LiveVideo final : public Camera {
 
  private:
   std::string address_, identity_;
-  cv::VideoCapture video_;
+  VideoReader video_;
   std::uint64_t number_ = 0;
 };
 
-/// A file: its own rate sets the pace, and it begins anew at its end.
-class FileVideo final : public Camera {
+/// A film: its own rate sets the pace, and it begins anew at its end.
+class FilmVideo final : public Camera {
  public:
-  FileVideo(std::string file, cv::VideoCapture video) : file_(std::move(file)), video_(std::move(video)) {
-    const double told = video_.get(cv::CAP_PROP_FPS);
-    rate_ = told > 0.1 && told < 1000 ? told : wanted_rate;
+  FilmVideo(std::string file, VideoReader video) : file_(std::move(file)), video_(std::move(video)) {
+    const double told = video_.stated_rate();
+    rate_ = told > 0.1 && told < 1000 ? told : usual_rate;
     start_ns_ = monotonic_ns();
   }
 
   std::optional<Frame> next(std::chrono::milliseconds patience) override {
-    const auto due_ns = [&] {
-      return start_ns_ + static_cast<std::int64_t>(1e9 * (static_cast<double>(number_) + 0.5) / rate_);
-    };
-    // Who comes late gets the newest.
-    while (due_ns() + static_cast<std::int64_t>(1e9 / rate_) < monotonic_ns()) {
-      if (!video_.grab()) rewind();
-      ++number_;
-    }
+    catch_up();
     const std::int64_t wait_ns = due_ns() - monotonic_ns();
     if (wait_ns > patience.count() * 1'000'000) {
       std::this_thread::sleep_for(patience);
       return std::nullopt;
     }
     if (wait_ns > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(wait_ns));
-    cv::Mat picture;
-    if (!video_.read(picture) || picture.empty()) {
-      rewind();
-      if (!video_.read(picture) || picture.empty())
-        throw InputError(fmt::format("{}: holds no picture that can be read", file_));
-    }
-    Frame frame = frame_of(picture);
+    auto image = video_.read();
+    if (!image && video_.rewind()) image = video_.read();
+    if (!image) throw InputError(fmt::format("{}: holds no picture that can be read", file_));
+    Frame frame{*std::move(image)};
     frame.time_ns = due_ns();
     frame.number = number_++;
     return frame;
@@ -112,36 +90,95 @@ class FileVideo final : public Camera {
   std::string identity() const override { return file_; }
 
  private:
-  void rewind() { video_.open(file_); }
+  static constexpr std::int64_t longest_catch_up_ns = 100'000'000;
+
+  std::int64_t due_ns() const {
+    return start_ns_ + static_cast<std::int64_t>(1e9 * (static_cast<double>(number_) + 0.5) / rate_);
+  }
+  std::int64_t overdue_ns() const {
+    return monotonic_ns() - due_ns() - static_cast<std::int64_t>(1e9 / rate_);
+  }
+
+  /// Skips images that are overdue, so that late callers get the newest. Where skipping is slower than the
+  /// film, as when a short film is reopened again and again, the film is delayed instead.
+  void catch_up() {
+    const std::int64_t begin_ns = monotonic_ns();
+    while (overdue_ns() > 0 && monotonic_ns() - begin_ns < longest_catch_up_ns) {
+      if (!video_.skip()) video_.rewind();
+      ++number_;
+    }
+    start_ns_ += std::max<std::int64_t>(overdue_ns(), 0);
+  }
 
   std::string file_;
-  cv::VideoCapture video_;
-  double rate_ = wanted_rate;
+  VideoReader video_;
+  double rate_ = usual_rate;
   std::int64_t start_ns_ = 0;
   std::uint64_t number_ = 0;
 };
 
+/// A still image, as a camera that shows it at `usual_rate`.
+class StillImage final : public Camera {
+ public:
+  StillImage(std::string file, Image image) : file_(std::move(file)) { frame_.image = std::move(image); }
+
+  std::optional<Frame> next(std::chrono::milliseconds patience) override {
+    constexpr auto step_ns = static_cast<std::int64_t>(1e9 / usual_rate);
+    const std::int64_t now_ns = monotonic_ns();
+    if (frame_.time_ns > 0) {
+      const std::int64_t missed = std::max<std::int64_t>((now_ns - frame_.time_ns) / step_ns, 1);
+      const std::int64_t wait_ns = frame_.time_ns + missed * step_ns - now_ns;
+      if (wait_ns > patience.count() * 1'000'000) {
+        std::this_thread::sleep_for(patience);
+        return std::nullopt;
+      }
+      if (wait_ns > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(wait_ns));
+      frame_.time_ns += missed * step_ns;
+      frame_.number += static_cast<std::uint64_t>(missed);
+    } else {
+      frame_.time_ns = now_ns;
+    }
+    return frame_;
+  }
+  std::string identity() const override { return file_; }
+
+ private:
+  std::string file_;
+  Frame frame_;
+};
+
+/// Opens a file: as a film where two images can be read from it, else as a still image.
+std::unique_ptr<Camera> open_file(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  const bool is_pattern = file.find('%') != std::string::npos;  // as image%03d.png: a sequence of images
+  if (!std::filesystem::exists(status) && !is_pattern)
+    throw InputError(fmt::format("{}: can't be opened as a camera or a video: there is no such file", file));
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw InputError(fmt::format(
+        "{}: can't be opened as a camera: give a video device, a film's or image's file, or a stream's URL",
+        file));
+  VideoReader video(file, file, VideoKind::other);
+  if (video.is_open()) {
+    std::optional<Image> first = video.read();
+    if (first && video.read() && video.rewind()) return std::make_unique<FilmVideo>(file, std::move(video));
+    if (first) return std::make_unique<StillImage>(file, *std::move(first));
+  }
+  if (auto image = try_picture(file)) return std::make_unique<StillImage>(file, *std::move(image));
+  throw InputError(
+      fmt::format("{}: can't be opened as a camera or a video: it holds no picture that can be read", file));
+}
+
 }  // namespace
 
 std::unique_ptr<Camera> open_video(const std::string& address) {
+  constexpr std::string_view file_url = "file://";
   const std::string device = is_number(address) ? "/dev/video" + address : address;
   const bool is_device = device.starts_with("/dev/");
-  const bool is_stream = address.find("://") != std::string::npos;
-  cv::VideoCapture video;
-  try {
-    video.open(device, is_device ? cv::CAP_V4L2 : cv::CAP_ANY);
-  } catch (const cv::Exception&) {
-    // It says so below.
-  }
-  if (!video.isOpened()) throw InputError(fmt::format("{}: can't be opened as a camera or a video", address));
-  if (!is_device && !is_stream) return std::make_unique<FileVideo>(device, std::move(video));
-  if (is_device) {
-    video.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
-    video.set(cv::CAP_PROP_FRAME_WIDTH, wanted_width);
-    video.set(cv::CAP_PROP_FRAME_HEIGHT, wanted_height);
-    video.set(cv::CAP_PROP_FPS, wanted_rate);
-    video.set(cv::CAP_PROP_BUFFERSIZE, 1);
-  }
+  if (device.starts_with(file_url)) return open_file(device.substr(file_url.size()));
+  if (!is_device && address.find("://") == std::string::npos) return open_file(device);
+  VideoReader video(address, device, is_device ? VideoKind::device : VideoKind::other);
+  if (!video.is_open()) throw InputError(fmt::format("{}: can't be opened as a camera or a video", address));
   const std::string model = is_device ? model_of(device) : "";
   return std::make_unique<LiveVideo>(address, std::move(video), model.empty() ? address : model);
 }

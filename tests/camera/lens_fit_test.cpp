@@ -11,7 +11,7 @@ namespace prosector {
 namespace {
 
 /// Views of the calibration board, as a person holds it before a camera: near, tilted, towards all sides.
-std::vector<LensView> views_of(const Lens& lens, double response, int count) {
+std::vector<LensView> views_of(const Lens& lens, double response, int count, double nearest = 0.3) {
   Random random(5);
   const Board board = find_board("calibration");
   const TagFinder finder({1});
@@ -21,7 +21,7 @@ std::vector<LensView> views_of(const Lens& lens, double response, int count) {
     scene.sensor.response = response;
     scene.sensor.seed = static_cast<unsigned>(k + 1);
     Carrier carrier;
-    const double distance = random.uniform(0.3, 0.45);
+    const double distance = random.uniform(nearest, 1.5 * nearest);
     carrier.pose = board_before_camera(random, distance, 0.15, 0.7);
     carrier.pose.p.x() = random.uniform(-0.2, 0.2) * distance;
     carrier.pose.p.y() = random.uniform(-0.15, 0.15) * distance;
@@ -58,6 +58,28 @@ TEST_P(LensResponse, LensIsFoundToATenthOfAPixel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, LensResponse, testing::Values(1.4, 2.2));
+
+// Of such pictures the edges of few tags can be fitted, or of none.
+TEST(LensFit, IsFoundInSmallPicturesToo) {
+  const Lens truth = usual_lens().scaled(320, 240);
+  std::vector<LensView> views = views_of(truth, 2.2, usual_views, 0.5);
+  for (const bool by_edges : {true, false}) {
+    if (!by_edges) {
+      views = views_of(truth, 2.2, usual_views, 0.35);
+      for (LensView& view : views)
+        std::fill(view.picture.grey.begin(), view.picture.grey.end(), std::uint8_t{128});
+    }
+    const LensFit fit = fit_lens(find_board("calibration"), views, "synthetic");
+    EXPECT_EQ(fit.by_edges, by_edges);
+    EXPECT_LT(fit.held_out, 0.6);
+    EXPECT_NEAR(fit.calibration.lens.fx / truth.fx, 1, 0.02);
+    EXPECT_NEAR(fit.calibration.lens.fy / truth.fy, 1, 0.02);
+    double mean = 0;
+    const std::vector<double> errors = mapping_errors(truth, fit.calibration.lens);
+    for (const double e : errors) mean += e / static_cast<double>(errors.size());
+    EXPECT_LT(mean, by_edges ? 0.6 : 1) << "pixels";
+  }
+}
 
 std::string complaint_of(const std::vector<LensView>& views) {
   try {

@@ -114,6 +114,17 @@ TEST(TagPose, ACodeThatIsThereTwiceIsLeftOut) {
   EXPECT_EQ(twice, 24);
 }
 
+TEST(TagPose, SmallPicturesAreSearchedUndecimated) {
+  const Board board = tablet();
+  SyntheticScene scene = usual_scene(usual_lens().scaled(320, 240));
+  Carrier held;
+  held.pose.p = {0, 0, -0.6};
+  scene.add_board(board, held);
+  const Straightener straightener(scene.lens);
+  const auto tags = TagFinder({}).find(straightener.straight(grey_of(ScenePainter(scene).paint(0))));
+  EXPECT_EQ(tags.size(), board.tags.size());
+}
+
 TEST(TagPose, NothingIsFoundWhereNothingIs) {
   const Lens lens = usual_lens();
   const Straightener straightener(lens);

@@ -100,7 +100,7 @@ Quat from_behind(double away) {
 }
 
 TEST_F(HandsInPictures, AreFistsFromBehindToo) {
-  HandTracker tracker(nets_, HandNets::full, 1, 1);
+  HandTracker tracker(nets_, HandNets::full, 1);
   std::int64_t now_ns = 0;
   for (const double away : {0.3, 0.5, 0.7}) {
     Random random(41);
@@ -178,6 +178,80 @@ TEST_F(HandsInPictures, ComeBackAfterABlackPicture) {
   EXPECT_EQ(finder.find(good).size(), 1u);
 }
 
+/// Returns the picture in so much less light.
+Image dimmed(Image image, double light) {
+  for (std::uint8_t& byte : image.rgb) byte = static_cast<std::uint8_t>(byte * light);
+  return image;
+}
+
+TEST_F(HandsInPictures, AreFoundInDimLight) {
+  HandFinder finder(nets_, HandNets::full);
+  Random random(77);
+  int bright = 0, dim = 0;
+  for (int k = 0; k < 8; ++k) {
+    const HandScene scene = random_scene(random, random_hand(random, 0.35, 0.7));
+    const Image picture = painter().paint(scene, random);
+    finder.forget();
+    bright += !finder.find(picture).empty();
+    finder.forget();
+    dim += !finder.find(dimmed(picture, 0.12)).empty();
+  }
+  EXPECT_GE(bright, 7);
+  EXPECT_GE(dim, bright - 1);
+}
+
+/// Shows a hand with its back to the camera there, fingers up.
+BentHand hand_at(std::size_t hand, const Vec3& place) {
+  BentHand out{hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}};
+  out.camera_wrist = {place, from_behind(0)};
+  return out;
+}
+
+TEST_F(HandsInPictures, AreNotThoseOfBystanders) {
+  Random random(9);
+  HandScene scene = random_scene(random, {});
+  scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
+  scene.wall = {0.1F, 0.15F, 0.2F};
+  const BentHand far = hand_at(left_hand, {-0.3, 0, 1.6}), near = hand_at(right_hand, {0.1, 0.08, 0.5});
+  HandTracker tracker(nets_, HandNets::full, 1);
+  tracker.set_eye(0, {scene.lens, {}});
+  std::int64_t now_ns = 1'000'000'000;
+  const auto see = [&](const std::vector<BentHand>& hands) {
+    scene.hands = hands;
+    return tracker.see(0, {painter().paint(scene, random), now_ns += 33'333'333, 0});
+  };
+  EXPECT_TRUE(see({far}).empty());
+  EXPECT_NE(std::string(tracker.lack()).find("tracker.farthest_hand"), std::string::npos) << tracker.lack();
+  const auto both = see({far, near});
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_LT(both[0].wrist.p.z(), 0.8) << "m";
+  EXPECT_STREQ(tracker.lack(), "");
+  EXPECT_TRUE(see({}).empty());
+  EXPECT_NE(std::string(tracker.lack()).find("no hand is seen"), std::string::npos) << tracker.lack();
+  HandTracker reaching(nets_, HandNets::full, 1, {1, 2.5});
+  reaching.set_eye(0, {scene.lens, {}});
+  scene.hands = {far};
+  EXPECT_EQ(reaching.see(0, {painter().paint(scene, random), now_ns, 0}).size(), 1U);
+}
+
+TEST_F(HandsInPictures, AreTheNearestTwo) {
+  Random random(10);
+  HandScene scene = random_scene(random, {});
+  scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
+  scene.wall = {0.1F, 0.15F, 0.2F};
+  const std::vector<BentHand> bystander = {hand_at(left_hand, {-0.35, 0, 1}),
+                                           hand_at(right_hand, {0.35, 0, 1})};
+  HandFinder finder(nets_, HandNets::full);
+  scene.hands = bystander;
+  ASSERT_EQ(finder.find(painter().paint(scene, random)).size(), 2U);
+  scene.hands.push_back(hand_at(right_hand, {0, 0.08, 0.45}));
+  const Image picture = painter().paint(scene, random);
+  bool is_taken = false;
+  for (int k = 0; k < 31 && !is_taken; ++k)
+    for (const FoundHand& hand : finder.find(picture)) is_taken |= length_of_hand(hand.points) > 180;
+  EXPECT_TRUE(is_taken) << "within a second";
+}
+
 TEST(HandFinder, SaysWhatItNeeds) {
   try {
     HandFinder("/nowhere", HandNets::full);
@@ -209,6 +283,20 @@ TEST(PictureRegion, TakesATurnedSquare) {
       ASSERT_NEAR(255 * out[3 * p + 2], 128, 0.01);
     }
   }
+}
+
+TEST(PictureRegion, IsBrightenedWhereItIsDark) {
+  const auto brightened = [](float level) {
+    std::vector<float> pixels(300, 0.5F * level);
+    std::fill_n(pixels.begin(), 60, level);  // a fifth of the pixels
+    brighten(pixels);
+    return std::pair(pixels.front(), pixels.back());
+  };
+  EXPECT_EQ(brightened(0.6F), std::pair(0.6F, 0.3F)) << "bright enough";
+  EXPECT_NEAR(brightened(0.1F).first, 0.5, 0.02);
+  EXPECT_NEAR(brightened(0.1F).second, 0.25, 0.01);
+  EXPECT_LE(brightened(0.01F).first, 0.081) << "noise of the dark stays dark";
+  EXPECT_EQ(brightened(0).first, 0);
 }
 
 TEST(PictureRegion, IsBlackOrItsEdgeOutside) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/hands/hand_pictures.h"
 
 namespace prosector {
@@ -48,7 +50,7 @@ TEST(HandFit, GoesOnFromWhereTheHandWas) {
   for (int k = 0; k < 100; ++k) {
     const HandScene scene = shown(random);
     const BentHand& hand = scene.hands[0];
-    HandFit before{hand.camera_wrist, hand.flexion, 0, true};
+    HandFit before{hand.camera_wrist, hand.flexion, 1, 0, true};
     before.wrist.p += random.point(0.01);
     before.wrist.q =
         (Quat(Eigen::AngleAxisd(random.uniform(-0.1, 0.1), random.point(1).normalized())) * before.wrist.q)
@@ -74,7 +76,7 @@ TEST(HandFit, MeasuresDepthByASecondCamera) {
       views.push_back(view_of(scene, hand));
       for (Vec2& p : views.back().points) p += Vec2(random.uniform(-3, 3), random.uniform(-3, 3));
     }
-    const HandFit before{hand.camera_wrist, hand.flexion, 0, true};
+    const HandFit before{hand.camera_wrist, hand.flexion, 1, 0, true};
     const auto off = [&](std::size_t cameras) {
       const auto fit = fit_hand(std::span(views).first(cameras), {hand.hand, hand.size}, before);
       return std::abs((fit.value().wrist.p - hand.camera_wrist.p).z());
@@ -84,6 +86,90 @@ TEST(HandFit, MeasuresDepthByASecondCamera) {
   }
   EXPECT_LT(two, 0.6 * one);
   EXPECT_LT(two, 0.008) << "m";
+}
+
+/// An open hand whose palm or back is tilted by so much from straight at the camera, and how networks see it.
+struct OpenHand {
+  HandView view;
+  BentHand truth;
+};
+
+OpenHand open_hand(Random& random, double tilt, double breadth) {
+  OpenHand out;
+  BentHand& hand = out.truth;
+  hand.hand = random.below(2);
+  for (double& bend : hand.flexion) bend = random.uniform(0, 0.15);
+  Mat3 upright;  // fingers up
+  upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  const double turned = random.below(2) ? 0 : 3.14159265, about = random.uniform(0, 6.28);
+  hand.camera_wrist.q = (Quat(Eigen::AngleAxisd(random.uniform(-0.4, 0.4), Vec3::UnitZ())) *
+                         Eigen::AngleAxisd(tilt, Vec3(std::cos(about), std::sin(about), 0)) *
+                         Eigen::AngleAxisd(turned, Vec3::UnitY()) * Quat(upright))
+                            .normalized();
+  const double depth = random.uniform(0.3, 0.7);
+  hand.camera_wrist.p = Vec3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 1) * depth -
+                        hand.camera_wrist.q * Vec3(0, 0, -0.09);
+  out.view.lens = webcam();
+  const auto points = points_of_hand(hand.hand, hand.flexion);
+  const double usual_miss = 0.015 * out.view.lens.fx * 0.19 / depth;
+  HandDepths depths{};
+  for (std::size_t k = 0; k < hand_points; ++k) {
+    const Vec3 seen = hand.camera_wrist * Vec3(breadth * points[k].x(), points[k].y(), points[k].z());
+    out.view.points[k] =
+        out.view.lens.project(seen) + usual_miss * Vec2(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7));
+    depths[k] = out.view.lens.fx * (seen.z() - hand.camera_wrist.p.z()) / depth;
+  }
+  out.view.depths = depths;
+  return out;
+}
+
+/// What a first sight of many open hands gives.
+struct FirstSights {
+  int shown = 0, sure = 0, wrong = 0;  // wrong: sure, and turned by 40° or more from the truth
+  std::vector<double> turns;           // rad, of sure ones
+
+  double median_turn() {
+    std::sort(turns.begin(), turns.end());
+    return turns.empty() ? 1e9 : turns[turns.size() / 2];
+  }
+};
+
+FirstSights first_sights(double tilt, bool with_depths, int hands) {
+  FirstSights out;
+  Random random(39);  // the seed
+  for (int k = 0; k < hands; ++k) {
+    OpenHand open = open_hand(random, tilt, random.uniform(0.84, 1.02));
+    if (!with_depths) open.view.depths.reset();
+    const auto fit = fit_hand({&open.view, 1}, {open.truth.hand, 1}, std::nullopt);
+    ++out.shown;
+    if (!fit || !fit->sure) continue;
+    ++out.sure;
+    out.turns.push_back(fit->wrist.q.angularDistance(open.truth.camera_wrist.q));
+    out.wrong += out.turns.back() > 0.7;
+  }
+  return out;
+}
+
+// People's hands are slimmer than ours, more or less: held straight at the camera they look like ours turned
+// to either side.
+TEST(HandFit, ReportsAnOpenHandHeldStraightAtTheCamera) {
+  for (const bool with_depths : {false, true}) {
+    FirstSights found = first_sights(0, with_depths, 100);
+    EXPECT_EQ(found.sure, found.shown);
+    EXPECT_LE(found.wrong, 2);
+    EXPECT_LT(found.median_turn(), 0.3) << "rad";
+  }
+}
+
+TEST(HandFit, SeldomTurnsATiltedHandToTheWrongSide) {
+  for (const double tilt : {0.3, 0.6, 0.9}) {
+    FirstSights by_points = first_sights(tilt, false, 40), by_depths = first_sights(tilt, true, 40);
+    SCOPED_TRACE(testing::Message() << "tilt " << tilt << " rad; wrong " << by_points.wrong << ", by depths "
+                                    << by_depths.wrong);
+    EXPECT_LE(by_points.wrong, 2);
+    EXPECT_LE(by_depths.wrong, std::min(by_points.wrong, 1));
+    EXPECT_LT(by_depths.median_turn(), 0.3) << "rad";
+  }
 }
 
 TEST(HandFit, IsUnsureOfPointsThatAreNoHand) {

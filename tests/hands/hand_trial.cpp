@@ -65,7 +65,7 @@ class TrialRun {
       const std::vector<FoundHand>& found = eye.finder.find(image);
       find_ms += thread_ms() - start;
       if (found.empty()) continue;
-      views.push_back({found[0].points, scene.lens, eye.camera_rig});
+      views.push_back({found[0].points, scene.lens, eye.camera_rig, found[0].depths});
       right_side = right_side && found[0].left == (hand.hand == left_hand);
       judge_points(scene, hand, found[0].points);
     }
@@ -127,7 +127,7 @@ Swing random_swing(Random& random, double low, double high) {
 class GestureMaker {
  public:
   GestureMaker(const std::filesystem::path& nets, HandNets size, const HandPainter& painter)
-      : painter_(painter), tracker_(nets, size, 1, 1) {}
+      : painter_(painter), tracker_(nets, size, 1) {}
 
   /// Shows one hand that rests open, makes a gesture within 0.13 s and rests again; pictures show rest twice
   /// or more.

@@ -48,7 +48,7 @@ class BareHands : public testing::Test {
 };
 
 TEST_F(BareHands, RestWhereTheyAre) {
-  HandTracker tracker(nets_, HandNets::full, 1, 1);
+  HandTracker tracker(nets_, HandNets::full, 1);
   tracker.set_eye(0, {webcam(), {}});
   std::vector<Vec3> places;
   for (std::uint64_t k = 0; k < 20; ++k) {
@@ -73,7 +73,7 @@ TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
   // In several turns: in a single one, one camera may be right by luck.
   for (const double turn : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(turn, Vec3(1, 1, 0).normalized())) * upright).normalized();
-    HandTracker one(nets_, HandNets::full, 1, 1), two(nets_, HandNets::full, 2, 1);
+    HandTracker one(nets_, HandNets::full, 1), two(nets_, HandNets::full, 2);
     one.set_eye(0, {webcam(), {}});
     two.set_eye(0, {webcam(), {}});
     two.set_eye(1, {webcam(), second});
@@ -99,7 +99,7 @@ TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
 }
 
 TEST_F(BareHands, AreLostWithoutWordsAndFoundAgain) {
-  HandTracker tracker(nets_, HandNets::lite, 1, 1);
+  HandTracker tracker(nets_, HandNets::lite, 1);
   tracker.set_eye(0, {webcam(), {}});
   ASSERT_EQ(tracker.see(0, frame(0)).size(), 1u);
   Frame torn = frame(1);
@@ -127,7 +127,7 @@ TEST_F(BareHands, StayWhereTheyAreWhileSinglePicturesAreTorn) {
   for (int way = 0; way < 4; ++way) {
     hand_.flexion.fill(way % 2 == 0 ? 0.1 : 0.8);
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(0.2 * way, Vec3::UnitZ())) * upright).normalized();
-    HandTracker tracker(nets_, HandNets::full, 1, 1);
+    HandTracker tracker(nets_, HandNets::full, 1);
     tracker.set_eye(0, {webcam(), {}});
     const Frame whole = frame(0);
     std::optional<Pose> first;

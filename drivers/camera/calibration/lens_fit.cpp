@@ -19,7 +19,9 @@ constexpr double least_response = 1, most_response = 3;
 constexpr int response_steps = 7;          // of the golden section
 constexpr std::size_t response_views = 5;  // that the response is found by
 constexpr std::size_t held_out_each = 5;
-constexpr double most_rms = 2;  // pixels: what fits worse is no calibration
+constexpr double most_rms = 2;                  // pixels: what fits worse is no calibration
+constexpr double most_rough_rms = 1;            // pixels, by rough corners
+constexpr double least_share_with_edges = 0.5;  // of views, so that the lens is found by edges
 constexpr double outlier_px = 0.15,
                  outlier_ratio = 4;  // of the median; tags that are farther off are left out
 constexpr int solver_flags = cv::CALIB_FIX_K3;
@@ -114,8 +116,22 @@ std::vector<ViewCorners> refined(const std::vector<ViewCorners>& rough, std::spa
   return out;
 }
 
+bool has_enough(const ViewCorners& view) {
+  return view.size() >= least_tags;
+}
+
 bool has_enough(const std::vector<ViewCorners>& views) {
-  return std::all_of(views.begin(), views.end(), [](const ViewCorners& v) { return v.size() >= least_tags; });
+  return std::all_of(views.begin(), views.end(), [](const ViewCorners& v) { return has_enough(v); });
+}
+
+/// Returns the views in which the edges of enough tags are found.
+std::vector<LensView> views_with_edges(const Board& board, std::span<const LensView> views,
+                                       const Lens& lens) {
+  const auto fine = refined(corners_of(board, views), views, lens, usual_response);
+  std::vector<LensView> out;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    if (has_enough(fine[v])) out.push_back(views[v]);
+  return out;
 }
 
 /// Returns how far off each tag of a view is, pixels RMS, where the view's pose is best.
@@ -222,6 +238,42 @@ double held_out_error(const std::vector<ViewCorners>& corners, const Lens& lens)
   return error_of(solve(fitted, lens.width, lens.height).lens, left_out);
 }
 
+/// Finds the lens by the tags' edges, in the views in which they are found; nothing where these are too few.
+std::optional<LensFit> lens_by_edges(const Board& board, std::span<const LensView> views, const Lens& first,
+                                     const std::stop_token& stop) {
+  const std::vector<LensView> used = views_with_edges(board, views, first);
+  const double share = static_cast<double>(used.size()) / static_cast<double>(views.size());
+  if (used.size() < least_views || share < least_share_with_edges) return std::nullopt;
+  const std::vector<ViewCorners> rough = corners_of(board, used);
+  const std::span<const LensView> some = std::span(used).first(std::min(response_views, used.size()));
+  LensFit out;
+  out.calibration.response = find_response(
+      {rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(some.size())}, some, first, stop);
+  std::vector<ViewCorners> corners;
+  const Solved best = solve_with(rough, used, first, out.calibration.response, usual_rounds, &corners);
+  if (!(best.rms < most_rms)) return std::nullopt;
+  out.calibration.lens = best.lens;
+  out.rms = best.rms;
+  out.held_out = out.calibration.error = held_out_error(corners, best.lens);
+  return out;
+}
+
+/// Finds the lens by the corners that the tag finder found. Throws InputError where they are too blurred.
+LensFit lens_by_corners(const std::vector<ViewCorners>& rough, const Lens& first) {
+  const std::vector<ViewCorners> kept = without_outliers(first, rough);
+  const std::vector<ViewCorners>& corners = has_enough(kept) ? kept : rough;
+  const Solved best = solve(corners, first.width, first.height);
+  if (!(best.rms < most_rough_rms))
+    throw InputError("the board's edges are too blurred: hold it still, nearer, in more light");
+  LensFit out;
+  out.by_edges = false;
+  out.calibration.lens = best.lens;
+  out.calibration.response = usual_response;
+  out.rms = best.rms;
+  out.held_out = out.calibration.error = held_out_error(corners, best.lens);
+  return out;
+}
+
 }  // namespace
 
 std::set<PictureCell> covered_cells(std::span<const LensView> views) {
@@ -253,18 +305,9 @@ LensFit fit_lens(const Board& board, std::span<const LensView> views, const std:
   if (!(first.rms < most_rms) || !(first.lens.fx > 0))
     throw InputError(
         "the views don't fit one lens: is the board flat, and were the views tilted in different ways?");
-  LensFit out;
+  const std::optional<LensFit> by_edges = lens_by_edges(board, views, first.lens, stop);
+  LensFit out = by_edges ? *by_edges : lens_by_corners(rough, first.lens);
   out.calibration.camera = camera;
-  const std::size_t some = std::min(response_views, views.size());
-  out.calibration.response = find_response({rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(some)},
-                                           views.first(some), first.lens, stop);
-  std::vector<ViewCorners> corners;
-  const Solved best = solve_with(rough, views, first.lens, out.calibration.response, usual_rounds, &corners);
-  if (!(best.rms < most_rms))
-    throw InputError("the board's edges are too blurred: hold it still, nearer, in more light");
-  out.calibration.lens = best.lens;
-  out.rms = best.rms;
-  out.held_out = out.calibration.error = held_out_error(corners, best.lens);
   out.covered = covered_share(views);
   return out;
 }

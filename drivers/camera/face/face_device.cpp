@@ -1,24 +1,12 @@
 #include "drivers/camera/face/face_device.h"
 
 #include <array>
-#include <cmath>
 
 #include "common/paths.h"
 #include "drivers/camera/camera_frames.h"
 #include "drivers/station_sample.h"
 
 namespace prosector {
-namespace {
-
-constexpr double nearest_face = 0.15, farthest_face = 3;  // m from the camera: what else is found is none
-
-bool is_likely(const EyesPlace& eyes) {
-  return std::abs(eyes.yaw) < most_yaw && eyes.head.p.norm() > nearest_face &&
-         eyes.head.p.norm() < farthest_face;
-}
-
-}  // namespace
-
 FaceDevice::FaceDevice(const std::string& camera, const DeviceConfig& config)
     : camera_(shared_camera(config.camera, camera)),
       eye_distance_(config.eye_distance),
@@ -33,16 +21,16 @@ FaceDevice::FaceDevice(const std::string& camera, const DeviceConfig& config)
 void FaceDevice::see(const Frame& frame) {
   (void)lens_.take(frame.image);
   std::vector<DeviceSample> found;
-  if (const auto face = finder_.find(frame.image)) {
-    const EyesPlace eyes = place_eyes(*face, lens_.lens(), eye_distance_);
-    if (is_likely(eyes)) {
-      const Pose head = filter_.update(eyes.head, frame.time_ns);
-      const std::array<double, 3> sides = {0, eye_distance_ / 2, -eye_distance_ / 2};  // to the user's right
-      for (std::size_t station = 0; station < sides.size(); ++station)
-        found.push_back(
-            sample_of(station, head * Pose{{sides[station], 0, 0}, Quat::Identity()}, frame.time_ns));
-      ++records_;
-    }
+  std::vector<PlacedFace> faces;
+  for (const FoundFace& face : finder_.find_all(frame.image))
+    faces.push_back({face.score, place_eyes(face, lens_.lens(), eye_distance_)});
+  if (const auto eyes = follower_.follow(faces, frame.time_ns)) {
+    const Pose head = filter_.update(eyes->head, frame.time_ns);
+    const std::array<double, 3> sides = {0, eye_distance_ / 2, -eye_distance_ / 2};  // to the user's right
+    for (std::size_t station = 0; station < sides.size(); ++station)
+      found.push_back(
+          sample_of(station, head * Pose{{sides[station], 0, 0}, Quat::Identity()}, frame.time_ns));
+    ++records_;
   }
   samples_.put(frame.time_ns, true, found);
   samples_.set_guessed(lens_.is_guessed());

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "drivers/camera/face/eyes_filter.h"
-#include "drivers/camera/face/eyes_place.h"
+#include "drivers/camera/face/face_follower.h"
 #include "drivers/camera/picture_lens.h"
 #include "drivers/camera/shared_camera.h"
 #include "drivers/camera_samples.h"
@@ -33,6 +33,7 @@ class FaceDevice final : public Device {
   // Only the camera's thread uses these.
   FaceFinder finder_;
   PictureLens lens_;
+  FaceFollower follower_;
   EyesFilter filter_;
   PoseChain chain_;
   std::uint64_t records_ = 0;

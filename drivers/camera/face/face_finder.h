@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "drivers/camera/hands/anchor_network.h"
 
@@ -10,7 +11,7 @@ namespace prosector {
 
 /// Points of a face, pixels; left and right as the user has them.
 struct FoundFace {
-  double score = 0;  // 0 to 1
+  double score = 0;  // 0 to 1, in the mean of several looks
   Vec2 right_eye, left_eye, nose, mouth, right_ear, left_ear;
 };
 
@@ -18,10 +19,16 @@ class FaceFinder {
  public:
   /// Takes the network's file from this folder. Throws InputError that says how to get it.
   explicit FaceFinder(const std::filesystem::path& folder);
-  /// Returns the largest face of a picture, to some 2 m from a webcam; nothing: there is none.
+  /// Returns the faces of a picture, to some 2 m from a webcam, the largest first, at most `most_faces`.
+  std::vector<FoundFace> find_all(const Image& image);
+  /// Returns the largest face of a picture; nothing: there is none.
   std::optional<FoundFace> find(const Image& image);
 
+  static constexpr std::size_t most_faces = 3;
+
  private:
+  std::optional<FoundFace> look_closer(const Image& image, const AnchoredThing& rough);
+
   AnchorNetwork network_;
 };
 

@@ -85,6 +85,7 @@ std::vector<AnchoredThing> AnchorNetwork::find(const Image& image, double least_
 std::vector<AnchoredThing> AnchorNetwork::find_in(const Image& image, const PictureRegion& square,
                                                   double least_score) {
   sample_region(image, square, layout_.input, Outside::black, network_.input());
+  brighten(network_.input());
   for (float& x : network_.input()) x = layout_.darkest + (1 - layout_.darkest) * x;
   network_.run();
   // Answers about the same thing are averaged, the surer ones more.

@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::size_t most_hands = 2;
 constexpr double present = 0.5, still_present = 0.25;  // to be found, and to be followed on
-constexpr std::uint64_t look_again = 10;               // pictures: so often a second hand is looked for
+constexpr std::uint64_t look_again = 10;               // pictures: so often a second hand is looked for …
+constexpr std::uint64_t look_for_nearer = 30;          // … and a nearer one where there are two
+constexpr double nearer = 1.4;      // times as large: a hand takes the place of another one
+constexpr double stays = 0.85;      // of the least length: shorter than this a hand that is followed is left
 constexpr double same_hand = 0.35;  // of a region's side: two regions nearer than this are of one hand
 constexpr double most_votes = 6;    // so many pictures turn the surest vote
 constexpr double least_side = 8;    // pixels: nothing smaller is a hand
@@ -44,9 +47,15 @@ bool HandFinder::follow(const Image& image, Followed& followed) {
   if (!(answer.presence >= (followed.hand.presence > 0 ? still_present : present))) return false;
   for (const Vec2& x : answer.points)
     if (!x.allFinite()) return false;
+  const bool is_followed = followed.hand.presence > 0;
+  if (length_of_hand(answer.points) < (is_followed ? stays : 1) * least_length_) {
+    saw_far_hand_ = true;
+    return false;
+  }
   followed.votes = std::clamp(followed.votes + 2 * answer.right - 1, -most_votes, most_votes);
   followed.region = region_around(answer.points);
   followed.hand.points = answer.points;
+  followed.hand.depths = answer.depths;
   followed.hand.presence = answer.presence;
   return true;
 }
@@ -61,17 +70,31 @@ void HandFinder::drop_doubles() {
 
 void HandFinder::look_for_more(const Image& image) {
   ++palm_runs_;
-  for (const PictureRegion& palm : palms_.find(image)) {
-    if (followed_.size() == most_hands) return;
+  std::vector<PictureRegion> palms = palms_.find(image);
+  std::stable_sort(palms.begin(), palms.end(),
+                   [](const PictureRegion& a, const PictureRegion& b) { return a.side > b.side; });
+  for (const PictureRegion& palm : palms) {
     const bool known = std::any_of(followed_.begin(), followed_.end(), [&](const Followed& f) {
       return (f.region.center - palm.center).norm() < same_hand * std::max(f.region.side, palm.side);
     });
     Followed fresh{palm, 0, {}};
     if (known || !follow(image, fresh)) continue;
     follow(image, fresh);  // the palm's square is rough: look again where the hand is
-    fresh.hand.number = next_number_++;
-    followed_.push_back(fresh);
+    take(fresh);
   }
+}
+
+/// Follows a hand from now on: beside others, or in the place of the smallest where it is much nearer.
+void HandFinder::take(const Followed& fresh) {
+  const auto smallest =
+      std::min_element(followed_.begin(), followed_.end(),
+                       [](const Followed& a, const Followed& b) { return a.region.side < b.region.side; });
+  if (followed_.size() == most_hands) {
+    if (fresh.region.side < nearer * smallest->region.side) return;
+    followed_.erase(smallest);
+  }
+  followed_.push_back(fresh);
+  followed_.back().hand.number = next_number_++;
 }
 
 /// Gives each hand the side that more votes are for; two hands have two sides.
@@ -86,6 +109,7 @@ void HandFinder::tell_sides() {
 
 const std::vector<FoundHand>& HandFinder::find(const Image& image) {
   hands_.clear();
+  saw_far_hand_ = false;
   if (!is_whole(image)) return hands_;
   std::erase_if(followed_, [&](Followed& f) {
     if (!follow(image, f)) return true;
@@ -93,8 +117,8 @@ const std::vector<FoundHand>& HandFinder::find(const Image& image) {
     return false;
   });
   drop_doubles();
-  if (followed_.empty() || (followed_.size() < most_hands && pictures_ % look_again == 0))
-    look_for_more(image);
+  const std::uint64_t pause = followed_.size() < most_hands ? look_again : look_for_nearer;
+  if (followed_.empty() || pictures_ % pause == 0) look_for_more(image);
   ++pictures_;
   tell_sides();
   for (const Followed& f : followed_) hands_.push_back(f.hand);

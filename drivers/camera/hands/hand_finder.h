@@ -1,5 +1,6 @@
 #pragma once
-// Up to two bare hands in picture after picture: looked for in all of it once, then followed.
+// Up to two bare hands in picture after picture: looked for in all of it once, then followed. The nearest
+// ones are taken, and none that are too far away: these are bystanders'.
 
 #include <filesystem>
 #include <vector>
@@ -12,6 +13,7 @@ namespace prosector {
 
 struct FoundHand {
   HandPoints points;          // pixels
+  HandDepths depths{};        // pixels
   double presence = 0;        // 0 to 1
   bool left = false;          // by the vote of all pictures that it was followed through
   std::uint64_t follows = 0;  // pictures before this one through which it was followed
@@ -25,6 +27,10 @@ class HandFinder {
 
   /// Looks at the next picture. Throws nothing, whatever the picture.
   const std::vector<FoundHand>& find(const Image& image);
+  /// Leaves out hands that look shorter, pixels: they are too far away. At first none are left out.
+  void set_least_length(double pixels) { least_length_ = pixels; }
+  /// Returns whether a hand was left out of the last picture.
+  bool saw_far_hand() const { return saw_far_hand_; }
   /// Forgets whom it follows: the next picture is of something else.
   void forget();
   /// Returns how often it looked for palms.
@@ -39,12 +45,15 @@ class HandFinder {
   bool follow(const Image& image, Followed& followed);
   void drop_doubles();
   void look_for_more(const Image& image);
+  void take(const Followed& fresh);
   void tell_sides();
 
   PalmFinder palms_;
   LandmarkNetwork landmarks_;
   std::vector<Followed> followed_;
   std::vector<FoundHand> hands_;
+  double least_length_ = 0;
+  bool saw_far_hand_ = false;
   std::uint64_t pictures_ = 0, palm_runs_ = 0, next_number_ = 0;
 };
 

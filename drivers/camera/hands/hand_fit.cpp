@@ -6,7 +6,8 @@
 namespace prosector {
 namespace {
 
-constexpr Eigen::Index unknowns = 6 + static_cast<Eigen::Index>(fingers);
+constexpr Eigen::Index first_bend = 6, breadth_at = first_bend + static_cast<Eigen::Index>(fingers),
+                       unknowns = breadth_at + 1;  // before the bends: shift and turn
 using Step = Eigen::Matrix<double, unknowns, 1>;
 using Normal = Eigen::Matrix<double, unknowns, unknowns>;
 
@@ -15,9 +16,11 @@ constexpr double usual_miss = 0.02;   // of the hand's length: what networks mis
 constexpr double most_miss = 0.09;    // of the hand's length: no hand of ours lies there
 constexpr double trust_before = 0.7;  // of its cost: a hand goes on where it was, unless that fits much worse
 constexpr double as_good = 1.15;      // costs of two poses: either may be the right one
-constexpr double other_pose = 0.5;    // rad: that far apart they are two
 constexpr double bend_spread = 1.5;   // of bends around `usual_bend`, so that what can't be seen stays put
 constexpr double usual_bend = 0.3;
+// Breadths of hands of one length vary by that much (standard deviation). Where ours was taken for
+// everybody's, a slimmer hand that is held straight at the camera seemed to be turned to either side.
+constexpr double breadth_spread = 0.08, most_breadth = 0.3;
 constexpr double nearest_hand = 0.08, farthest_hand = 3;               // m along z
 constexpr std::array<std::size_t, 5> flat_points = {0, 5, 9, 13, 17};  // wrist and knuckles: they don't bend
 
@@ -67,6 +70,7 @@ constexpr double weight_of(std::size_t point) {
 struct Guess {
   Pose wrist;
   std::array<double, fingers> flexion{};
+  double breadth = 1;
   double cost = 0;
 };
 
@@ -75,6 +79,7 @@ struct Seen {
   std::array<Vec2, hand_points> directions;
   Pose camera_rig;
   double length = 1;  // of the hand in the picture, in directions
+  std::optional<HandDepths> depths;
 };
 
 class HandProblem {
@@ -106,6 +111,26 @@ class HandProblem {
   }
 
   /// Returns the rms of misses that aren't outliers, as a share of the hand's length.
+  /// Returns the correlation of a guess's depths along the first camera's axis with the depths that its
+  /// network sees, −1 to 1; 0 where these are unknown.
+  double depth_agreement(const Guess& guess) const {
+    const Seen& seen = seen_.front();
+    if (!seen.depths) return 0;
+    const auto points = points_of(guess);
+    const Pose camera_wrist = seen.camera_rig * guess.wrist;
+    Eigen::Array<double, hand_points, 1> fitted, seen_depths;
+    for (std::size_t k = 0; k < hand_points; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      fitted[row] = (camera_wrist * points[k]).z();
+      seen_depths[row] = (*seen.depths)[k];
+    }
+    fitted -= fitted.mean();
+    seen_depths -= seen_depths.mean();
+    const double both = (fitted * seen_depths).sum(),
+                 each = fitted.square().sum() * seen_depths.square().sum();
+    return each > 0 && std::isfinite(both) ? both / std::sqrt(each) : 0;
+  }
+
   double miss_of(const Guess& guess) const {
     double sum = 0, weights = 0;
     for_points(guess, [&](const Vec2& miss, double weight) {
@@ -117,14 +142,21 @@ class HandProblem {
   }
 
  private:
+  /// Returns the points of that hand in its wrist's frame, m.
+  std::array<Vec3, hand_points> points_of(const Guess& guess) const {
+    auto out = points_of_hand(shape_.hand, guess.flexion);
+    for (Vec3& point : out) point = shape_.size * Vec3(guess.breadth * point.x(), point.y(), point.z());
+    return out;
+  }
+
   /// Calls `use` with each point's miss, in units of the usual one, and its weight.
   template <typename Use>
   void for_points(const Guess& guess, const Use& use) const {
-    const auto points = points_of_hand(shape_.hand, guess.flexion);
+    const auto points = points_of(guess);
     for (const Seen& seen : seen_) {
       const Pose camera_wrist = seen.camera_rig * guess.wrist;
       for (std::size_t k = 0; k < hand_points; ++k) {
-        const Vec3 x = camera_wrist * Vec3(shape_.size * points[k]);
+        const Vec3 x = camera_wrist * points[k];
         const double z = std::max(x.z(), 0.01);
         use(Vec2((x.head<2>() / z - seen.directions[k]) / (usual_miss * seen.length)), weight_of(k));
       }
@@ -138,7 +170,7 @@ class HandProblem {
     });
     for (const double bend : guess.flexion)
       out += (bend - usual_bend) * (bend - usual_bend) / (bend_spread * bend_spread);
-    return out;
+    return out + (guess.breadth - 1) * (guess.breadth - 1) / (breadth_spread * breadth_spread);
   }
 
   /// Turns about the middle of the palm, so that turns and shifts hardly depend on each other.
@@ -151,7 +183,9 @@ class HandProblem {
     out.wrist.q = (q * from.wrist.q).normalized();
     out.wrist.p = middle + q * (from.wrist.p - middle) + step.head<3>();
     for (std::size_t f = 0; f < fingers; ++f)
-      out.flexion[f] = std::clamp(from.flexion[f] + step[6 + static_cast<Eigen::Index>(f)], 0.0, 1.0);
+      out.flexion[f] =
+          std::clamp(from.flexion[f] + step[first_bend + static_cast<Eigen::Index>(f)], 0.0, 1.0);
+    out.breadth = std::clamp(from.breadth + step[breadth_at], 1 - most_breadth, 1 + most_breadth);
     out.cost = cost_of(out);
     return out;
   }
@@ -172,8 +206,10 @@ class HandProblem {
     for (Eigen::Index k = 0; k < unknowns; ++k) {
       Step step = Step::Zero();
       // Bends end at 0 and 1: differences go inwards.
-      const double bend = k < 6 ? 0 : guess.flexion[static_cast<std::size_t>(k - 6)];
-      step[k] = k < 3 ? 1e-5 : k < 6 ? 1e-4 : bend > 0.5 ? -1e-4 : 1e-4;
+      const bool is_bend = k >= first_bend && k < breadth_at;
+      const double inwards =
+          is_bend && guess.flexion[static_cast<std::size_t>(k - first_bend)] > 0.5 ? -1 : 1;
+      step[k] = k < 3 ? 1e-5 : inwards * 1e-4;
       const std::vector<double> there = misses(moved(guess, step));
       for (Eigen::Index r = 0; r < rows; ++r)
         by(r, k) = (there[static_cast<std::size_t>(r)] - here[static_cast<std::size_t>(r)]) / step[k];
@@ -190,10 +226,12 @@ class HandProblem {
     normal = by.transpose() * weights.asDiagonal() * by;
     slope = by.transpose() * weights.cwiseProduct(miss);
     for (std::size_t f = 0; f < fingers; ++f) {
-      const auto at = 6 + static_cast<Eigen::Index>(f);
+      const auto at = first_bend + static_cast<Eigen::Index>(f);
       normal(at, at) += 1 / (bend_spread * bend_spread);
       slope[at] += (guess.flexion[f] - usual_bend) / (bend_spread * bend_spread);
     }
+    normal(breadth_at, breadth_at) += 1 / (breadth_spread * breadth_spread);
+    slope[breadth_at] += (guess.breadth - 1) / (breadth_spread * breadth_spread);
   }
 
   std::vector<Seen> seen_;
@@ -241,15 +279,28 @@ std::vector<Pose> flat_poses(const Seen& seen, const HandShape& shape) {
 std::optional<Seen> seen_by(const HandView& view) {
   Seen out;
   out.camera_rig = view.camera_rig;
+  out.depths = view.depths;
   for (std::size_t k = 0; k < hand_points; ++k) {
     out.directions[k] = view.lens.ray(view.points[k]).head<2>();
     if (!out.directions[k].allFinite()) return std::nullopt;
   }
-  // The palm is 94 of 190 mm long; a hand that points at the camera still has its breadth.
-  const double palm = (out.directions[9] - out.directions[0]).norm(),
-               breadth = (out.directions[17] - out.directions[5]).norm();
-  out.length = std::max({2.0 * palm, 3.1 * breadth, 1e-3});
+  out.length = std::max(length_of_hand(out.directions), 1e-3);
   return out;
+}
+
+/// Returns the one of the guesses that fit about as well as the first whose depths agree best with what the
+/// network sees; the first where they are unknown. `guesses`: one at least, by cost.
+const Guess& best_of_rivals(const HandProblem& problem, const std::vector<Guess>& guesses) {
+  const Guess* best = &guesses.front();
+  double best_agreement = problem.depth_agreement(*best);
+  for (const Guess& rival : guesses) {
+    if (rival.cost > as_good * guesses.front().cost) break;
+    const double agreement = problem.depth_agreement(rival);
+    if (agreement <= best_agreement) continue;
+    best = &rival;
+    best_agreement = agreement;
+  }
+  return *best;
 }
 
 }  // namespace
@@ -278,7 +329,7 @@ std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape
   const HandProblem problem(seen, shape);
   std::vector<Guess> guesses;
   if (before) {
-    guesses.push_back(problem.improve({before->wrist, before->flexion}, quick_rounds));
+    guesses.push_back(problem.improve({before->wrist, before->flexion, before->breadth}, quick_rounds));
     guesses.back().cost *= trust_before;
   }
   for (const Pose& camera_wrist : flat_poses(seen[0], shape))
@@ -289,14 +340,10 @@ std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape
     }
   if (guesses.empty()) return std::nullopt;
   std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
-  const Guess best = problem.improve(guesses[0], last_rounds);
-  const bool rivalled = !before && std::any_of(guesses.begin(), guesses.end(), [&](const Guess& other) {
-    return other.cost < as_good * best.cost && other.wrist.q.angularDistance(best.wrist.q) > other_pose;
-  });
-  HandFit out{best.wrist, best.flexion, problem.miss_of(best), false};
+  const Guess best = problem.improve(before ? guesses[0] : best_of_rivals(problem, guesses), last_rounds);
+  HandFit out{best.wrist, best.flexion, best.breadth, problem.miss_of(best), false};
   const double depth = (seen[0].camera_rig * best.wrist).p.z();
-  out.sure = is_finite(best.wrist) && out.miss < most_miss && depth > nearest_hand && depth < farthest_hand &&
-             !rivalled;
+  out.sure = is_finite(best.wrist) && out.miss < most_miss && depth > nearest_hand && depth < farthest_hand;
   return out;
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t landmark_input = 224;  // pixels a side
 // Points that say where the next square is: fingers' outer joints move too fast.
 constexpr std::array<std::size_t, 12> steady_points = {0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18};
-constexpr std::size_t index_point = 5, middle_point = 9, ring_point = 13;
+constexpr std::size_t index_point = 5, middle_point = 9, ring_point = 13, little_point = 17;
 constexpr double next_side = 2, next_shift = 0.1;
 
 }  // namespace
@@ -24,15 +24,25 @@ LandmarkNetwork::LandmarkNetwork(NetPlan plan) : network_(std::move(plan)) {
 
 LandmarkAnswer LandmarkNetwork::look(const Image& image, const PictureRegion& region) {
   sample_region(image, region, landmark_input, Outside::edge, network_.input());
+  brighten(network_.input());
   network_.run();
   const auto places = network_.output(0);
   LandmarkAnswer out;
-  for (std::size_t k = 0; k < hand_points; ++k)
+  for (std::size_t k = 0; k < hand_points; ++k) {
     out.points[k] =
         region.pixel(Vec2(places[3 * k], places[3 * k + 1]) / static_cast<double>(landmark_input));
+    out.depths[k] = places[3 * k + 2] * region.side / static_cast<double>(landmark_input);
+  }
   out.presence = network_.output(1)[0];
   out.right = network_.output(2)[0];
   return out;
+}
+
+double length_of_hand(const HandPoints& points) {
+  // The palm is 94 of 190 mm long.
+  const double palm = (points[middle_point] - points[0]).norm(),
+               breadth = (points[little_point] - points[index_point]).norm();
+  return std::max(2.0 * palm, 3.1 * breadth);
 }
 
 PictureRegion region_around(const HandPoints& points) {

@@ -11,14 +11,22 @@ constexpr std::int64_t forgets_ns = 300'000'000;  // without a pose the next one
 // Bends are smoothed by a low-pass whose cut-off grows with their speed, as poses are.
 constexpr double bend_least = 2, bend_beta = 3, bend_speed_cut = 2;  // Hz, Hz for each 1/s, Hz
 
+constexpr const char* no_hand =
+    "no hand is seen: is there light, and is it in the picture, whole, without a glove?";
+constexpr const char* far_hand =
+    "the hands that are seen are too far away: come nearer, or raise tracker.farthest_hand";
+constexpr const char* unclear_pose =
+    "a hand is seen, but not how it is held: turn it a little, and keep its fingers in the picture";
+
 double share_of(double cut, double seconds) {
   return 1 / (1 + 1 / (2 * std::numbers::pi * cut * seconds));
 }
 
 }  // namespace
 
-HandTracker::HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras, double size)
-    : size_(size) {
+HandTracker::HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras,
+                         const TrackedUser& user)
+    : user_(user) {
   for (std::size_t k = 0; k < cameras; ++k) cameras_.push_back({HandFinder(nets, effort), {}, {}});
 }
 
@@ -27,11 +35,13 @@ void HandTracker::set_eye(std::size_t camera, const HandEye& eye) {
   it.eye = eye;
   it.hands = {};
   it.finder.forget();
+  const double length = user_.size * middle_fingertip(right_hand, {}).norm();
+  it.finder.set_least_length(eye.lens.fx * length / user_.farthest);
 }
 
 void HandTracker::note(Camera& camera, const Frame& frame) {
   for (const FoundHand& found : camera.finder.find(frame.image))
-    camera.hands[found.left ? left_hand : right_hand] = Seen{frame.time_ns, found.points};
+    camera.hands[found.left ? left_hand : right_hand] = Seen{frame.time_ns, found.points, found.depths};
 }
 
 /// Tells whether poses of a hand come with this camera's pictures: with the first camera's that sees it.
@@ -59,19 +69,20 @@ void HandTracker::smooth(Way& way, const std::array<double, fingers>& flexion, d
 std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand, std::int64_t now_ns) {
   const auto& mine = cameras_[camera].hands[hand];
   if (!mine || mine->time_ns != now_ns || !leads(camera, hand, now_ns)) return std::nullopt;
-  std::vector<HandView> views = {{mine->points, cameras_[camera].eye.lens, cameras_[camera].eye.camera_rig}};
+  std::vector<HandView> views = {
+      {mine->points, cameras_[camera].eye.lens, cameras_[camera].eye.camera_rig, mine->depths}};
   for (const Camera& other : cameras_)
     if (&other != &cameras_[camera])
       if (const auto& seen = other.hands[hand]; seen && std::abs(now_ns - seen->time_ns) < at_once_ns)
-        views.push_back({seen->points, other.eye.lens, other.eye.camera_rig});
+        views.push_back({seen->points, other.eye.lens, other.eye.camera_rig, seen->depths});
   Way& way = ways_[hand];
   if (now_ns - way.time_ns > forgets_ns) {
     way.before.reset();
     way.doubt.forget();
   }
-  const auto fitted = fit_hand(views, {hand, size_}, way.before);
+  const auto fitted = fit_hand(views, {hand, user_.size}, way.before);
   if (!fitted || !fitted->sure) return std::nullopt;
-  const Vec3 palm = fitted->wrist * Vec3(size_ * hand_palm(hand).center);
+  const Vec3 palm = fitted->wrist * Vec3(user_.size * hand_palm(hand).center);
   if (!way.doubt.believes({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
   smooth(way, fitted->flexion, 1e-9 * static_cast<double>(now_ns - way.time_ns));
   way.before = fitted;
@@ -80,10 +91,15 @@ std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand
 }
 
 std::vector<TrackedHand> HandTracker::see(std::size_t camera, const Frame& frame) {
-  note(cameras_.at(camera), frame);
+  Camera& seen_by = cameras_.at(camera);
+  note(seen_by, frame);
   std::vector<TrackedHand> out;
-  for (const std::size_t hand : {right_hand, left_hand})
+  bool is_found = false;
+  for (const std::size_t hand : {right_hand, left_hand}) {
+    is_found |= seen_by.hands[hand] && seen_by.hands[hand]->time_ns == frame.time_ns;
     if (const auto tracked = fit(camera, hand, frame.time_ns)) out.push_back(*tracked);
+  }
+  lack_ = !out.empty() ? "" : is_found ? unclear_pose : seen_by.finder.saw_far_hand() ? far_hand : no_hand;
   return out;
 }
 

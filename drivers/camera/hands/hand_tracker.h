@@ -25,20 +25,31 @@ struct TrackedHand {
   std::size_t cameras = 1;  // that saw it
 };
 
+/// Whose hands are tracked.
+struct TrackedUser {
+  double size = 1;                     // of the hands: 1 is our hand
+  double farthest = usual_hand_range;  // m from the camera: hands beyond it are bystanders'
+};
+
 class HandTracker {
  public:
-  /// Takes the networks from this folder. Throws InputError that says how to get them. `size`: 1 is our hand.
-  HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras, double size);
+  /// Takes the networks from this folder. Throws InputError that says how to get them.
+  HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras,
+              const TrackedUser& user = {});
 
   /// Says how a camera looks from now on, before its first picture.
   void set_eye(std::size_t camera, const HandEye& eye);
   /// Takes a camera's picture. Returns the hands of which it makes sure poses: what isn't sure is left out.
   std::vector<TrackedHand> see(std::size_t camera, const Frame& frame);
 
+  /// Returns why the last picture gave no hand, as well as it is known; empty: it gave one.
+  const char* lack() const { return lack_; }
+
  private:
   struct Seen {
     std::int64_t time_ns = 0;
     HandPoints points;
+    HandDepths depths;
   };
   struct Camera {
     HandFinder finder;
@@ -59,7 +70,8 @@ class HandTracker {
   std::optional<TrackedHand> fit(std::size_t camera, std::size_t hand, std::int64_t now_ns);
   static void smooth(Way& way, const std::array<double, fingers>& flexion, double seconds);
 
-  double size_;
+  TrackedUser user_;
+  const char* lack_ = "";
   std::vector<Camera> cameras_;
   std::array<Way, 2> ways_;
 };

@@ -24,7 +24,8 @@ double size_of(const DeviceConfig& config) {
 
 HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceConfig& config)
     : camera_rig_(cameras.size()),
-      tracker_(default_data_dir() / "models", config.hand_nets, cameras.size(), size_of(config)),
+      tracker_(default_data_dir() / "models", config.hand_nets, cameras.size(),
+               {size_of(config), config.farthest_hand}),
       chain_(config),
       awaits_table_(config.camera && !config.table.empty()),
       gestures_{GestureDetector(thresholds_of(config)), GestureDetector(thresholds_of(config))} {
@@ -50,6 +51,7 @@ void HandsDevice::see(std::size_t camera, const Frame& frame) {
       tracker_.set_eye(camera, {lenses_[camera].lens(), camera_rig_[camera]});
     for (const TrackedHand& tracked : tracker_.see(camera, frame))
       if (placed) found.push_back(sample_of(tracked, frame.time_ns));
+    if (camera == 0) lack_ = tracker_.lack();
   }
   samples_.put(frame.time_ns, camera == 0, found);
   if (camera == 0) samples_.set_guessed(lenses_[0].is_guessed());
@@ -84,10 +86,7 @@ void HandsDevice::poll(std::vector<DeviceSample>& out) {
 DeviceStatus HandsDevice::status() const {
   std::string problem;
   for (std::size_t k = 0; k < cameras_.size() && problem.empty(); ++k) problem = cameras_[k]->state().problem;
-  return samples_.status(
-      problem, is_placed_
-                   ? "no hand is seen: is there light, and is it in the picture, whole, without a glove?"
-                   : unknown_place);
+  return samples_.status(problem, is_placed_ ? lack_.load() : unknown_place);
 }
 
 std::unique_ptr<Device> open_hands(const std::string& path, const DeviceConfig& config) {

@@ -42,6 +42,8 @@ class HandsDevice final : public Device {
   std::array<std::uint64_t, 2> records_{};
 
   CameraSamples samples_;
+  std::atomic<const char*> lack_ =
+      "";  // why the first camera's last picture gave no hand; empty: it gave one
   std::atomic<bool> is_placed_ = true;  // it is known where the first camera stands
   std::vector<std::shared_ptr<SharedCamera>> cameras_;
   std::vector<std::unique_ptr<SharedCamera::Seat>> seats_;  // last: they use what is above

@@ -36,6 +36,21 @@ void add_at(const Image& image, float x, float y, Outside outside, float weight,
               shares[2] * static_cast<float>(lower[c]) + shares[3] * static_cast<float>(lower[c + 3]);
 }
 
+/// Returns the brightness that a small share of the pixels exceed, each by its brightest channel, 0 to 1.
+float bright_level(std::span<const float> pixels) {
+  constexpr std::size_t levels = 256;
+  constexpr double brighter_share = 0.05;
+  std::array<std::size_t, levels> counts{};
+  for (std::size_t k = 0; k + 2 < pixels.size(); k += 3) {
+    const float most = std::max({pixels[k], pixels[k + 1], pixels[k + 2]});
+    ++counts[static_cast<std::size_t>(std::clamp(most, 0.F, 1.F) * (levels - 1))];
+  }
+  const auto above = static_cast<std::size_t>(brighter_share * static_cast<double>(pixels.size() / 3));
+  std::size_t level = levels - 1;
+  for (std::size_t sum = counts[level]; level > 0 && sum <= above; sum += counts[level]) --level;
+  return static_cast<float>(level) / (levels - 1);
+}
+
 }  // namespace
 
 bool is_whole(const Image& image) {
@@ -71,6 +86,14 @@ void sample_region(const Image& image, const PictureRegion& region, std::size_t 
             (first + part(x, s % samples) * right + part(y, s / samples) * down).cwiseMax(low).cwiseMin(high);
         add_at(image, at.x(), at.y(), outside, weight, out.data() + 3 * (y * size + x));
       }
+}
+
+void brighten(std::span<float> pixels) {
+  constexpr float bright_enough = 0.5F, most_gain = 8;
+  const float level = bright_level(pixels);
+  if (level >= bright_enough) return;
+  const float gain = std::min(bright_enough / std::max(level, 1e-3F), most_gain);
+  for (float& x : pixels) x = std::min(gain * x, 1.F);
 }
 
 }  // namespace prosector

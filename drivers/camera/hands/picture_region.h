@@ -27,4 +27,8 @@ enum class Outside : std::uint8_t { black, edge };
 void sample_region(const Image& image, const PictureRegion& region, std::size_t size, Outside outside,
                    std::span<float> out);
 
+/// Brightens dark pixels of red, green, blue, each from 0 to 1, as more light would: networks were trained on
+/// well exposed pictures. Leaves alone what is bright enough, and what is nearly black.
+void brighten(std::span<float> pixels);
+
 }  // namespace prosector

@@ -31,10 +31,10 @@ struct TagFinder::Detector {
   }
 };
 
-TagFinder::TagFinder(const TagFinderSettings& settings) : detector_(std::make_unique<Detector>()) {
+TagFinder::TagFinder(const TagFinderSettings& settings)
+    : settings_(settings), detector_(std::make_unique<Detector>()) {
   apriltag_detector_add_family_bits(detector_->detector, detector_->family, 1);
   detector_->detector->nthreads = 1;
-  detector_->detector->quad_decimate = static_cast<float>(settings.decimate);
   detector_->detector->refine_edges = true;
 }
 
@@ -43,6 +43,8 @@ TagFinder::~TagFinder() = default;
 std::vector<SeenTag> TagFinder::find(const GreyImage& straight) const {
   constexpr int least_side = 8;  // pixels; the library divides pictures into tiles
   if (straight.width < least_side || straight.height < least_side) return {};
+  const bool is_small = straight.width <= undecimated_pixels / straight.height;
+  detector_->detector->quad_decimate = is_small ? 1.0F : static_cast<float>(settings_.decimate);
   // The library doesn't write to it.
   image_u8_t image{straight.width, straight.height, straight.width,
                    const_cast<std::uint8_t*>(straight.grey.data())};

@@ -20,8 +20,11 @@ struct SeenTag {
 
 struct TagFinderSettings {
   double decimate =
-      2;  // quads are looked for in a picture so many times smaller; 1 sees farther and takes longer
+      2;  // quads are looked for in a picture so many times smaller; 1 sees farther and takes longer.
+          // Pictures of at most `undecimated_pixels` are always searched at 1: there it is as quick
 };
+
+inline constexpr int undecimated_pixels = 400 * 300;
 
 class TagFinder {
  public:
@@ -33,6 +36,7 @@ class TagFinder {
 
  private:
   struct Detector;
+  TagFinderSettings settings_;
   std::unique_ptr<Detector> detector_;
 };
 
