@@ -39,7 +39,10 @@ bool runs_along(const Triangle& t, const Edge& edge) {
 /// Disjoint sets of numbers.
 class Sets {
  public:
-  explicit Sets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0u); }
+  explicit Sets(std::size_t count) {
+    above_.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) above_.push_back(i);
+  }
   std::uint32_t top(std::uint32_t i) {
     while (above_[i] != i) i = above_[i] = above_[above_[i]];
     return i;
