@@ -8,12 +8,17 @@ cd "$(dirname "$0")/.."
 preset=${1:?"usage: deploy/build.sh PRESET [TARGET...]"}
 shift
 jobs=${PROSECTOR_JOBS:-$(nproc)}
-echo "build: $preset, $jobs at a time"
 cmake --preset "$preset" ${PROSECTOR_WERROR:+-DPROSECTOR_WERROR="$PROSECTOR_WERROR"} >/dev/null || {
   echo "build: configuring failed; run deploy/setup.sh, or remove build/$preset and run this again" >&2
   exit 1
 }
-ninja -C "build/$preset" -j "$jobs" "$@" || {
+steps=$(ninja -C "build/$preset" -n "$@" | tail -n 1 | sed -n 's|^\[[0-9]*/\([0-9]*\)\].*|\1|p')
+if [ -n "$steps" ]; then
+  # Measured: docs/look-up/gate-costs.md. Most steps compile six files, some of which take a minute.
+  echo "build: $preset: $steps steps, $jobs at a time; at most some $(((steps * 8 / jobs + 59) / 60)) min, less where ccache" \
+    "knows them; each compiler takes up to about 1.5 GB of memory"
+fi
+NINJA_STATUS="[%f of %t, %p, %e s] " ninja -C "build/$preset" -j "$jobs" "$@" || {
   echo "build: compiling failed; the first error stands above (memory short? PROSECTOR_JOBS=1 deploy/build.sh $preset)" >&2
   exit 1
 }

@@ -12,7 +12,7 @@ deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--skip-set
   --seconds N    how long the session lasts (default 20; with a window: until you close it)
   --out DIR      where pictures, video and figures go (default out/demo)
   --scene FILE   scene to host (default deploy/scenes/abdomen.toml)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch or build (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
 TXT
 }
 
@@ -35,8 +35,15 @@ case "$seconds" in '' | *[!0-9]*) echo "demo: --seconds $seconds: give a whole n
 if [ $setup = yes ]; then
   "$root/deploy/setup.sh"
   "$root/deploy/fetch_anatomy.sh"
+  "$root/deploy/fetch_models.sh"
   "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin prosector-scene
 fi
+# After the show: the other programs that README and lessons name, and all that `cmake --install` needs.
+build_the_rest() {
+  [ $setup = yes ] || return 0
+  printf '\n== Building the other programs that README and lessons name; the demo is over, Ctrl-C stops this\n'
+  "$root/deploy/build.sh" release man_pages prosector-omni-twin prosector-inverse3-twin prosector-vrpn-twin
+}
 bin=${PROSECTOR_BIN:-$root/build/release/bin}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
@@ -84,6 +91,8 @@ fi
 if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
   say "You join at the desk: close the window to end"
   "$bin/prosector-client" join --session "$session" --name "${USER:-desk}" || true
+  stop
+  build_the_rest
   exit 0
 fi
 
@@ -115,3 +124,4 @@ stop
 say "Figures"
 python3 "$root/deploy/demo_report.py" "$out"
 echo "Pictures and video: $out"
+build_the_rest

@@ -575,7 +575,7 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
 /// that they hide nothing of the body.
 void SceneView::add_body_figures(const Replica& replica) {
   constexpr double clearance = 0.015;  // m
-  const Vec3 up = list_.cameras.front().pose.q * Vec3::UnitY();
+  const Pose eye = list_.cameras.front().pose, into_eye = eye.inverse();
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
@@ -584,14 +584,15 @@ void SceneView::add_body_figures(const Replica& replica) {
     Eigen::AlignedBox3f box;
     for (const auto& x : mesh->second.outer()->positions) box.extend(x);
     if (box.isEmpty()) continue;
-    const Vec3 middle = box.center().cast<double>();
-    double rise = 0;  // m, of the body's highest point in the picture over its middle
-    for (const auto& x : mesh->second.outer()->positions)
-      rise = std::max(rise, up.dot(x.cast<double>() - middle));
-    list_.texts.push_back({.text = body_figures(bodies[id], *status),
-                           .at = middle + (rise + clearance) * up,
-                           .overlay = false,
-                           .height = 11});
+    const Vec3 middle = into_eye * Vec3(box.center().cast<double>());
+    if (!(middle.z() < 0)) continue;          // behind the eye
+    double slope = middle.y() / -middle.z();  // of the sight line to the body's highest point in the picture
+    for (const auto& vertex : mesh->second.outer()->positions)
+      if (const Vec3 x = into_eye * Vec3(vertex.cast<double>()); x.z() < 0)
+        slope = std::max(slope, x.y() / -x.z());
+    const Vec3 above(middle.x(), slope * -middle.z() + clearance, middle.z());
+    list_.texts.push_back(
+        {.text = body_figures(bodies[id], *status), .at = eye * above, .overlay = false, .height = 11});
   }
 }
 

@@ -6,7 +6,7 @@
 namespace prosector {
 
 /// Takes the sequence numbers of a stream that may overtake each other on the way. One damaged number that is
-/// far ahead must not silence the stream: after `patience` samples in a row behind it the numbers start anew.
+/// far ahead must not silence the stream: after `patience` older samples in a row the numbering restarts.
 class SequenceGate {
  public:
   enum class Verdict : std::uint8_t { newer, overtaken, restarted };

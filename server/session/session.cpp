@@ -123,7 +123,7 @@ void Session::take(const HandInput& input, std::uint64_t writer) {
   if (member->writer != writer) return drop("HandInput: another process's participant");
   if (member->role == Role::observer) return drop("HandInput: from an observer");
   Seat& seat = seats_[input.participant];
-  if (!admits(seat.sequences, input.sequence, "HandInput: numbers begin anew")) return;
+  if (!admits(seat.sequences, input.sequence, "HandInput: numbering restarted")) return;
   seat.input = input;
   seat.fresh = true;
 }
@@ -413,7 +413,7 @@ void Session::take(const ArmForce& force, std::uint64_t writer) {
   if (member->role == Role::observer) return drop("ArmForce: from an observer");
   if ((member->presence.arms >> force.hand & 1) == 0) return drop("ArmForce: of a hand that no arm moves");
   Reaction& reaction = seats_[force.participant].reactions[force.hand];
-  if (!admits(reaction.sequences, force.sequence, "ArmForce: numbers begin anew")) return;
+  if (!admits(reaction.sequences, force.sequence, "ArmForce: numbering restarted")) return;
   reaction.tick = tick_;
   reaction.force = force.force.norm();
 }

@@ -1,6 +1,7 @@
 #include "tests/client/acted_desk.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "client/view/held_things.h"
 #include "common/grasp.h"
@@ -28,6 +29,12 @@ LocalNetworkConfig network(const Haste& haste) {
 }
 
 }  // namespace
+
+BodyId body_named(const Simulation& simulation, const std::string& name) {
+  for (BodyId body = 0; body < simulation.body_count(); ++body)
+    if (simulation.name(body) == name) return body;
+  throw std::runtime_error("no body is named " + name);
+}
 
 ActedDesk::ActedDesk(Simulation& simulation, const Haste& haste)
     : haste_(haste),

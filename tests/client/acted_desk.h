@@ -17,6 +17,9 @@
 
 namespace prosector::test {
 
+/// Returns the body of that name. Throws std::runtime_error if there is none.
+BodyId body_named(const Simulation& simulation, const std::string& name);
+
 /// How well the machines keep up.
 struct Haste {
   int picture_ms = 30;  // between pictures

@@ -20,12 +20,6 @@ namespace {
 
 const Vec3 handle(0.23, 0.91, 0.12), begin(-0.08, 1.03, -0.02), end(0.06, 1.03, -0.02);  // m
 
-BodyId body_named(const Simulation& simulation, const std::string& name) {
-  BodyId body = 0;
-  while (simulation.name(body) != name) ++body;
-  return body;
-}
-
 /// Returns the farthest that nodes that were one before a cut are apart, m.
 double opening(const Simulation& simulation, BodyId body) {
   const std::vector<Vec3>& rest = simulation.soft(body).anatomy().tets.positions;

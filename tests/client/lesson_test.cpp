@@ -93,12 +93,6 @@ SceneDesc scene_of(const std::string& lesson) {
   return scene;
 }
 
-BodyId body_named(const Simulation& simulation, const std::string& name) {
-  for (BodyId body = 0; body < simulation.body_count(); ++body)
-    if (simulation.name(body) == name) return body;
-  throw std::runtime_error("no " + name);
-}
-
 CompileOptions on_one_thread() {
   CompileOptions options;
   options.threads = 1;

@@ -229,7 +229,7 @@ TEST(DraftScene, VolumesAreThoseThatAreFilled) {
   const std::string notes = notes_on(dir.path / "organ.off");
   EXPECT_NE(notes.find("organ: 512 ml"), std::string::npos) << notes;
   EXPECT_NE(notes.find("organ: warning: 1 shell lies within another"), std::string::npos) << notes;
-  run(drafted(dir.path / "organ.off", dir.path), dir.path, 2);
+  run(drafted(dir.path / "organ.off", dir.path), dir.path, 3);
 }
 
 TEST(DraftScene, FilesFarFromTheirOriginAreBroughtToTheTable) {

@@ -107,7 +107,7 @@ CASES = [
     ("a table of labels with an id that is none", write("atlas.toml", ATLAS.format("bad.csv")),
      ["bad.csv:2", 'id = "x"', "[1, 65535]"]),
     ("a label map's table that is missing", write("lost.toml", ATLAS.format("lost.csv")), ["lost.toml: [[atlas]] 1", "lost.csv is missing"]),
-    ("a surface that its reader crashes of", rigid_scene("crash", "crash.ply"), ["crash.ply", "crashed", "OBJ"]),
+    ("a surface with a control character for a length", rigid_scene("crash", "crash.ply"), ["crash.ply", "not a surface", "line 16", "OBJ"]),
     ("NaN in a surface", rigid_scene("nanoff", "nan.off"), ["nan.off"]),
 ]
 

@@ -265,7 +265,7 @@ TEST(SequenceGate, StartsAnewBehindANumberThatRanAhead) {
     ++ignored;
   }
   EXPECT_EQ(ignored, SequenceGate::patience);
-  EXPECT_EQ(room.session().dropped().at("HandInput: numbers begin anew"), 1U);
+  EXPECT_EQ(room.session().dropped().at("HandInput: numbering restarted"), 1U);
   EXPECT_LT(room.session().newest_input(ada)->sequence, 1000U);
 }
 
