@@ -6,6 +6,7 @@
 
 #include "drivers/arm.h"
 #include "drivers/newest.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 
@@ -33,7 +34,10 @@ class ArmExchange {
   /// Returns the newest reading, in the room. It isn't valid when it is old, or the pose jumped since the
   /// last call.
   ArmReading reading(std::int64_t now_ns, const Pose& room_arm);
-  void set_force(const Vec3& force, std::int64_t now_ns) { forces_.write({force, now_ns}); }
+  /// Sets the force, N, room frame; `most`: the arm's peak force.
+  void set_force(const Vec3& force, double most, std::int64_t now_ns) {
+    forces_.write({bounded_force(force, most), now_ns});
+  }
   const ArmSample& sample() { return samples_.read(); }
   /// Tells whether nothing came for long. `opened_ns`: since when something could.
   bool silent(std::int64_t now_ns, std::int64_t opened_ns);

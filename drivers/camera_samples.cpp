@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/clock.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 namespace {
@@ -39,8 +40,10 @@ void CameraSamples::poll(const CameraState& camera, std::vector<DeviceSample>& o
     const auto bytes = 3 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
     for (const std::int64_t time_ns : frames_ns_) health_.record(std::max(time_ns, now_ns - 1), bytes);
     frames_ns_.clear();
+    const std::size_t before = out.size();
     out.insert(out.end(), found_.begin(), found_.end());
     found_.clear();
+    health_.garbage(now_ns, drop_implausible(out, before));
   }
   if (opened_ > 0 && !camera.is_open) health_.lost();
 }

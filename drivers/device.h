@@ -46,6 +46,9 @@ struct DeviceSample {
   Gesture gesture = Gesture::none;
   std::uint32_t buttons = 0;
   char error = ' ';  // the device's own error character, ' ' is well
+
+  /// Returns whether the pose is one that the device itself trusts.
+  bool has_trusted_pose() const { return has_pose && error == ' '; }
 };
 
 struct DeviceStatus {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/error.h"
-#include "drivers/arm_pose.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 namespace {
@@ -54,6 +54,8 @@ dhd::Session::Session(const LibraryAddress& address) : api_(SharedLibrary(addres
   if (opened < 0) throw InputError(fmt::format("device '{}' can't be opened: {}", name, last_error(api_)));
   id_ = static_cast<char>(opened);
   turns_ = api_.has_active_wrist(id_);
+  // A gripper (omega.7, sigma.7) has no button: closing it counts as one, once the library is asked for that.
+  if (api_.has_gripper(id_)) api_.emulate_button(1, id_);
   if (api_.enable_force(1, id_) >= 0) return;
   const std::string why = last_error(api_);
   api_.close(id_);
@@ -103,7 +105,7 @@ bool DhdArm::ask(const dhd::Session& session, ArmReading& out) {
     return false;
   const Mat3 turn = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&rows[0][0]);
   const Mat3 to_arm = axes();
-  const auto stylus = arm_pose(to_arm * p, to_arm * turn * to_arm.transpose());
+  const auto stylus = plausible_pose(to_arm * p, to_arm * turn * to_arm.transpose(), arm_reach);
   if (!stylus) return false;
   out.stylus = config_.room_arm * *stylus;
   for (int i = 0; i < asked_buttons; ++i)
@@ -132,10 +134,11 @@ void DhdArm::set_force(const Vec3& force) {
   const dhd::Session* session = opening_.get();
   if (session == nullptr) return;
   const bool may = free_ && !resting_ && force.allFinite() && torque_.allFinite();
-  const auto told = [&](const Vec3& v) {
-    return may ? Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * v)) : Vec3(Vec3::Zero());
+  const auto told = [&](const Vec3& v, double most) {
+    const Vec3 bounded = bounded_force(v, may ? most : 0);
+    return Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * bounded));
   };
-  const Vec3 f = told(force), t = told(torque_);
+  const Vec3 f = told(force, limits_.peak_force), t = told(torque_, limits_.peak_torque);
   const dhd::Api& api = session->api();
   const int result = session->turns()
                          ? api.set_force_and_torque(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), session->id())

@@ -13,6 +13,8 @@ Api::Api(const SharedLibrary& library) {
   library.find("dhdGetButton", get_button);
   library.find("dhdGetStatus", get_status);
   library.find("dhdHasActiveWrist", has_active_wrist);
+  library.find("dhdHasGripper", has_gripper);
+  library.find("dhdEmulateButton", emulate_button);
   library.find("dhdSetForce", set_force);
   library.find("dhdSetForceAndTorque", set_force_and_torque);
   library.find("dhdErrorGetLastStr", error_get_last_str);

@@ -29,6 +29,8 @@ struct Api {
   int (*get_button)(int index, char id);
   int (*get_status)(int* status, char id);
   bool (*has_active_wrist)(char id);
+  bool (*has_gripper)(char id);
+  int (*emulate_button)(unsigned char on, char id);
   int (*set_force)(double x, double y, double z, char id);
   int (*set_force_and_torque)(double x, double y, double z, double about_x, double about_y, double about_z,
                               char id);

@@ -20,6 +20,8 @@ const std::vector<DriverRow>& drivers() {
   static const std::vector<DriverRow> rows = {
       {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0", open_fastrak},
       {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
+      {"5dt-wireless", "wireless 5DT Data Glove at its receiver's serial port, 5dt-wireless:/dev/ttyS1",
+       open_five_dt_wireless},
       {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
       {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab", open_vrpn_device},
       {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]", open_igtl},

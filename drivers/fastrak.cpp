@@ -4,15 +4,21 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
+
+#include "drivers/byte_port.h"
 
 namespace prosector {
 namespace {
 
 constexpr unsigned fastrak_baud = 115200;
-constexpr std::int64_t stop_ns = 100'000'000;    // to let what was on its way arrive before it is flushed
-constexpr std::int64_t answer_ns = 500'000'000;  // for the answer to S
-constexpr std::int64_t gap_ns = 50'000'000;      // between commands: the device may drop what comes faster
-constexpr std::size_t status_width = 55;
+constexpr std::int64_t stop_ns = 100'000'000;  // to let what was on its way arrive before it is flushed
+constexpr std::int64_t initialise_ns = 10'000'000'000;  // that a tracker takes after ^Y
+constexpr std::int64_t answer_ns = 500'000'000;         // for the answer to S
+constexpr std::int64_t gap_ns = 50'000'000;  // between commands: the device may drop what comes faster
+constexpr std::string_view resume = "\x11", initialise = "\x19";
+constexpr int frees_command = 2, initialises = 6, toggles_extended = 8, leaves_point = 9;  // attempts
+constexpr std::size_t status_width = 55, short_status_width = 54;  // some trackers leave one byte out
 constexpr std::size_t max_error_record = 256;
 constexpr double metres_per_cm = 0.01;
 
@@ -47,36 +53,54 @@ std::vector<std::string> fastrak_commands(const DeviceConfig& config) {
   return commands;
 }
 
-FastrakDevice::FastrakDevice(const std::string& path, const DeviceConfig& config)
-    : StreamDevice(path, fastrak_baud),
+std::vector<FastrakStep> fastrak_start(int attempt) {
+  std::vector<FastrakStep> out = {{std::string(resume), gap_ns}};
+  if (attempt >= frees_command) out.push_back({"\r", gap_ns});
+  if (attempt >= leaves_point) out.push_back({"Y", gap_ns});
+  if (attempt >= toggles_extended) out.push_back({"t", gap_ns});
+  if (attempt >= initialises) out.push_back({std::string(initialise), initialise_ns});
+  out.push_back({"c", stop_ns});
+  return out;
+}
+
+FastrakDevice::FastrakDevice(std::unique_ptr<DevicePort> port, const DeviceConfig& config)
+    : StreamDevice(std::move(port)),
       config_(config),
       chain_(config),
       format_{config.binary, {2, 11, 1}},
       commands_(fastrak_commands(config)) {}
 
 void FastrakDevice::started(std::int64_t now_ns) {
+  attempt_ = 0;
+  restart(now_ns);
+}
+
+void FastrakDevice::restart(std::int64_t now_ns) {
   answered_ = false;
-  send(
-      "\x11"
-      "c");  // resume output if it was suspended, then stop continuous output
+  steps_ = fastrak_start(++attempt_);
+  next_step_ = 0;
   phase_ = Phase::stopping;
-  due_ns_ = now_ns + stop_ns;
+  due_ns_ = now_ns;
 }
 
 void FastrakDevice::advance(std::int64_t now_ns) {
   if (phase_ == Phase::streaming) {
-    if (now_ns >= due_ns_ && health().quiet_ns(now_ns) > silence_limit_ns) started(now_ns);
+    if (now_ns >= due_ns_ && health().quiet_ns(now_ns) > silence_limit_ns) restart(now_ns);
     return;
   }
   if (now_ns < due_ns_) return;
-  if (phase_ == Phase::stopping) {
+  if (phase_ == Phase::stopping && next_step_ < steps_.size()) {
+    const FastrakStep& step = steps_[next_step_++];
+    send(step.bytes);
+    due_ns_ = now_ns + step.wait_ns;
+  } else if (phase_ == Phase::stopping) {
     buffer().clear();
     run_ = 0;
     send("S");
     phase_ = Phase::asked;
     due_ns_ = now_ns + answer_ns;
   } else if (phase_ == Phase::asked) {
-    started(now_ns);  // no answer in time
+    restart(now_ns);  // no answer in time
   } else {
     send(commands_[next_command_++]);
     due_ns_ = now_ns + gap_ns;
@@ -90,6 +114,7 @@ void FastrakDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
   if (phase_ == Phase::asked) {
     parse_status();
     if (answered_) {
+      attempt_ = 0;
       phase_ = Phase::configuring;
       next_command_ = 0;
       due_ns_ = now_ns;
@@ -101,10 +126,12 @@ void FastrakDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
 
 void FastrakDevice::parse_status() {
   const std::string_view bytes = text(buffer().bytes());
-  for (std::size_t i = 0; i + status_width <= bytes.size(); ++i) {
-    const std::string_view s = bytes.substr(i, status_width);
-    if (s[0] != '2' || s[2] != 'S' || s.substr(status_width - 2) != "\r\n") continue;
-    buffer().drop(i + status_width);
+  for (std::size_t i = 0; i + short_status_width <= bytes.size(); ++i) {
+    const std::size_t end = bytes.find("\r\n", i);
+    if (bytes[i] != '2' || bytes[i + 2] != 'S' || end == std::string_view::npos) continue;
+    const std::size_t width = end + 2 - i;
+    if (width != status_width && width != short_status_width) continue;
+    buffer().drop(i + width);
     answered_ = true;
     return;
   }
@@ -163,7 +190,7 @@ DeviceSample FastrakDevice::sample(const fastrak::Record& record) {
   const auto& p = *record.position;
   const auto& q = *record.quaternion;
   out.raw_pose = {p[0], p[1], p[2], q[0], q[1], q[2], q[3]};
-  out.has_pose = record.error == ' ';  // with an error the device itself doesn't trust the pose
+  out.has_pose = true;  // with an error it is less exact, and still what is known of the hand
   const Pose transmitter = {metres_per_cm * Vec3(p[0], p[1], p[2]),
                             Quat(q[0], q[1], q[2], q[3]).normalized()};
   out.pose = chain_.room(fastrak::from_transmitter(transmitter), record.station);
@@ -179,7 +206,9 @@ DeviceStatus FastrakDevice::status() const {
     add(fmt::format("the tracker refused {} command(s), last: {}", command_errors_, command_error_));
   for (std::size_t i = 0; i < max_stations; ++i)
     if (station_error_[i] != ' ')
-      add(fmt::format("receiver {} reports error '{}': check its distance to the transmitter and to metal",
+      add(
+          fmt::format("receiver {} reports error '{}', its pose may be off: check its distance to the "
+                      "transmitter and to metal",
                       i + 1, station_error_[i]));
   return status;
 }
@@ -195,7 +224,7 @@ std::string FastrakDevice::babble_hint() const {
 }
 
 std::unique_ptr<Device> open_fastrak(const std::string& path, const DeviceConfig& config) {
-  return std::make_unique<FastrakDevice>(path, config);
+  return std::make_unique<FastrakDevice>(std::make_unique<BytePort>(path, fastrak_baud), config);
 }
 
 }  // namespace prosector

@@ -17,9 +17,19 @@ namespace prosector {
 /// every station.
 std::vector<std::string> fastrak_commands(const DeviceConfig& config);
 
+/// One step of the start-up dialogue: bytes to send, then a time to wait.
+struct FastrakStep {
+  std::string bytes;
+  std::int64_t wait_ns = 0;
+};
+/// Returns what the driver sends before it asks for the status, at the attempt of that number, from 1 on. A
+/// tracker may be suspended, amid another program's command, in extended or in point mode: later attempts
+/// free it from more of these. From the sixth one on the tracker initialises itself, which takes 10 s.
+std::vector<FastrakStep> fastrak_start(int attempt);
+
 class FastrakDevice final : public StreamDevice {
  public:
-  FastrakDevice(const std::string& path, const DeviceConfig& config);
+  FastrakDevice(std::unique_ptr<DevicePort> port, const DeviceConfig& config);
   DeviceStatus status() const override;
 
  private:
@@ -31,6 +41,7 @@ class FastrakDevice final : public StreamDevice {
   std::string silent_hint() const override;
   std::string babble_hint() const override;
 
+  void restart(std::int64_t now_ns);
   void parse_status();
   void parse_records(std::int64_t now_ns, std::vector<DeviceSample>& out);
   /// Returns the length of a command error record at the front: 0 when there is none, −1 when more bytes are
@@ -43,7 +54,9 @@ class FastrakDevice final : public StreamDevice {
   fastrak::Format format_;
   std::vector<std::string> commands_;
   Phase phase_ = Phase::stopping;
-  std::size_t next_command_ = 0;
+  int attempt_ = 0;  // to start it, since it last answered
+  std::vector<FastrakStep> steps_;
+  std::size_t next_step_ = 0, next_command_ = 0;
   std::int64_t due_ns_ = 0;  // when the phase moves on
   std::size_t run_ = 0;      // garbage bytes of the current run
   std::array<std::uint64_t, max_stations> records_{};

@@ -1,42 +1,54 @@
 #include "drivers/five_dt.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "drivers/byte_port.h"
 #include "drivers/five_dt_record.h"
 
 namespace prosector {
 namespace {
 
-constexpr unsigned glove_baud = 19200;
+constexpr unsigned glove_baud = 19200, wireless_baud = 9600;
 constexpr std::int64_t glove_answer_ns = 500'000'000;
 constexpr double serial_least_span = 16;  // of 255 counts
 constexpr double usb_least_span = 40;     // of 4095 counts, of which about 500 are used
 
-/// Takes records of `width` bytes from the front; what `decode` refuses is skipped byte by byte.
+/// What a decoder makes of the bytes at the front: how many it takes, and the record that they are.
+struct Taken {
+  std::size_t width = 0;
+  std::optional<DeviceSample> sample = std::nullopt;
+  bool garbage = false;
+};
+
+/// Takes from the front, `width` bytes at hand, until fewer are left.
 template <class Decode>
-void take_records(StampedBuffer& buffer, HealthMonitor& health, GloveHand& hand, std::size_t width,
-                  std::int64_t now_ns, const Decode& decode, std::vector<DeviceSample>& out) {
+void take_records(StampedBuffer& buffer, HealthMonitor& health, std::size_t width, std::int64_t now_ns,
+                  const Decode& decode, std::vector<DeviceSample>& out) {
   std::size_t skipped = 0;
   while (buffer.bytes().size() >= width) {
-    const auto counts = decode(buffer.bytes().first(width));
-    if (!counts) {
-      ++skipped;
-      buffer.drop(1);
-      continue;
+    const Taken taken = decode(buffer.bytes().first(width), buffer.time_ns());
+    if (taken.garbage) {
+      skipped += taken.width;
+    } else if (taken.sample) {
+      health.garbage(now_ns, skipped);
+      skipped = 0;
+      health.record(now_ns, taken.width);
+      out.push_back(*taken.sample);
     }
-    health.garbage(now_ns, skipped);
-    skipped = 0;
-    health.record(now_ns, width);
-    out.push_back(hand.sample(*counts, buffer.time_ns()));
-    buffer.drop(width);
+    buffer.drop(taken.width);
   }
   health.garbage(now_ns, skipped);
 }
 
+constexpr Taken one_byte_of_garbage{1, std::nullopt, true};
+
 }  // namespace
 
-FiveDtSerialGlove::FiveDtSerialGlove(const std::string& path, const DeviceConfig& config)
-    : StreamDevice(path, glove_baud), left_(config.left), hand_(config, serial_least_span) {}
+FiveDtSerialGlove::FiveDtSerialGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config)
+    : StreamDevice(std::move(port)), left_(config.left), hand_(config, serial_least_span) {}
 
 void FiveDtSerialGlove::started(std::int64_t now_ns) {
   buffer().clear();
@@ -61,9 +73,14 @@ void FiveDtSerialGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& ou
     streaming_ = true;
     due_ns_ = now_ns + silence_limit_ns;
   }
-  take_records(
-      buffer(), health(), hand_, five_dt::packet_width, now_ns,
-      [&](std::span<const std::uint8_t> bytes) { return five_dt::decode_packet(bytes, left_); }, out);
+  const auto decode = [&](std::span<const std::uint8_t> bytes, std::int64_t time_ns) {
+    if (const auto counts = five_dt::decode_packet(bytes, left_))
+      return Taken{five_dt::packet_width, hand_.sample(*counts, time_ns)};
+    // Some gloves send that byte behind each packet.
+    if (bytes[0] == five_dt::reset_answer) return Taken{1};
+    return one_byte_of_garbage;
+  };
+  take_records(buffer(), health(), five_dt::packet_width, now_ns, decode, out);
 }
 
 std::string FiveDtSerialGlove::silent_hint() const {
@@ -72,14 +89,57 @@ std::string FiveDtSerialGlove::silent_hint() const {
 }
 
 std::string FiveDtSerialGlove::babble_hint() const {
-  return "check that it is a 5DT Data Glove 5 at 19200 baud";
+  return "check that it is a 5DT Data Glove 5 at 19200 baud; a wireless one is 5dt-wireless";
 }
 
-FiveDtUsbGlove::FiveDtUsbGlove(const std::string& path, const DeviceConfig& config)
-    : StreamDevice(path, 0), hand_(config, usb_least_span) {}
+FiveDtWirelessGlove::FiveDtWirelessGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config)
+    : StreamDevice(std::move(port)),
+      left_(config.left),
+      says_left_(config.left),
+      hand_(config, serial_least_span) {}
+
+void FiveDtWirelessGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
+  const auto decode = [&](std::span<const std::uint8_t> bytes, std::int64_t time_ns) {
+    const auto packet = five_dt::decode_wireless(bytes, left_);
+    // The sum isn't sure to be there: without it a packet counts that begins where another one ended.
+    const bool counts = packet && (packet->sum_fits || in_step_);
+    in_step_ = packet.has_value();
+    if (!packet) return one_byte_of_garbage;
+    if (!counts) return Taken{five_dt::wireless_width};
+    says_left_ = packet->left;
+    return Taken{five_dt::wireless_width, hand_.sample(packet->counts, time_ns)};
+  };
+  take_records(buffer(), health(), five_dt::wireless_width, now_ns, decode, out);
+}
+
+DeviceStatus FiveDtWirelessGlove::status() const {
+  DeviceStatus out = StreamDevice::status();
+  if (out.message.empty() && says_left_ != left_)
+    out.message = fmt::format("it is a {} glove, but is configured as the {} one",
+                              says_left_ ? "left" : "right", left_ ? "left" : "right");
+  return out;
+}
+
+std::string FiveDtWirelessGlove::silent_hint() const {
+  return "nothing comes from its receiver: check that the glove is switched on and near";
+}
+
+std::string FiveDtWirelessGlove::babble_hint() const {
+  return "check that it is a wireless 5DT Data Glove at 9600 baud; one with a cable is 5dt";
+}
+
+FiveDtUsbGlove::FiveDtUsbGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config)
+    : StreamDevice(std::move(port)), hand_(config, usb_least_span) {}
 
 void FiveDtUsbGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
-  take_records(buffer(), health(), hand_, five_dt::report_width, now_ns, five_dt::decode_report, out);
+  // The kernel gives whole reports: one that can't be read is dropped whole, or fingers would be read from
+  // other sensors' words.
+  const auto decode = [&](std::span<const std::uint8_t> bytes, std::int64_t time_ns) {
+    const auto counts = five_dt::decode_report(bytes);
+    if (!counts) return Taken{five_dt::report_width, std::nullopt, true};
+    return Taken{five_dt::report_width, hand_.sample(*counts, time_ns)};
+  };
+  take_records(buffer(), health(), five_dt::report_width, now_ns, decode, out);
 }
 
 std::string FiveDtUsbGlove::silent_hint() const {
@@ -91,11 +151,15 @@ std::string FiveDtUsbGlove::babble_hint() const {
 }
 
 std::unique_ptr<Device> open_five_dt(const std::string& path, const DeviceConfig& config) {
-  return std::make_unique<FiveDtSerialGlove>(path, config);
+  return std::make_unique<FiveDtSerialGlove>(std::make_unique<BytePort>(path, glove_baud), config);
+}
+
+std::unique_ptr<Device> open_five_dt_wireless(const std::string& path, const DeviceConfig& config) {
+  return std::make_unique<FiveDtWirelessGlove>(std::make_unique<BytePort>(path, wireless_baud), config);
 }
 
 std::unique_ptr<Device> open_five_dt_usb(const std::string& path, const DeviceConfig& config) {
-  return std::make_unique<FiveDtUsbGlove>(path, config);
+  return std::make_unique<FiveDtUsbGlove>(std::make_unique<BytePort>(path, 0), config);
 }
 
 }  // namespace prosector

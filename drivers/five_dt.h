@@ -12,7 +12,7 @@ namespace prosector {
 /// The Data Glove 5 at 19200 baud: reset, wait for its answer, stream.
 class FiveDtSerialGlove final : public StreamDevice {
  public:
-  FiveDtSerialGlove(const std::string& path, const DeviceConfig& config);
+  FiveDtSerialGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config);
 
  private:
   void started(std::int64_t now_ns) override;
@@ -27,10 +27,28 @@ class FiveDtSerialGlove final : public StreamDevice {
   std::int64_t due_ns_ = 0;  // when to reset again
 };
 
+/// A wireless glove's receiver at 9600 baud: it sends all the time and hears nothing.
+class FiveDtWirelessGlove final : public StreamDevice {
+ public:
+  FiveDtWirelessGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config);
+  DeviceStatus status() const override;
+
+ private:
+  void started(std::int64_t) override { in_step_ = false; }
+  void advance(std::int64_t) override {}
+  void parse(std::int64_t now_ns, std::vector<DeviceSample>& out) override;
+  std::string silent_hint() const override;
+  std::string babble_hint() const override;
+
+  bool left_, says_left_;
+  bool in_step_ = false;  // the next byte begins a packet, as one has just ended
+  GloveHand hand_;
+};
+
 /// The Ultra's reports through the kernel's hidraw; nothing needs sending.
 class FiveDtUsbGlove final : public StreamDevice {
  public:
-  FiveDtUsbGlove(const std::string& path, const DeviceConfig& config);
+  FiveDtUsbGlove(std::unique_ptr<DevicePort> port, const DeviceConfig& config);
 
  private:
   void started(std::int64_t) override {}
@@ -43,6 +61,7 @@ class FiveDtUsbGlove final : public StreamDevice {
 };
 
 std::unique_ptr<Device> open_five_dt(const std::string& path, const DeviceConfig& config);
+std::unique_ptr<Device> open_five_dt_wireless(const std::string& path, const DeviceConfig& config);
 std::unique_ptr<Device> open_five_dt_usb(const std::string& path, const DeviceConfig& config);
 
 }  // namespace prosector

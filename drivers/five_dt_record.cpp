@@ -15,6 +15,12 @@ std::uint8_t checksum(std::span<const std::uint8_t> packet) {
   return sum;
 }
 
+Counts counts_of(std::span<const std::uint8_t> packet, bool left) {
+  Counts counts{};
+  for (std::size_t i = 0; i < fingers; ++i) counts[i] = packet[1 + place(i, left)];
+  return counts;
+}
+
 }  // namespace
 
 Packet encode_packet(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left) {
@@ -30,9 +36,23 @@ Packet encode_packet(const Counts& counts, std::uint8_t pitch, std::uint8_t roll
 std::optional<Counts> decode_packet(std::span<const std::uint8_t> bytes, bool left) {
   if (bytes.size() != packet_width || bytes[0] != packet_header || bytes[8] != checksum(bytes))
     return std::nullopt;
-  Counts counts{};
-  for (std::size_t i = 0; i < fingers; ++i) counts[i] = bytes[1 + place(i, left)];
-  return counts;
+  return counts_of(bytes, left);
+}
+
+WirelessPacket encode_wireless(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left) {
+  WirelessPacket packet{};
+  std::ranges::copy(encode_packet(counts, pitch, roll, left), packet.begin());
+  packet.back() = left ? left_capability : right_capability;
+  return packet;
+}
+
+std::optional<Wireless> decode_wireless(std::span<const std::uint8_t> bytes, bool left) {
+  if (bytes.size() != wireless_width || bytes.front() != packet_header ||
+      (bytes.back() != right_capability && bytes.back() != left_capability))
+    return std::nullopt;
+  const auto packet = bytes.first(packet_width);
+  return Wireless{counts_of(packet, left), bytes.back() == left_capability,
+                  packet.back() == checksum(packet)};
 }
 
 Report encode_report(const Counts& counts) {
@@ -47,15 +67,13 @@ Report encode_report(const Counts& counts) {
 
 std::optional<Counts> decode_report(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != report_width) return std::nullopt;
-  // No glove bends nothing at all: this is a device that reads as zeros.
   if (std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; })) return std::nullopt;
-  std::array<std::uint16_t, report_words> words{};
-  for (std::size_t i = 0; i < report_words; ++i) {
-    words[i] = static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]);
-    if (words[i] > max_word) return std::nullopt;
-  }
   Counts counts{};
-  for (std::size_t i = 0; i < fingers; ++i) counts[i] = words[report_finger_stride * i];
+  for (std::size_t i = 0; i < fingers; ++i) {
+    const std::size_t at = 2 * report_finger_stride * i;
+    counts[i] = static_cast<std::uint16_t>(bytes[at] << 8 | bytes[at + 1]);
+    if (counts[i] > max_word) return std::nullopt;
+  }
   return counts;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What 5DT data gloves send: 9-byte packets on a serial line, 64-byte reports over USB.
+// What 5DT data gloves send: 9-byte packets on a serial line, 10-byte packets from a wireless glove, 64-byte
+// reports over USB.
 
 #include <array>
 #include <cstdint>
@@ -19,9 +20,15 @@ inline constexpr std::size_t info_width = 32;
 inline constexpr std::size_t packet_width = 9;
 using Packet = std::array<std::uint8_t, packet_width>;
 
-/// A report of the USB glove: 16 big-endian words (0–4095) and 32 bytes whose meaning isn't known. A 5-sensor
-/// glove's fingers are at words 0, 3, 6, 9, 12.
-inline constexpr std::size_t report_width = 64, report_words = 16, report_finger_stride = 3;
+/// A packet of a wireless glove: a serial glove's, then a byte of capabilities. Such a glove sends all the
+/// time and hears nothing.
+inline constexpr std::size_t wireless_width = 10;
+inline constexpr std::uint8_t right_capability = 0x01, left_capability = 0x40;
+using WirelessPacket = std::array<std::uint8_t, wireless_width>;
+
+/// A report of the USB glove: 16 big-endian words and 32 bytes whose meaning isn't known. A 5-sensor glove's
+/// fingers are at words 0, 3, 6, 9, 12 and have 12 bits; a 14-sensor glove has its near joints there.
+inline constexpr std::size_t report_width = 64, report_finger_stride = 3;
 inline constexpr std::uint16_t max_word = 4095;
 using Report = std::array<std::uint8_t, report_width>;
 
@@ -31,7 +38,17 @@ using Counts = std::array<std::uint16_t, fingers>;  // thumb first
 Packet encode_packet(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left);
 std::optional<Counts> decode_packet(std::span<const std::uint8_t> bytes, bool left);
 
+WirelessPacket encode_wireless(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left);
+struct Wireless {
+  Counts counts{};
+  bool left = false;      // as the glove itself says
+  bool sum_fits = false;  // public drivers don't check the sum
+};
+/// Reads a packet in the order of a `left` or right glove. Returns nothing without its first and last byte.
+std::optional<Wireless> decode_wireless(std::span<const std::uint8_t> bytes, bool left);
+
 Report encode_report(const Counts& counts);
+/// Returns nothing where a finger has more than 12 bits, or all bytes are 0: no glove bends nothing at all.
 std::optional<Counts> decode_report(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector::five_dt

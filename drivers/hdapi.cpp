@@ -41,7 +41,7 @@ ArmReading HdapiArm::read() {
 }
 
 void HdapiArm::set_force(const Vec3& force) {
-  if (opening_.get() != nullptr) opening_.get()->exchange().set_force(force, clock_());
+  if (opening_.get() != nullptr) opening_.get()->exchange().set_force(force, limits_.peak_force, clock_());
 }
 
 DeviceStatus HdapiArm::status() const {

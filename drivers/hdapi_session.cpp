@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/error.h"
-#include "drivers/arm_pose.h"
+#include "drivers/plausible.h"
 
 namespace prosector::hdapi {
 namespace {
@@ -95,8 +95,10 @@ Enum Session::read() {
   api_.get_integerv(current_buttons, &buttons);
   const Enum error = pop_errors();
   const Eigen::Map<const Eigen::Matrix4d> matrix(transform.data());
-  const auto pose = arm_pose(mm * matrix.topRightCorner<3, 1>(), matrix.topLeftCorner<3, 3>());
-  sample_.reading.valid = error == success && pose;
+  const auto pose =
+      plausible_pose(mm * matrix.topRightCorner<3, 1>(), Mat3(matrix.topLeftCorner<3, 3>()), arm_reach);
+  has_pose_ = pose.has_value();
+  sample_.reading.valid = error == success && has_pose_;
   if (sample_.reading.valid) sample_.reading.stylus = *pose;
   sample_.reading.buttons = static_cast<std::uint32_t>(buttons);
 
@@ -122,7 +124,7 @@ void Session::judge(Enum error, Enum calibration) {
   bad_ = clean ? 0 : bad_ + 1;
   const bool awake = clean_ >= clean_frames;
   sample_.reading.valid = sample_.reading.valid && awake && calibration == calibrated;
-  ++(clean ? sample_.records : sample_.bad);
+  ++(clean && has_pose_ ? sample_.records : sample_.bad);
   sample_.code = static_cast<int>(error);
   if (error >> 8 == device_fault >> 8 || bad_ >= most_bad)
     sample_.condition = lost;

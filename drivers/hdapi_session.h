@@ -45,6 +45,7 @@ class Session {
   // What the scheduler's thread alone touches:
   ArmSample sample_;
   int clean_ = 0, bad_ = 0;         // frames in a row without and with an error
+  bool has_pose_ = false;           // the newest frame has a pose that can be one
   bool tells_temperature_ = true;   // the device knows how warm its motors are
   std::int64_t warm_until_ns_ = 0;  // as an error said it
 };

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "drivers/arm_pose.h"
 #include "drivers/line_port.h"
+#include "drivers/plausible.h"
 #include "drivers/station_sample.h"
 
 namespace prosector {

@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "common/error.h"
-#include "drivers/arm_pose.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 namespace {
@@ -31,8 +31,8 @@ Inverse3Arm::Inverse3Arm(const ArmConfig& config, std::function<std::int64_t()> 
     : config_(config), clock_(std::move(clock)) {}
 
 void Inverse3Arm::talk_to(const std::string& host, const std::string& port) {
-  socket_ =
-      std::make_unique<WebSocket>(host, port, "/", [this](std::string_view text) { return hear(text); });
+  socket_ = std::make_unique<WebSocket>(
+      host, port, "/", [this](std::string_view text) { return std::vector<std::string>{hear(text)}; });
 }
 
 std::string Inverse3Arm::hear(std::string_view text) {
@@ -41,10 +41,9 @@ std::string Inverse3Arm::hear(std::string_view text) {
   const Mat3 to_arm = inverse3::axes();
   const auto state = inverse3::state_of(text);
   const bool one = state && !state->device.empty();
+  const Quat axes(to_arm);
   const auto stylus =
-      one && state->turn.norm() > 0
-          ? arm_pose(to_arm * state->place,
-                     to_arm * state->turn.normalized().toRotationMatrix() * to_arm.transpose())
+      one ? plausible_pose(to_arm * state->place, axes * state->turn * axes.conjugate(), arm_reach)
           : std::nullopt;
   if (stylus) {
     heard_.reading.valid = true;
@@ -68,7 +67,7 @@ ArmReading Inverse3Arm::read() {
 }
 
 void Inverse3Arm::set_force(const Vec3& force) {
-  exchange_.set_force(force, clock_());
+  exchange_.set_force(force, limits_.peak_force, clock_());
 }
 
 DeviceStatus Inverse3Arm::status() const {

@@ -44,8 +44,11 @@ std::optional<State> state_of(std::string_view text) {
   out.device = id.get<std::string>();
   out.place = Vec3((*place)[0], (*place)[1], (*place)[2]);
   const Json& grip = json_at(first(json_at(json, "wireless_verse_grip")), "state");
-  if (const auto q = numbers(json_at(grip, "orientation"), xyzw))
+  if (const Json& orientation = json_at(grip, "orientation"); !orientation.is_null()) {
+    const auto q = numbers(orientation, xyzw);
+    if (!q) return std::nullopt;
     out.turn = Quat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
+  }
   for (std::size_t i = 0; i < abc.size(); ++i)
     if (json_at(json_at(grip, "buttons"), abc[i]) == true) out.buttons |= 1u << i;
   return out;

@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "drivers/byte_line.h"
+#include "drivers/plausible.h"
 #include "drivers/station_sample.h"
 
 namespace prosector {
@@ -25,7 +26,7 @@ void LeapDevice::talk_to(const std::string& host, const std::string& port) {
                                         [this](std::string_view text) { return hear(text); });
 }
 
-std::optional<std::string> LeapDevice::hear(std::string_view text) {
+std::optional<std::vector<std::string>> LeapDevice::hear(std::string_view text) {
   Heard heard{monotonic_ns(), text.size(), leap::read_text(text)};
   const bool greets = heard.text && heard.text->version;
   const bool strange = greets && heard.text->version != leap::known_version;
@@ -33,7 +34,7 @@ std::optional<std::string> LeapDevice::hear(std::string_view text) {
   if (heard_.size() == most_heard) heard_.pop_front();
   heard_.push_back(std::move(heard));
   if (strange) return std::nullopt;
-  return greets ? leap::ask_for_frames() : "";
+  return greets ? leap::ask_for_frames() : std::vector<std::string>{};
 }
 
 void LeapDevice::poll(std::vector<DeviceSample>& out) {
@@ -54,8 +55,11 @@ void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
   if (!heard.text) return health_.garbage(heard.time_ns, heard.bytes);
   if (heard.text->version) version_ = *heard.text->version;
   if (version_ != leap::known_version) return health_.garbage(heard.time_ns, heard.bytes);
-  if (heard.text->version) return;
+  if (heard.text->streaming) has_camera_ = *heard.text->streaming;
+  if (heard.text->version || heard.text->is_event) return;
+  has_camera_ = true;
   health_.record(heard.time_ns, heard.bytes);
+  const std::size_t before = out.size();
   for (const leap::Hand& hand : heard.text->hands) {
     const std::size_t station = hand.left ? 1 : 0;
     const Pose wrist = leap::wrist_of(hand);
@@ -69,6 +73,7 @@ void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
     sample.flexion = leap::flexion_of(hand);
     sample.gesture = gestures_[station].update(sample.flexion);
   }
+  health_.garbage(heard.time_ns, drop_implausible(out, before));
 }
 
 DeviceStatus LeapDevice::status() const {
@@ -85,7 +90,8 @@ DeviceStatus LeapDevice::status() const {
   } else if (out.health == DeviceHealth::babbling) {
     out.message = where_ + " sends what are no frames of hands";
   } else if (out.health == DeviceHealth::silent) {
-    out.message = where_ + " sends no frames: is the camera plugged in?";
+    out.message = has_camera_ ? where_ + " sends no frames: is the camera plugged in?"
+                              : where_ + " has no camera that sends: plug it in";
   }
   return out;
 }

@@ -25,9 +25,9 @@ class LeapDevice final : public Device {
 
   /// Lets a thread talk to the service there.
   void talk_to(const std::string& host, const std::string& port);
-  /// Takes what the service says. Returns the answer; nothing to one of another version, which is left. One
+  /// Takes what the service says. Returns the answers; nothing to one of another version, which is left. One
   /// thread calls it.
-  std::optional<std::string> hear(std::string_view text);
+  std::optional<std::vector<std::string>> hear(std::string_view text);
 
   void poll(std::vector<DeviceSample>& out) override;
   DeviceStatus status() const override;
@@ -49,6 +49,7 @@ class LeapDevice final : public Device {
   std::array<GestureDetector, 2> gestures_;
   std::array<std::uint64_t, 2> records_{};
   int version_ = leap::known_version;
+  bool has_camera_ = true;  // as far as the service's events say
   std::uint64_t connections_ = 0;
   WebSocket::State line_;
   std::unique_ptr<WebSocket> socket_;  // last: its thread uses what is above

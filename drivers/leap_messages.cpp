@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "drivers/json_lookup.h"
+#include "drivers/plausible.h"
 
 namespace prosector::leap {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double m_per_mm = 1e-3, mm_per_m = 1e3;
-constexpr double farthest = 3;      // m: beyond what its cameras see
-constexpr double off_unit = 0.05;   // by which lengths of directions may be off
-constexpr double off_square = 0.3;  // cosine of the palm's normal against its direction
+constexpr double farthest = 3;       // m: beyond what its cameras see
+constexpr double least_bone = 1e-3;  // m: shorter ones are none
+constexpr double off_square = 0.3;   // cosine of the palm's normal against its direction
 constexpr double closed = std::numbers::pi / 2;
 constexpr std::size_t most_hands = 8;  // in a frame
 constexpr std::array<const char*, 5> joint_keys = {"carpPosition", "mcpPosition", "pipPosition",
@@ -23,12 +24,12 @@ constexpr std::array<const char*, 5> joint_keys = {"carpPosition", "mcpPosition"
 
 std::optional<Vec3> place_of(const Json& json) {
   const auto mm = json_vector(json);
-  if (!mm || !mm->allFinite() || m_per_mm * mm->norm() > farthest) return std::nullopt;
+  if (!mm || !is_within(m_per_mm * *mm, farthest)) return std::nullopt;
   return Vec3(m_per_mm * *mm);
 }
 std::optional<Vec3> direction_of(const Json& json) {
   const auto direction = json_vector(json);
-  if (!direction || !(std::abs(direction->norm() - 1) < off_unit)) return std::nullopt;
+  if (!direction || !is_unit(*direction)) return std::nullopt;
   return direction->normalized();
 }
 
@@ -64,6 +65,10 @@ bool take_finger(const Json& json, std::map<std::int64_t, std::size_t>& by_id, s
     if (!place) return false;
     hands[hand->second].joints[finger][k] = *place;
   }
+  // Without bones a finger has no bend. The thumb's first one has no length.
+  const Finger& at = hands[hand->second].joints[finger];
+  for (std::size_t k = finger == 0 ? 1 : 0; k + 1 < at.size(); ++k)
+    if ((at[k + 1] - at[k]).norm() < least_bone) return false;
   had[hand->second] |= 1u << finger;
   return true;
 }
@@ -88,6 +93,12 @@ std::optional<Text> read_text(std::string_view text) {
   Text out;
   if (const Json& version = json_at(json, "version"); version.is_number_integer()) {
     out.version = static_cast<int>(std::clamp<std::int64_t>(version.get<std::int64_t>(), -1, 1000));
+    return out;
+  }
+  if (const Json& event = json_at(json, "event"); event.is_object()) {
+    out.is_event = true;
+    if (const Json& streams = json_at(json_at(event, "state"), "streaming"); streams.is_boolean())
+      out.streaming = streams.get<bool>();
     return out;
   }
   const Json& hands = json_at(json, "hands");
@@ -132,8 +143,8 @@ std::string text_of(const Text& text, std::int64_t frame) {
       .dump();
 }
 
-std::string ask_for_frames() {
-  return Json{{"background", true}}.dump();
+std::vector<std::string> ask_for_frames() {
+  return {Json{{"background", true}}.dump(), Json{{"focused", true}}.dump()};
 }
 
 Pose wrist_of(const Hand& hand) {
@@ -151,7 +162,7 @@ std::array<double, fingers> flexion_of(const Hand& hand) {
     const double angle =
         f == 0 ? (bend(at[1], at[2], at[3]) + bend(at[2], at[3], at[4])) / 2
                : (2 * bend(at[0], at[1], at[2], &hand.palm_normal) + bend(at[1], at[2], at[3])) / 3;
-    out[f] = std::isfinite(angle) ? std::clamp(angle / closed, 0.0, 1.0) : 0.0;
+    out[f] = std::clamp(angle / closed, 0.0, 1.0);
   }
   return out;
 }

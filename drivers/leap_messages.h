@@ -28,15 +28,19 @@ struct Hand {
   std::array<Finger, fingers> joints;                         // thumb first
 };
 
+/// A text of the service: a greeting, an event or a frame.
 struct Text {
-  std::optional<int> version;  // of a greeting; else it is a frame
-  std::vector<Hand> hands;
+  std::optional<int> version;     // of a greeting
+  bool is_event = false;          // of a device, or one that isn't known
+  std::optional<bool> streaming;  // of a device's event: its camera is there and sends
+  std::vector<Hand> hands;        // of a frame
 };
-/// Returns nothing for what is neither greeting nor frame, and for hands that can be none.
+/// Returns nothing for what is no greeting, event or frame, and for hands that can be none.
 std::optional<Text> read_text(std::string_view text);
 std::string text_of(const Text& text, std::int64_t frame);
-/// Returns what asks for frames while another program has the focus.
-std::string ask_for_frames();
+/// Returns the texts that ask for frames: in the background, too, and as a program that has the focus. The
+/// service sends frames to no program that has neither.
+std::vector<std::string> ask_for_frames();
 
 /// Returns the wrist's pose: −z along the hand, y out of its back.
 Pose wrist_of(const Hand& hand);

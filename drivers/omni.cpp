@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "drivers/plausible.h"
+
 namespace prosector {
 namespace {
 
@@ -11,7 +13,6 @@ constexpr std::int64_t ms = 1'000'000;
 constexpr std::int64_t reopen_ns = 500 * ms;
 constexpr std::int64_t quiet_ns = 20 * ms;    // without a packet, after which the pose isn't valid any more
 constexpr std::int64_t silent_ns = 500 * ms;  // … and the line is opened anew
-constexpr std::uint8_t to_arm = 0, from_arm = 1;  // channels
 
 constexpr std::uint8_t dock_light = 3;
 
@@ -46,6 +47,7 @@ ArmReading OmniArm::read() {
     if (const auto state = omni::state_of(*packet)) {
       take(*state, now);
     } else {
+      spoilt_ = true;
       ++status_.resyncs;
       status_.skipped_bytes += omni::state_bytes;
     }
@@ -64,20 +66,20 @@ bool OmniArm::open(std::int64_t now_ns) {
     return false;
   }
   const auto kind = line_->read(omni::kind_register);
-  if (!kind || *kind != omni::kind) {
-    status_.message = kind ? fmt::format("what answers is no Omni (kind {:08x})", *kind) : "nothing answers";
+  if (!kind || omni::number_of(*kind) != omni::kind) {
+    status_.message = kind ? fmt::format("what answers is no Omni (kind {:08x})", omni::number_of(*kind))
+                           : "nothing answers";
     line_->close();
     return false;
   }
   const auto byte = [&](std::uint64_t address, std::uint8_t value) {
     return line_->write(address, {&value, 1});
   };
-  std::array<std::uint8_t, 4> word{};
-  for (std::size_t i = 0; i < 4; ++i) word[i] = static_cast<std::uint8_t>(omni::start_word >> (8 * i) & 0xff);
-  if (!byte(omni::to_arm_channel, to_arm) || !byte(omni::from_arm_channel, from_arm) ||
-      !line_->write(omni::start_register, word) || !line_->start(to_arm, from_arm) ||
-      !byte(omni::control_register, omni::streams)) {
-    status_.message = "it does not let itself be started";
+  const auto channels = line_->start();
+  if (!channels || !byte(omni::to_arm_channel, channels->to_arm) ||
+      !byte(omni::from_arm_channel, channels->from_arm) ||
+      !line_->write(omni::start_register, omni::start_word) || !byte(omni::control_register, omni::streams)) {
+    status_.message = channels ? "it does not let itself be started" : line_->error();
     line_->close();
     return false;
   }
@@ -101,6 +103,7 @@ void OmniArm::take(const omni::State& state, std::int64_t now_ns) {
   }
   joints_ = omni::joints_of({counts_[0] - home_[0], counts_[1] - home_[1], counts_[2] - home_[2]});
   last_ = state;
+  spoilt_ = false;
   heard_ns_ = now_ns;
   ++status_.records;
 }
@@ -120,7 +123,9 @@ void OmniArm::lose() {
   last_.reset();
   homed_ = armed_ = false;
   status_.health = DeviceHealth::silent;
-  status_.message = line_->error().empty() ? "no packet for half a second" : line_->error();
+  status_.message = !line_->error().empty() ? line_->error()
+                    : spoilt_               ? "its packets are not those of an Omni"
+                                            : "no packet for half a second";
 }
 
 void OmniArm::set_force(const Vec3& force) {
@@ -128,7 +133,8 @@ void OmniArm::set_force(const Vec3& force) {
   omni::Command command;
   command.light = homed_ ? 0 : dock_light;
   if (homed_ && last_) {
-    command.motors = omni::commands_for(joints_, config_.room_arm.q.conjugate() * force);
+    command.motors = omni::commands_for(
+        joints_, config_.room_arm.q.conjugate() * bounded_force(force, limits_.peak_force));
     // Motors are armed by a packet without them, then one with them.
     command.motors_on = std::exchange(armed_, true);
   } else {

@@ -40,6 +40,7 @@ class OmniArm final : public Arm {
   std::optional<omni::State> last_;
   std::array<int, 3> counts_{}, home_{};  // of the encoders, unwrapped; where it was docked
   bool homed_ = false, armed_ = false;
+  bool spoilt_ = false;  // the newest packet could not be read
   omni::Joints joints_ = omni::docked;
   DeviceStatus status_;
 };

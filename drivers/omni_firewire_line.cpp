@@ -6,18 +6,21 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "drivers/omni_line.h"
 
 namespace prosector::omni {
 namespace {
 
-constexpr std::uint64_t register_base = 0x100000000;  // of the arm's addresses, within its node
 constexpr unsigned buffered = 16, cycles_a_packet = 8;
+constexpr unsigned longest_packet = 64;  // bytes: public drivers leave room behind the state's
+constexpr std::uint8_t channels_of_bus = 63;
 constexpr int first_node = 0xffc0;
 
 /// Owns a handle of the library.
@@ -47,6 +50,8 @@ class FirewireLine final : public Line {
     if (problem != std::errc() || end != port.data() + port.size() || port_ < 0) port_ = -1;
   }
 
+  ~FirewireLine() override { close(); }
+
   bool open() override {
     close();
     if (port_ < 0) return lose("must be the number of a FireWire port, from 0");
@@ -54,11 +59,14 @@ class FirewireLine final : public Line {
     if (!requests_) return lose(std::strerror(errno));
     for (int i = 0; i < raw1394_get_nodecount(requests_.get()); ++i) {
       node_ = static_cast<nodeid_t>(first_node | i);
-      if (const auto word = read(kind_register); word && *word == kind) return true;
+      if (const auto word = read(kind_register); word && number_of(*word) == kind) return true;
     }
     return lose("no Omni is on this bus");
   }
   void close() override {
+    for (const std::uint8_t channel : channels_)
+      raw1394_channel_modify(requests_.get(), channel, RAW1394_MODIFY_FREE);
+    channels_.clear();
     receiving_ = Handle();
     sending_ = Handle();
     requests_ = Handle();
@@ -66,33 +74,36 @@ class FirewireLine final : public Line {
   bool is_open() const override { return static_cast<bool>(requests_); }
   const std::string& error() const override { return error_; }
 
-  std::optional<std::uint32_t> read(std::uint64_t address) override {
+  std::optional<Word> read(std::uint64_t address) override {
     quadlet_t word = 0;
-    if (!requests_ || raw1394_read(requests_.get(), node_, register_base + address, 4, &word) < 0)
-      return std::nullopt;
-    return word;
+    if (!requests_ || raw1394_read(requests_.get(), node_, address, 4, &word) < 0) return std::nullopt;
+    return std::bit_cast<Word>(word);  // the library leaves the bus' order as it is
   }
   bool write(std::uint64_t address, std::span<const std::uint8_t> bytes) override {
     std::array<quadlet_t, 4> words{};
     if (!requests_ || bytes.size() > sizeof(words)) return false;
     std::memcpy(words.data(), bytes.data(), bytes.size());
-    return raw1394_write(requests_.get(), node_, register_base + address, bytes.size(), words.data()) >= 0;
+    return raw1394_write(requests_.get(), node_, address, bytes.size(), words.data()) >= 0;
   }
 
-  bool start(std::uint8_t to_arm, std::uint8_t from_arm) override {
+  std::optional<Channels> start() override {
+    while (requests_ && channels_.size() < 2 && reserve_channel()) {
+    }
+    if (channels_.size() < 2) return fail("no two isochronous channels of this bus are free");
+    const Channels out{channels_[0], channels_[1]};
     receiving_ = Handle(port_);
     sending_ = Handle(port_);
-    if (!receiving_ || !sending_) return lose(std::strerror(errno));
+    if (!receiving_ || !sending_) return fail(std::strerror(errno));
     raw1394_set_userdata(receiving_.get(), this);
     raw1394_set_userdata(sending_.get(), this);
-    if (raw1394_iso_recv_init(receiving_.get(), take, buffered, state_bytes, from_arm, RAW1394_DMA_DEFAULT,
-                              1) < 0 ||
+    if (raw1394_iso_recv_init(receiving_.get(), take, buffered, longest_packet, out.from_arm,
+                              RAW1394_DMA_DEFAULT, 1) < 0 ||
         raw1394_iso_recv_start(receiving_.get(), -1, -1, 0) < 0 ||
-        raw1394_iso_xmit_init(sending_.get(), give, buffered, command_bytes, to_arm, RAW1394_ISO_SPEED_100,
-                              1) < 0 ||
+        raw1394_iso_xmit_init(sending_.get(), give, buffered, command_bytes, out.to_arm,
+                              RAW1394_ISO_SPEED_100, 1) < 0 ||
         raw1394_iso_xmit_start(sending_.get(), -1, -1) < 0)
-      return lose(std::strerror(errno));
-    return true;
+      return fail(std::strerror(errno));
+    return out;
   }
 
   std::optional<std::array<std::uint8_t, state_bytes>> receive() override {
@@ -111,10 +122,25 @@ class FirewireLine final : public Line {
   int port_ = -1;
   nodeid_t node_ = 0;
   Handle requests_, receiving_, sending_;
+  std::vector<std::uint8_t> channels_;  // that are reserved on the bus: to the arm, from it
   std::optional<std::array<std::uint8_t, state_bytes>> newest_;
   std::array<std::uint8_t, command_bytes> command_ = bytes_of(Command{});
   unsigned cycle_ = 0;
 
+  /// Reserves the next free channel at the bus' resource manager, as a camera beside it would.
+  bool reserve_channel() {
+    for (std::uint8_t channel = channels_.empty() ? 0 : static_cast<std::uint8_t>(channels_.back() + 1);
+         channel < channels_of_bus; ++channel)
+      if (raw1394_channel_modify(requests_.get(), channel, RAW1394_MODIFY_ALLOC) == 0) {
+        channels_.push_back(channel);
+        return true;
+      }
+    return false;
+  }
+  std::nullopt_t fail(const std::string& why) {
+    lose(why);
+    return std::nullopt;
+  }
   bool lose(const std::string& why) {
     close();
     error_ = fmt::format("FireWire port {}: {}", name_, why);
@@ -130,7 +156,7 @@ class FirewireLine final : public Line {
   static raw1394_iso_disposition take(raw1394handle_t handle, unsigned char* data, unsigned length,
                                       unsigned char, unsigned char, unsigned char, unsigned, unsigned) {
     auto* line = static_cast<FirewireLine*>(raw1394_get_userdata(handle));
-    if (length == state_bytes) std::copy_n(data, state_bytes, line->newest_.emplace().begin());
+    if (length >= state_bytes) std::copy_n(data, state_bytes, line->newest_.emplace().begin());
     return RAW1394_ISO_OK;
   }
   static raw1394_iso_disposition give(raw1394handle_t handle, unsigned char* data, unsigned* length,

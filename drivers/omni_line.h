@@ -13,6 +13,11 @@
 
 namespace prosector::omni {
 
+/// Isochronous channels of the bus, 0 … 63.
+struct Channels {
+  std::uint8_t to_arm = 0, from_arm = 1;
+};
+
 class Line {
  public:
   virtual ~Line() = default;
@@ -22,11 +27,12 @@ class Line {
   virtual bool is_open() const = 0;
   virtual const std::string& error() const = 0;
 
-  /// Reads a register; nothing: it did not answer. Takes a few milliseconds at most.
-  virtual std::optional<std::uint32_t> read(std::uint64_t address) = 0;
+  /// Reads four bytes at an address, in the bus' order; nothing: it did not answer. Takes a few milliseconds
+  /// at most.
+  virtual std::optional<Word> read(std::uint64_t address) = 0;
   virtual bool write(std::uint64_t address, std::span<const std::uint8_t> bytes) = 0;
-  /// Gets ready for packets on these channels.
-  virtual bool start(std::uint8_t to_arm, std::uint8_t from_arm) = 0;
+  /// Reserves two channels of the bus and gets ready for packets on them. Returns nothing if it can't.
+  virtual std::optional<Channels> start() = 0;
   /// Returns the newest packet that arrived since the last call, never waiting for one.
   virtual std::optional<std::array<std::uint8_t, state_bytes>> receive() = 0;
   virtual bool send(std::span<const std::uint8_t, command_bytes> packet) = 0;

@@ -10,8 +10,11 @@ constexpr int no_command = 0x7ff, most_command = 4095;
 constexpr std::uint16_t status_word = 0x53c0, light_bits = 0x3, motor_bit = 0x8;
 constexpr std::uint16_t second_word = 0x001e, late_word = 0x5746;  // seen in all packets, @2 and @28
 constexpr std::array<double, 3> pot_gain = {5.48, -5.28, 4.76}, pot_offset = {-2.74, 2.64, -2.38};
-constexpr double pot_sum = 60000;  // of both ends of a pot, about
 constexpr std::uint16_t pot_noise = 0x1f;
+
+int pot(std::uint16_t counts) {
+  return counts & ~pot_noise;
+}
 
 template <std::size_t N>
 void put16(std::array<std::uint8_t, N>& out, std::size_t at, int value) {
@@ -37,36 +40,6 @@ std::array<std::uint8_t, command_bytes> bytes_of(const Command& command) {
   return out;
 }
 
-std::optional<Command> command_of(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() != command_bytes) return std::nullopt;
-  const std::uint16_t status = get16(bytes, 6);
-  if ((status & ~(light_bits | motor_bit)) != status_word) return std::nullopt;
-  Command out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int value = get16(bytes, 2 * i);
-    if (value > most_command) return std::nullopt;
-    out.motors[static_cast<Eigen::Index>(i)] = value == no_command ? 0 : 2. * value / most_command - 1;
-  }
-  out.motors_on = (status & motor_bit) != 0;
-  out.light = static_cast<std::uint8_t>(status & light_bits);
-  return out;
-}
-
-std::array<std::uint8_t, state_bytes> bytes_of(const State& state) {
-  std::array<std::uint8_t, state_bytes> out{};
-  put16(out, 2, second_word);
-  for (std::size_t i = 0; i < 3; ++i) {
-    put16(out, 4 + 2 * i, state.encoders[i]);
-    put16(out, 10 + 2 * i, state.pots_a[i]);
-    put16(out, 22 + 2 * i, state.pots_b[i]);
-  }
-  out[18] = state.number;
-  out[19] = static_cast<std::uint8_t>((~state.buttons & 3) | (state.docked ? 0 : 4));
-  put16(out, 28, late_word);
-  for (std::size_t i = 0; i < 4; ++i) out[32 + i] = static_cast<std::uint8_t>(state.count >> (8 * i) & 0xff);
-  return out;
-}
-
 std::optional<State> state_of(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != state_bytes || get16(bytes, 0) != 0 || get16(bytes, 2) != second_word ||
       get16(bytes, 28) != late_word)
@@ -76,6 +49,7 @@ std::optional<State> state_of(std::span<const std::uint8_t> bytes) {
     out.encoders[i] = static_cast<std::int16_t>(get16(bytes, 4 + 2 * i));
     out.pots_a[i] = get16(bytes, 10 + 2 * i);
     out.pots_b[i] = get16(bytes, 22 + 2 * i);
+    if (pot(out.pots_a[i]) + pot(out.pots_b[i]) == 0) return std::nullopt;
   }
   out.number = bytes[18];
   out.buttons = ~bytes[19] & 3u;
@@ -85,28 +59,12 @@ std::optional<State> state_of(std::span<const std::uint8_t> bytes) {
 }
 
 Vec3 gimbal_of(const State& state) {
-  Vec3 out = Vec3::Zero();
+  Vec3 out;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double a = state.pots_a[i] & ~pot_noise, b = state.pots_b[i] & ~pot_noise;
-    if (a + b > 0) out[static_cast<Eigen::Index>(i)] = pot_gain[i] * a / (a + b) + pot_offset[i];
+    const double a = pot(state.pots_a[i]), b = pot(state.pots_b[i]);
+    out[static_cast<Eigen::Index>(i)] = pot_gain[i] * a / (a + b) + pot_offset[i];
   }
   return out;
-}
-
-void set_gimbal(State& state, const Vec3& gimbal) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double ratio =
-        std::clamp((gimbal[static_cast<Eigen::Index>(i)] - pot_offset[i]) / pot_gain[i], 0., 1.);
-    state.pots_a[i] = static_cast<std::uint16_t>(std::lround(pot_sum * ratio));
-    state.pots_b[i] = static_cast<std::uint16_t>(std::lround(pot_sum * (1 - ratio)));
-  }
-}
-
-std::uint32_t serial_of(std::uint32_t word) {
-  if ((word & 0x80000001u) != 0x80000001u) return 0;
-  const auto field = [&](int high, int low) { return word >> low & ((1u << (high - low + 1)) - 1); };
-  // Printed as 1 + 2 + 2 + 1 + 5 digits; as one number it is what fits: the last six of them.
-  return field(13, 11) * 100000 + field(10, 1);
 }
 
 }  // namespace prosector::omni

@@ -1,5 +1,5 @@
 #pragma once
-// The bytes of a PHANTOM Omni on FireWire, as public drivers have them (docs/do/arms.md).
+// The bytes of a PHANTOM Omni on FireWire, as public drivers have them (docs/look-up/devices.md).
 
 #include <array>
 #include <cstdint>
@@ -10,13 +10,17 @@
 
 namespace prosector::omni {
 
-// Addresses of its register space, added to the bus' 0x1 0000 0000.
-inline constexpr std::uint64_t kind_register = 0x1006000c, serial_register = 0x10060010;
-inline constexpr std::uint32_t kind = 0x000b9900;  // that it answers
+// Addresses in the node's own space. Registers of 32 bits are big endian: bytes are given in the bus' order.
+inline constexpr std::uint64_t kind_register = 0x1006000c;
+inline constexpr std::uint32_t kind = 0x000b9900;  // that it answers: the maker's number, then a zero
+using Word = std::array<std::uint8_t, 4>;
+inline std::uint32_t number_of(const Word& w) {
+  return std::uint32_t{w[0]} << 24 | std::uint32_t{w[1]} << 16 | std::uint32_t{w[2]} << 8 | w[3];
+}
 inline constexpr std::uint64_t to_arm_channel = 0x1000, from_arm_channel = 0x1001, control_register = 0x1087,
                                start_register = 0x20010;
-inline constexpr std::uint32_t start_word = 0xf80f0000;
-inline constexpr std::uint8_t streams = 0x08;  // bit of the control register
+inline constexpr Word start_word = {0x00, 0x00, 0x0f, 0xf8};  // as public drivers on x86 write 0xf80f0000
+inline constexpr std::uint8_t streams = 0x08;                 // bit of the control register
 
 inline constexpr std::size_t command_bytes = 16, state_bytes = 44;
 
@@ -27,7 +31,6 @@ struct Command {
   std::uint8_t light = 0;  // 0 … 3, of the dock
 };
 std::array<std::uint8_t, command_bytes> bytes_of(const Command& command);
-std::optional<Command> command_of(std::span<const std::uint8_t> bytes);
 
 /// What the arm sends as often.
 struct State {
@@ -38,16 +41,10 @@ struct State {
   bool docked = false;
   std::uint32_t count = 0;
 };
-std::array<std::uint8_t, state_bytes> bytes_of(const State& state);
-/// Returns nothing where it is no packet of an Omni.
+/// Returns nothing where it is no packet of an Omni, or a pot has no voltage at either end.
 std::optional<State> state_of(std::span<const std::uint8_t> bytes);
 
-/// Returns the gimbal's angles from the pots, rad.
+/// Returns the gimbal's angles from the pots of a state that was read, rad.
 Vec3 gimbal_of(const State& state);
-/// Fills in pots that say so.
-void set_gimbal(State& state, const Vec3& gimbal);
-
-/// Returns the serial number that is printed on it, from its register; 0: none is in it.
-std::uint32_t serial_of(std::uint32_t word);
 
 }  // namespace prosector::omni

@@ -41,12 +41,12 @@ class SocketLine final : public Line {
   bool is_open() const override { return descriptor_ >= 0; }
   const std::string& error() const override { return error_; }
 
-  std::optional<std::uint32_t> read(std::uint64_t address) override {
+  std::optional<Word> read(std::uint64_t address) override {
     std::vector<std::uint8_t> question = with_address(asks_read, address);
     const auto answer = ask(question, answers_read);
-    if (!answer || answer->size() != 5) return std::nullopt;
-    std::uint32_t word = 0;
-    std::memcpy(&word, answer->data() + 1, 4);
+    Word word{};
+    if (!answer || answer->size() != 1 + word.size()) return std::nullopt;
+    std::copy(answer->begin() + 1, answer->end(), word.begin());
     return word;
   }
   bool write(std::uint64_t address, std::span<const std::uint8_t> bytes) override {
@@ -54,7 +54,7 @@ class SocketLine final : public Line {
     question.insert(question.end(), bytes.begin(), bytes.end());
     return ask(question, answers_write).has_value();
   }
-  bool start(std::uint8_t, std::uint8_t) override { return is_open(); }
+  std::optional<Channels> start() override { return is_open() ? std::optional(Channels{}) : std::nullopt; }
 
   std::optional<std::array<std::uint8_t, state_bytes>> receive() override {
     std::optional<std::array<std::uint8_t, state_bytes>> newest;

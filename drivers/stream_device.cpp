@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/clock.h"
-#include "drivers/byte_port.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 namespace {
@@ -16,9 +16,6 @@ constexpr std::int64_t still_opening_ns = 10'000'000;
 constexpr std::size_t poll_bytes = 65536;  // a babbling device must not hold poll() for ever
 
 }  // namespace
-
-StreamDevice::StreamDevice(const std::string& path, unsigned baud)
-    : StreamDevice(std::make_unique<BytePort>(path, baud)) {}
 
 StreamDevice::StreamDevice(std::unique_ptr<DevicePort> port)
     : port_(std::move(port)), open_delay_ns_(first_reopen_ns) {}
@@ -55,7 +52,9 @@ void StreamDevice::poll(std::vector<DeviceSample>& out) {
   chunk_.clear();
   port_->read(chunk_, poll_bytes);
   buffer_.append(chunk_, monotonic_ns());
+  const std::size_t before = out.size();
   parse(now_ns, out);
+  health_.garbage(now_ns, drop_implausible(out, before));
   if (health_.records() > refused_records_) refused_.clear();
   if (port_->is_open()) advance(now_ns);
   if (!port_->is_open()) {

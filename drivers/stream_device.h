@@ -14,8 +14,6 @@ namespace prosector {
 
 class StreamDevice : public Device {
  public:
-  /// Reads a device file; the next one, any port.
-  StreamDevice(const std::string& path, unsigned baud);
   explicit StreamDevice(std::unique_ptr<DevicePort> port);
 
   void poll(std::vector<DeviceSample>& out) final;

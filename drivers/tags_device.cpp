@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "common/error.h"
 #include "drivers/camera/camera_frames.h"
+#include "drivers/plausible.h"
 #include "drivers/station_sample.h"
 
 namespace prosector {
@@ -118,8 +119,10 @@ void TagsDevice::poll(std::vector<DeviceSample>& out) {
     const auto bytes = static_cast<std::size_t>(3 * camera.width * camera.height);
     for (const std::int64_t time_ns : frames_ns_) health_.record(std::max(time_ns, now_ns - 1), bytes);
     frames_ns_.clear();
+    const std::size_t before = out.size();
     out.insert(out.end(), found_.begin(), found_.end());
     found_.clear();
+    health_.garbage(now_ns, drop_implausible(out, before));
   }
   if (opened_ > 0 && !camera.is_open) health_.lost();
 }

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "drivers/arm_pose.h"
 #include "drivers/omni.h"
+#include "drivers/plausible.h"
 
 namespace prosector {
 namespace {
@@ -74,9 +74,7 @@ void VrpnArm::take(const vrpn::Message& message, std::int64_t now_ns) {
   if (type == vrpn::pose_type) {
     const auto said = vrpn::tracker_pose_of(message.body);
     if (said && said->sensor != 0) return;
-    const bool turns = said && said->turn.coeffs().allFinite() && said->turn.norm() > 0;
-    const auto pose =
-        turns ? arm_pose(said->place, said->turn.normalized().toRotationMatrix()) : std::nullopt;
+    const auto pose = said ? plausible_pose(said->place, said->turn, arm_reach) : std::nullopt;
     ++(pose ? counts_.records : counts_.resyncs);
     posed_ns_ = pose ? now_ns : 0;
     if (pose) last_.stylus = *pose;
@@ -106,7 +104,7 @@ void VrpnArm::set_field(const Vec3& force, const Mat3& stiffness) {
   const Mat3 turn = config_.room_arm.q.toRotationMatrix();
   vrpn::ForceField field;
   field.origin = last_.stylus.p;
-  field.force = turn.transpose() * force;
+  field.force = turn.transpose() * bounded_force(force, limits_.peak_force);
   field.jacobian = -(turn.transpose() * stiffness * turn);
   field.radius = field_radius;
   vrpn::Bytes out;

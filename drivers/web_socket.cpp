@@ -31,8 +31,7 @@ constexpr std::size_t longest_text = 65536;  // bytes
 
 class WebSocket::Talk {
  public:
-  Talk(std::string host, std::string port, std::string target,
-       std::function<std::optional<std::string>(std::string_view)> answer)
+  Talk(std::string host, std::string port, std::string target, Answer answer)
       : host_(std::move(host)),
         port_(std::move(port)),
         target_(std::move(target)),
@@ -51,13 +50,13 @@ class WebSocket::Talk {
 
  private:
   std::string host_, port_, target_;
-  std::function<std::optional<std::string>(std::string_view)> answer_;
+  Answer answer_;
   net::io_context io_;
   net::ip::tcp::resolver resolver_{io_};
   net::steady_timer timer_{io_};
   std::optional<Stream> stream_;
   beast::flat_buffer buffer_{longest_text};
-  std::string text_;
+  std::vector<std::string> texts_;  // that are being sent
   State state_;
   Newest<State> told_;
   bool ends_ = false;
@@ -93,17 +92,20 @@ class WebSocket::Talk {
     buffer_.clear();
     stream_->async_read(buffer_, [this](Error error, std::size_t) {
       if (error) return lose(error);
-      const auto answer = answer_({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+      auto answer = answer_({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
       state_.refused = !answer;
       if (!answer) return lose(net::error::connection_aborted);
-      text_ = *answer;
-      if (text_.empty()) return ends_ ? io_.stop() : listen();
-      stream_->text(true);
-      stream_->async_write(net::buffer(text_), [this](Error failed, std::size_t) {
-        if (failed) return lose(failed);
-        if (ends_) return io_.stop();
-        listen();
-      });
+      texts_ = std::move(*answer);
+      send(0);
+    });
+  }
+  /// Sends the texts from that one on, then listens.
+  void send(std::size_t number) {
+    if (number == texts_.size()) return ends_ ? io_.stop() : listen();
+    stream_->text(true);
+    stream_->async_write(net::buffer(texts_[number]), [this, number](Error failed, std::size_t) {
+      if (failed) return lose(failed);
+      send(number + 1);
     });
   }
   void lose(Error error) {
@@ -127,8 +129,7 @@ class WebSocket::Talk {
   }
 };
 
-WebSocket::WebSocket(std::string host, std::string port, std::string target,
-                     std::function<std::optional<std::string>(std::string_view text)> answer)
+WebSocket::WebSocket(std::string host, std::string port, std::string target, Answer answer)
     : talk_(std::make_unique<Talk>(std::move(host), std::move(port), std::move(target), std::move(answer))) {}
 
 WebSocket::~WebSocket() = default;

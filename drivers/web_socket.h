@@ -1,5 +1,5 @@
 #pragma once
-// A conversation over a WebSocket: each text that comes may be answered by one. It has a thread of its own,
+// A conversation over a WebSocket: each text that comes may be answered by some. It has a thread of its own,
 // with a real-time priority where the system gives one, and connects again by itself.
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace prosector {
 
@@ -20,11 +21,11 @@ class WebSocket {
     std::string problem;   // why it isn't connected
   };
 
+  using Answer = std::function<std::optional<std::vector<std::string>>(std::string_view text)>;
+
   /// Starts to connect to what is served there ("/" or "/v6.json"). Its thread calls `answer` with each text,
-  /// and sends what that returns, unless it is empty. Where it returns nothing, it hangs up, and connects
-  /// anew.
-  WebSocket(std::string host, std::string port, std::string target,
-            std::function<std::optional<std::string>(std::string_view text)> answer);
+  /// and sends the texts that it returns, in order. Where it returns nothing, it hangs up, and connects anew.
+  WebSocket(std::string host, std::string port, std::string target, Answer answer);
   /// Lets one more answer go out, if one is due within 50 ms, and ends.
   ~WebSocket();
 

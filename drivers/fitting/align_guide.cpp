@@ -25,7 +25,7 @@ AlignGuide::AlignGuide(std::size_t station, std::size_t poses)
     : station_(station), poses_(poses), tracker_(tracker_still), camera_(camera_still) {}
 
 void AlignGuide::take(const DeviceSample& sample) {
-  if (sample.station != station_ || !sample.has_pose) return;
+  if (sample.station != station_ || !sample.has_trusted_pose()) return;
   tracked_ns_ = sample.time_ns;
   tracker_.take(sample.time_ns, sample.pose);
 }

@@ -31,7 +31,7 @@ DeviceConfig EyesGuide::device(const ClientConfig& config) {
 }
 
 void EyesGuide::take(const DeviceSample& sample) {
-  if (sample.station == station_ && sample.has_pose) window_.take(sample.time_ns, sample.pose);
+  if (sample.station == station_ && sample.has_trusted_pose()) window_.take(sample.time_ns, sample.pose);
 }
 
 /// Returns where the present cross is: in a grid of 5 × 4, neighbours far from each other.

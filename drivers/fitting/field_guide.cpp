@@ -69,7 +69,7 @@ DeviceConfig FieldGuide::device(const ClientConfig& config) {
 }
 
 void FieldGuide::take(const DeviceSample& sample) {
-  if (sample.station != station_ || !sample.has_pose || caught_.size() == points_.size()) return;
+  if (sample.station != station_ || !sample.has_trusted_pose() || caught_.size() == points_.size()) return;
   const auto place = catcher_.take(sample.time_ns, sample.pose);
   if (!place) return;
   trouble_.clear();

@@ -47,7 +47,7 @@ DeviceConfig RoomGuide::device(const ClientConfig& config) {
 }
 
 void RoomGuide::take(const DeviceSample& sample) {
-  if (sample.station != station_ || !sample.has_pose || touched_.size() == points_.size()) return;
+  if (sample.station != station_ || !sample.has_trusted_pose() || touched_.size() == points_.size()) return;
   const auto place = catcher_.take(sample.time_ns, sample.pose);
   if (place && plausible(place->p)) touched_.push_back({place->p, points_[touched_.size()]});
 }

@@ -29,7 +29,7 @@ std::vector<TimedValue> distances(const std::vector<TimedPose>& readings, std::i
 }  // namespace
 
 void RestGuide::take(const DeviceSample& sample) {
-  if (sample.station == station_ && sample.has_pose && passed() < seconds_)
+  if (sample.station == station_ && sample.has_trusted_pose() && passed() < seconds_)
     readings_.push_back({sample.time_ns, sample.pose});
 }
 
@@ -60,7 +60,7 @@ GuideOutcome RestGuide::outcome() const {
 }
 
 void DelayGuide::take(const DeviceSample& sample) {
-  if (sample.station == station_ && sample.has_pose && seconds_of(own_) < seconds_)
+  if (sample.station == station_ && sample.has_trusted_pose() && seconds_of(own_) < seconds_)
     own_.push_back({sample.time_ns, sample.pose});
 }
 

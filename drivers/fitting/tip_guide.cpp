@@ -24,7 +24,7 @@ DeviceConfig TipGuide::device(const ClientConfig& config, StationRole role) {
 }
 
 void TipGuide::take(const DeviceSample& sample) {
-  if (sample.station != station_ || !sample.has_pose || poses_.size() == wanted_poses) return;
+  if (sample.station != station_ || !sample.has_trusted_pose() || poses_.size() == wanted_poses) return;
   if (!rests_) {
     window_.take(sample.time_ns, sample.pose);
     rests_ = window_.still();

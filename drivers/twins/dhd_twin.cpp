@@ -24,7 +24,7 @@ ArmMechanics omega() {
 class DhdTwin {
  public:
   DhdTwin() {
-    library.on_restart = [this] { open_ = forces_ = false; };
+    library.on_restart = [this] { open_ = forces_ = emulates_ = false; };
   }
 
   LibraryTwin library{omega()};
@@ -38,7 +38,14 @@ class DhdTwin {
   int close() {
     if (!open_) return error_general;
     library.arm()->put_down();
-    open_ = forces_ = false;
+    open_ = forces_ = emulates_ = false;
+    return 0;
+  }
+  bool has_gripper() const { return answer() >= 0 && library.faults.gripper; }
+  int emulate_button(bool on) {
+    if (const int error = answer(); error < 0) return error;
+    if (!library.faults.gripper) return error_general;
+    emulates_ = on;
     return 0;
   }
   int enable_force(bool on) {
@@ -66,6 +73,7 @@ class DhdTwin {
   }
   int button(int index) {
     if (const int error = answer(); error < 0) return error;
+    if (library.faults.gripper && !emulates_) return 0;  // it has no button of its own
     return static_cast<int>(library.faults.buttons >> index & 1u);
   }
   int status(int* out) {
@@ -86,7 +94,7 @@ class DhdTwin {
   }
 
  private:
-  bool open_ = false, forces_ = false;
+  bool open_ = false, forces_ = false, emulates_ = false;
 
   std::int64_t now() const { return library.in_own_time() ? monotonic_ns() : library.now_ns(); }
   int answer() const { return !open_ || library.faults.away ? error_general : library.faults.error; }
@@ -138,6 +146,12 @@ int dhdGetStatus(int* status, char) {
 }
 bool dhdHasActiveWrist(char) {
   return locked(twin(), [](auto& t) { return t.turns(); });
+}
+bool dhdHasGripper(char) {
+  return locked(twin(), [](auto& t) { return t.has_gripper(); });
+}
+int dhdEmulateButton(unsigned char on, char) {
+  return locked(twin(), [&](auto& t) { return t.emulate_button(on != 0); });
 }
 int dhdSetForce(double x, double y, double z, char) {
   return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}, prosector::Vec3::Zero()); });

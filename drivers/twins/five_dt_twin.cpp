@@ -24,13 +24,13 @@ FiveDtTwin::FiveDtTwin(const FiveDtTwinOptions& options, std::int64_t now_ns)
       random_(options.seed),
       period_ns_(std::llround(1e9 / options.rate)),
       next_ns_(now_ns),
-      streaming_(options.hid) {
-  if (options.hid) clock_.streaming(now_ns);
+      streaming_(options.hid || options.wireless) {
+  if (streaming_) clock_.streaming(now_ns);
 }
 
 void FiveDtTwin::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns,
                          std::vector<TwinOutput>& out) {
-  if (options_.hid) return;
+  if (options_.hid || options_.wireless) return;
   for (const std::uint8_t byte : bytes) {
     switch (static_cast<char>(byte)) {
       case five_dt::reset_command:
@@ -76,6 +76,9 @@ TwinOutput FiveDtTwin::record(std::int64_t now_ns) {
   if (options_.hid) {
     const auto report = five_dt::encode_report(counts);
     out.bytes.assign(report.begin(), report.end());
+  } else if (options_.wireless) {
+    const auto packet = five_dt::encode_wireless(counts, level, level, options_.left);
+    out.bytes.assign(packet.begin(), packet.end());
   } else {
     const auto packet = five_dt::encode_packet(counts, level, level, options_.left);
     out.bytes.assign(packet.begin(), packet.end());

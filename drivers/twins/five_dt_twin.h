@@ -1,5 +1,5 @@
 #pragma once
-// A simulated 5DT glove: the serial Data Glove 5, or the Ultra's USB reports.
+// A simulated 5DT glove: the serial Data Glove 5, a wireless one, or the Ultra's USB reports.
 
 #include <random>
 
@@ -13,7 +13,8 @@ struct FiveDtTwinOptions {
   MotionScript script;
   std::size_t station = 0;  // whose flexions of the script
   TwinTiming timing;
-  bool hid = false;  // 64-byte reports without asking, instead of packets on demand
+  bool hid = false;       // 64-byte reports without asking, instead of packets on demand
+  bool wireless = false;  // 10-byte packets without asking
   bool left = false;
   double noise_counts = 0;  // standard deviation
   std::uint64_t seed = 1;

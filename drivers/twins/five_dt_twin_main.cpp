@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   FiveDtTwinOptions glove;
   std::size_t station = 1;
   app.add_flag("--hid", glove.hid, "send the Ultra's 64-byte USB reports instead of serial packets");
+  app.add_flag("--wireless", glove.wireless, "send a wireless glove's 10-byte packets")->excludes("--hid");
   app.add_flag("--left", glove.left, "a left glove");
   app.add_option("--station", station, "whose flexions of the script")
       ->check(CLI::Range(1, 4))

@@ -68,6 +68,7 @@ HeldArm* LibraryTwin::arm() {
 }
 
 double LibraryTwin::told(double value) {
+  if (faults.instead) return *faults.instead;
   if (faults.garbage <= 0 || std::uniform_real_distribution<double>(0, 1)(random_) >= faults.garbage)
     return value;
   return std::bit_cast<double>(random_());

@@ -20,10 +20,12 @@ struct LibraryFaults {
   int version = 3;                 // major one of the library
   int error = 0;                   // of each call, in the library's numbers; 0: none
   int force_error = 0;             // of each force, as that
+  std::optional<double> instead;   // of each number told
   double garbage = 0;              // share of numbers told that are random bits
   double temperature = 0.2;        // of its motors, 0 … 1
   bool needs_calibration = false;  // it lost where it is: set once
   bool forces_off = false;         // somebody let go of its switch
+  bool gripper = false;            // instead of buttons
   std::uint32_t buttons = 0;
 };
 

@@ -1,7 +1,5 @@
 #include "drivers/twins/omni_twin.h"
 
-#include "drivers/omni_arm_math.h"
-
 namespace prosector {
 namespace {
 
@@ -17,21 +15,21 @@ ArmMechanics mechanics() {
 
 OmniTwin::OmniTwin(OmniTwinOptions options, std::int64_t now_ns)
     : garbage_(options.garbage),
-      arm_(std::move(static_cast<HeldArmOptions&>(options)), mechanics(), omni::tip(omni::docked), now_ns),
+      arm_(std::move(static_cast<HeldArmOptions&>(options)), mechanics(),
+           omni_body::stylus_of(omni_body::in_inkwell()).p, now_ns),
       random_(options.seed) {
   std::uniform_int_distribution<int> anywhere(-20000, 20000);
   for (int& offset : offset_) offset = anywhere(random_);
 }
 
-std::uint32_t OmniTwin::read(std::uint64_t address) const {
-  if (address == omni::kind_register) return omni::kind;
-  if (address == omni::serial_register) return 0x80000001u | 12345u << 1;
-  return 0;
-}
-
 void OmniTwin::write(std::uint64_t address, std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
-  if (address != omni::control_register || bytes.size() != 1) return;
-  const bool streams = (bytes[0] & omni::streams) != 0;
+  if (bytes.size() != 1) return;
+  if (address == omni_body::receive_channel) receives_on_ = bytes[0];
+  if (address == omni_body::transmit_channel) transmits_on_ = bytes[0];
+  if (address != omni_body::control_register) return;
+  // Packets that go both ways on one channel reach nobody.
+  const bool streams =
+      omni_body::starts_packets(bytes[0]) && receives_on_ && transmits_on_ && receives_on_ != transmits_on_;
   if (streams != streaming_) arm_.put_down();
   if (streams && !streaming_) started_ns_ = now_ns;
   streaming_ = streams;
@@ -39,39 +37,30 @@ void OmniTwin::write(std::uint64_t address, std::span<const std::uint8_t> bytes,
 }
 
 void OmniTwin::command(std::span<const std::uint8_t> packet) {
-  const auto command = omni::command_of(packet);
-  if (!command) {
+  const auto motors = omni_body::motors_of(packet);
+  if (!motors) {
     ++bad_commands_;
     return;
   }
-  const auto joints = omni::joints_at(model().position());
-  arm_.set_force(command->motors_on && joints ? omni::force_of(*joints, command->motors)
-                                              : Vec3(Vec3::Zero()));
+  const auto chain = omni_body::chain_at({model().position(), Quat::Identity()});
+  arm_.set_force(motors->on && chain ? omni_body::force_of(*chain, motors->shares) : Vec3(Vec3::Zero()));
 }
 
-std::optional<std::array<std::uint8_t, omni::state_bytes>> OmniTwin::advance(std::int64_t now_ns) {
+std::optional<std::array<std::uint8_t, omni_body::state_size>> OmniTwin::advance(std::int64_t now_ns) {
   if (streaming_ && now_ns - started_ns_ >= docked_ns) arm_.take(started_ns_ + docked_ns);
   arm_.advance(now_ns);
   if (!streaming_) return std::nullopt;
-  std::array<std::uint8_t, omni::state_bytes> packet = omni::bytes_of(state());
+  std::array<std::uint8_t, omni_body::state_size> packet = state();
   ++count_;
   if (std::uniform_real_distribution<double>(0, 1)(random_) < garbage_)
     for (std::uint8_t& byte : packet) byte = static_cast<std::uint8_t>(random_());
   return packet;
 }
 
-omni::State OmniTwin::state() const {
-  omni::State out;
-  const auto reached = omni::joints_at(model().position());
-  const omni::Joints joints = !arm_.taken() || !reached ? omni::docked : *reached;
-  const std::array<int, 3> counts = omni::counts_of(joints);
-  for (std::size_t i = 0; i < 3; ++i) out.encoders[i] = static_cast<std::int16_t>(counts[i] + offset_[i]);
-  // The hand holds the stylus level, whatever the arm's own turn.
-  omni::set_gimbal(out, Vec3(joints[0], 0, 0));
-  out.number = static_cast<std::uint8_t>(count_);
-  out.count = count_;
-  out.docked = !arm_.taken();
-  return out;
+std::array<std::uint8_t, omni_body::state_size> OmniTwin::state() const {
+  const auto reached = omni_body::chain_at({model().position(), arm_.orientation()});
+  const omni_body::Chain chain = !arm_.taken() || !reached ? omni_body::in_inkwell() : *reached;
+  return omni_body::state_packet(omni_body::encoders_of(chain, offset_), chain.wrist, !arm_.taken(), count_);
 }
 
 }  // namespace prosector

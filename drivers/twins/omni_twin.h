@@ -8,8 +8,8 @@
 #include <random>
 #include <span>
 
-#include "drivers/omni_packets.h"
 #include "drivers/twins/held_arm.h"
+#include "drivers/twins/omni_body.h"
 
 namespace prosector {
 
@@ -22,11 +22,12 @@ class OmniTwin {
  public:
   explicit OmniTwin(OmniTwinOptions options, std::int64_t now_ns);
 
-  std::uint32_t read(std::uint64_t address) const;
+  /// Returns four bytes at an address, in the bus' order.
+  std::array<std::uint8_t, 4> read(std::uint64_t address) const { return omni_body::register_bytes(address); }
   void write(std::uint64_t address, std::span<const std::uint8_t> bytes, std::int64_t now_ns);
   void command(std::span<const std::uint8_t> packet);
   /// Moves on to `now_ns`. Returns the packet that it sends then; nothing: it doesn't stream.
-  std::optional<std::array<std::uint8_t, omni::state_bytes>> advance(std::int64_t now_ns);
+  std::optional<std::array<std::uint8_t, omni_body::state_size>> advance(std::int64_t now_ns);
   void go_on(std::int64_t now_ns) { arm_.go_on(now_ns); }
 
   const HeldArm& arm() const { return arm_; }
@@ -35,14 +36,15 @@ class OmniTwin {
   std::uint64_t bad_commands() const { return bad_commands_; }
 
  private:
-  omni::State state() const;
+  std::array<std::uint8_t, omni_body::state_size> state() const;
 
   double garbage_;
   HeldArm arm_;
   std::mt19937_64 random_;
   std::int64_t started_ns_ = 0;
   bool streaming_ = false;
-  std::array<int, 3> offset_{};  // of the encoders: where they were when it was switched on
+  std::optional<std::uint8_t> receives_on_, transmits_on_;  // channels
+  omni_body::Encoders offset_{};  // of the encoders: where they were when it was switched on
   std::uint32_t count_ = 0;
   std::uint64_t bad_commands_ = 0;
 };

@@ -70,14 +70,13 @@ class Server {
     ::close(client_);
     client_ = -1;
     const std::uint8_t off = 0;  // a cable that is pulled: the motors stop
-    twin.write(omni::control_register, {&off, 1}, now_ns);
+    twin.write(omni_body::control_register, {&off, 1}, now_ns);
   }
   void answer(std::span<const std::uint8_t> m, OmniTwin& twin, std::int64_t now_ns) {
     std::uint64_t address = 0;
     if (m.size() >= 9) std::memcpy(&address, m.data() + 1, 8);
     if (m[0] == omni::asks_read && m.size() == 9) {
-      const std::uint32_t word = twin.read(address);
-      send(omni::answers_read, {reinterpret_cast<const std::uint8_t*>(&word), 4});
+      send(omni::answers_read, twin.read(address));
     } else if (m[0] == omni::asks_write && m.size() > 9) {
       twin.write(address, m.subspan(9), now_ns);
       send(omni::answers_write, {});

@@ -74,11 +74,12 @@ TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {
   LeapDevice device("here", config);
   leap::Text greeting;
   greeting.version = leap::known_version;
-  EXPECT_EQ(device.hear(leap::text_of(greeting, 0)), R"({"background":true})");
+  EXPECT_EQ(device.hear(leap::text_of(greeting, 0)),
+            (std::vector<std::string>{R"({"background":true})", R"({"focused":true})"}));
   const Pose right{{0.1, 0.2, 0}, Quat::Identity()}, left{{-0.1, 0.2, 0}, Quat::Identity()};
   leap::Text frame;
   frame.hands = {seen_hand(false, right, {1, 1, 1, 1, 1}), seen_hand(true, left, {0, 0, 0, 0, 0})};
-  EXPECT_EQ(device.hear(leap::text_of(frame, 1)), "");
+  EXPECT_EQ(device.hear(leap::text_of(frame, 1)), std::vector<std::string>{});
   std::vector<DeviceSample> samples;
   device.poll(samples);
   ASSERT_EQ(samples.size(), 2u);
@@ -95,6 +96,33 @@ TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {
   EXPECT_TRUE(samples.empty());
   EXPECT_EQ(device.status().health, DeviceHealth::babbling);
   EXPECT_NE(device.status().message.find("version 7"), std::string::npos);
+}
+
+TEST(Leap, EventsAreNoGarbage) {
+  LeapDevice device("here", {});
+  for (const char* text :
+       {R"({"event":{"state":{"attached":true,"id":"1","streaming":true,"type":"x"},"type":"deviceEvent"}})",
+        R"({"event":{"type":"deviceEvent","state":{"attached":false,"streaming":false}}})",
+        R"({"event":{"type":"somethingNew"}})"}) {
+    EXPECT_EQ(device.hear(text), std::vector<std::string>{}) << text;
+    std::vector<DeviceSample> samples;
+    device.poll(samples);
+    EXPECT_TRUE(samples.empty());
+  }
+  EXPECT_EQ(device.status().resyncs, 0u);
+  EXPECT_EQ(device.status().records, 0u) << "no frame came";
+  const auto gone = leap::read_text(R"({"event":{"type":"deviceEvent","state":{"streaming":false}}})");
+  ASSERT_TRUE(gone && gone->streaming);
+  EXPECT_FALSE(*gone->streaming);
+  EXPECT_FALSE(leap::read_text(R"({"event":7})"));
+}
+
+TEST(Leap, AFingerWithoutBonesIsNone) {
+  leap::Text frame;
+  frame.hands.push_back(seen_hand(false, {{0.1, 0.2, 0}, Quat::Identity()}, {}));
+  EXPECT_TRUE(leap::read_text(leap::text_of(frame, 0)));
+  frame.hands[0].joints[2].fill(Vec3(0.1, 0.2, 0));
+  EXPECT_FALSE(leap::read_text(leap::text_of(frame, 0)));
 }
 
 TEST(Leap, SpoiltTextsMakeNoImplausibleHands) {

@@ -32,6 +32,14 @@ TEST_F(DhdDriver, ReadsPlaceTurnAndButtons) {
   EXPECT_EQ(message(), "");
 }
 
+TEST_F(DhdDriver, AGrippersClosingCountsAsAButton) {
+  arm_.reset();
+  twin_.faults.gripper = true;
+  twin_.faults.buttons = 1;
+  arm_ = open(address_);
+  EXPECT_EQ(go(1).buttons, 1u);
+}
+
 TEST_F(DhdDriver, TheFirstOneIsTheUsualOne) {
   arm_ = open("default@" + library_);
   expect_there(go(1));

@@ -23,8 +23,8 @@ TEST(OmniFuzz, NoPacketOfAnyBytesIsMoreThanAState) {
     if (const auto state = omni::state_of(bytes)) {
       EXPECT_TRUE(omni::gimbal_of(*state).allFinite());
     }
-    if (const auto command = omni::command_of(bytes)) {
-      EXPECT_LE(command->motors.cwiseAbs().maxCoeff(), 1);
+    if (const auto motors = omni_body::motors_of(bytes)) {
+      EXPECT_LE(motors->shares.cwiseAbs().maxCoeff(), 1);
     }
   }
 }
@@ -40,7 +40,7 @@ TEST(OmniFuzz, ATwinBearsWhateverIsWritten) {
     std::vector<std::uint8_t> bytes(random() % 20);
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
     twin.command(bytes);
-    twin.write(k % 50 == 0 ? omni::control_register : random(), bytes, now);
+    twin.write(k % 50 == 0 ? omni_body::control_register : random(), bytes, now);
     (void)twin.advance(now);
     ASSERT_TRUE(twin.model().position().allFinite());
     ASSERT_LT(twin.model().position().norm(), 1);
