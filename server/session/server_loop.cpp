@@ -255,7 +255,7 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
 void ServerLoop::settle_journal() {
   if (journal_ == nullptr || !journal_trouble_.empty()) return;
   journal_late_ = !journal_->settle();
-  if (const auto late = journal_lateness_.look(journal_late_, 1e-9 * static_cast<double>(options_.clock())))
+  if (const auto late = journal_lateness_.look(journal_late_, 1e-9 * static_cast<double>(last_end_ns_)))
     say_(*late ? fmt::format("{}; the session goes on", journal_is_late) : "the journal has caught up");
   journal_trouble_ = journal_->trouble();
   if (!journal_trouble_.empty()) say_(journal_trouble_ + "; the session goes on without");
@@ -341,7 +341,7 @@ std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
 
 void ServerLoop::announce(const std::vector<SessionEvent>& events) {
   using Kind = SessionEvent::Kind;
-  const double now = 1e-9 * static_cast<double>(options_.clock());
+  const double now = 1e-9 * static_cast<double>(last_end_ns_);
   for (const SessionEvent& e : events) {
     const bool may_flood = e.kind == Kind::hand_timeout || e.kind == Kind::hand_stalled ||
                            e.kind == Kind::let_go || e.kind == Kind::refused;

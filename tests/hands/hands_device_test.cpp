@@ -70,7 +70,9 @@ TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
   const Quat upright = hand_.camera_wrist.q;
   double depth_one = 0, depth_two = 0;
   std::size_t by_one = 0, by_two = 0;
-  // In several turns: in a single one, one camera may be right by luck.
+  // Of a hand larger than the one assumed, as people's are, which one camera takes for a nearer one; in
+  // several turns, as in a single one it may be right by luck.
+  hand_.size = 1.06;
   for (const double turn : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(turn, Vec3(1, 1, 0).normalized())) * upright).normalized();
     HandTracker one(nets_, HandNets::full, 1), two(nets_, HandNets::full, 2);

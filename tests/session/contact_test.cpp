@@ -114,9 +114,12 @@ TEST(ContactSession, NoneIsLeftOverOfAHandThatIsGone) {
     LocalNetworkConfig network;
     network.loss = 0.5;
     Hosted hosted(network);
-    Guest ada = hosted.guest(1, BusEnd::dissector), eve = hosted.guest(2, BusEnd::observer);
+    Guest ada = hosted.guest(1, BusEnd::dissector), eve = hosted.guest(2, BusEnd::observer),
+          hana = hosted.guest(3, BusEnd::dissector);
     hosted.tick();
-    ada.greet("ada", Role::host);
+    hana.greet("hana", Role::host);
+    hosted.tick();
+    ada.greet("ada", Role::dissector);
     eve.greet("eve", Role::observer);
     const auto tick = [&](int times) {
       for (int i = 0; i < times; ++i) {
@@ -137,12 +140,12 @@ TEST(ContactSession, NoneIsLeftOverOfAHandThatIsGone) {
     if (std::string(how) == "leaves") ada.command(CommandKind::leave);
     if (std::string(how) == "observer") {
       Command command;
-      command.participant = ada.id;
-      command.sequence = ++ada.sequence;
+      command.participant = hana.id;
+      command.sequence = ++hana.sequence;
       command.kind = CommandKind::set_role;
       command.subject = ada.id;
       command.role = Role::observer;
-      ada.bus->publish(command);
+      hana.bus->publish(command);
     }
     for (int i = 0; i < 40; ++i) {
       if (std::string(how) == "not tracked") {
