@@ -14,7 +14,7 @@ namespace prosector::test {
 namespace {
 
 const Vec3 true_eyes(0.06, 0.06, 0.6);  // m, before the screen; lower, the chin were out of the picture
-constexpr double camera_up = 0.17;       // m, over its middle
+constexpr double camera_up = 0.17;      // m, over its middle
 
 /// A folder with the scene of a still face before a camera at a screen.
 struct FaceFolder : TemporaryFile {
