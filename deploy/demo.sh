@@ -1,28 +1,30 @@
 #!/usr/bin/env bash
 # The main job, shown: a server hosts a scene, a headset user joins through the simulated tracker and glove and presses the
 # liver, a camera user joins with a bare hand in a film, 5 s later an observer joins and records. Leaves pictures, a video and
-# summary.json.
+# summary.json. A film of 20 s follows, by demo_film.sh.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 
 usage() {
   cat <<TXT
-deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--skip-setup]
+deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--no-film] [--skip-setup]
   --headless     no window; without it, and with a display, you join as a desk user
   --seconds N    how long the session lasts (default 20; with a window: until you close it)
   --out DIR      where pictures, video and figures go (default out/demo)
-  --scene FILE   scene to host (default deploy/scenes/abdomen.toml)
+  --scene FILE   scene to host (default deploy/scenes/abdomen.toml, which the film is of, too)
+  --no-film      without the film of 20 s that follows
   --skip-setup   don't install, fetch or build (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
 TXT
 }
 
-headless=no seconds=20 out=$root/out/demo scene=$root/deploy/scenes/abdomen.toml setup=yes
+headless=no seconds=20 out=$root/out/demo scene=$root/deploy/scenes/abdomen.toml setup=yes film_too=yes
 while [ $# -gt 0 ]; do
   case "$1" in
     --headless) headless=yes ;;
     --seconds) seconds=${2:?--seconds needs a number}; shift ;;
     --out) out=${2:?--out needs a folder}; shift ;;
     --scene) scene=${2:?--scene needs a file}; shift ;;
+    --no-film) film_too=no ;;
     --skip-setup) setup=no ;;
     -h | --help) usage; exit 0 ;;
     *) echo "demo: unknown option $1" >&2; usage >&2; exit 2 ;;
@@ -38,7 +40,13 @@ if [ $setup = yes ]; then
   "$root/deploy/fetch_models.sh"
   "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin prosector-scene
 fi
-# After the show: the other programs that README and lessons name, and all that `cmake --install` needs.
+# After the show: a press, a panel, a second person and a cut, filmed from close by.
+film_it() {
+  [ $film_too = yes ] && [ "$scene" = "$root/deploy/scenes/abdomen.toml" ] || return 0
+  printf '\n== A film of 20 s\n'
+  PROSECTOR_BIN=$bin "$root/deploy/demo_film.sh" --skip-setup --out "$out/film"
+}
+# And then: the other programs that README and lessons name, and all that `cmake --install` needs.
 build_the_rest() {
   [ $setup = yes ] || return 0
   printf '\n== Building the other programs that README and lessons name; the demo is over, Ctrl-C stops this\n'
@@ -92,6 +100,7 @@ if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
   say "You join at the desk: close the window to end"
   "$bin/prosector-client" join --session "$session" --name "${USER:-desk}" || true
   stop
+  film_it
   build_the_rest
   exit 0
 fi
@@ -124,4 +133,5 @@ stop
 say "Figures"
 python3 "$root/deploy/demo_report.py" "$out"
 echo "Pictures and video: $out"
+film_it
 build_the_rest

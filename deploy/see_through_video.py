@@ -12,6 +12,7 @@ import time
 
 from PIL import Image
 
+from animated_picture import write_animation
 from picture_files import jpegs_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -19,7 +20,7 @@ BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 PICTURE = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else ROOT / "docs/pictures/see-through.webp"
 AROUND = 8  # s, after which the camera's way and the hand's begin anew
 RATE, KEPT = 15, 10  # pictures a second: of the camera, and of what is made of it
-SIZE, QUALITY, MOST = (480, 360), 60, 1_000_000  # pixels; of 100; bytes
+SIZE = 480, 360  # pixels
 CLIENT = f"""[tracker]
 address = "hands:{OUT.resolve()}/film.avi"
 lens = "film.toml"
@@ -49,9 +50,4 @@ def record():
 OUT.mkdir(parents=True, exist_ok=True)
 record()
 seen = [Image.open(io.BytesIO(jpeg)) for jpeg in jpegs_of(OUT / "seen.avi")]
-shown = [seen[len(seen) - AROUND * RATE + int(k * RATE / KEPT)].convert("RGB").resize(SIZE, Image.LANCZOS) for k in range(AROUND * KEPT)]
-shown[0].save(PICTURE, save_all=True, append_images=shown[1:], duration=1000 // KEPT, loop=0, quality=QUALITY, method=6)
-size = PICTURE.stat().st_size
-print(f"{PICTURE}: {len(shown)} pictures, {size // 1000} kB")
-if size > MOST:
-    sys.exit(f"{PICTURE}: larger than {MOST // 1000} kB")
+write_animation([seen[len(seen) - AROUND * RATE + int(k * RATE / KEPT)] for k in range(AROUND * KEPT)], PICTURE, SIZE, KEPT)

@@ -83,6 +83,7 @@ void InputPump::obey(const GestureTrigger& trigger) {
     case GestureEvent::none:
       return;
     case GestureEvent::grasp:
+      if (!latest().hands[trigger.hand].tracked) return;  // a glove that closes before its tracker is seen
       return connection_.command(CommandKind::grasp, trigger.hand);
     case GestureEvent::release:
       return connection_.command(CommandKind::release, trigger.hand);

@@ -11,8 +11,8 @@
 namespace prosector {
 namespace {
 
-constexpr double text_height = 13, padding = 7;      // points
-constexpr double left = 118, bottom = message_band;  // points: right of the axes
+constexpr double text_height = 13, padding = 7;  // points
+constexpr double left = 10, bottom = 120;  // points: above the axes, beside what scenes show in their middle
 const Vec3 green{0.10, 0.90, 0.20};
 
 std::string in_words(const Vec3& v, int digits) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a hand feels, in figures: the green box at the lower left.
+// What a hand feels, in figures: the green box at the left border.
 
 #include <string>
 

@@ -5,8 +5,8 @@
 namespace prosector {
 namespace {
 
-constexpr double slender = 5;    // times as long as wide
-constexpr double longest = 0.5;  // m
+constexpr double slender = 5;         // times as long as wide
+constexpr double longest_held = 0.5;  // m
 
 bool is_instrument(const SceneBody& body, const RigidReplica& rigid) {
   if (body.appearance.surface == Surface::bone || body.appearance.surface == Surface::tissue) return false;
@@ -15,7 +15,7 @@ bool is_instrument(const SceneBody& body, const RigidReplica& rigid) {
   if (box.isEmpty()) return false;
   Vec3 size = box.sizes();
   std::sort(size.data(), size.data() + 3);
-  return size[2] <= longest && size[2] >= slender * size[1];
+  return size[2] <= longest_held && size[2] >= slender * size[1];
 }
 
 }  // namespace

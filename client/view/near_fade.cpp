@@ -6,8 +6,8 @@
 namespace prosector {
 namespace {
 
-constexpr double gone_at = 0.05;  // m ahead of the eye; more than any camera's near plane
-constexpr double beside = 0.09;   // m beside the picture: as long as an edge of what fades
+constexpr double gone_at = 0.05;      // m ahead of the eye; more than any camera's near plane
+constexpr double fade_margin = 0.09;  // m beside the picture: as long as an edge of what fades
 
 /// Returns how far ahead of the eye the item's nearest vertex is that is in the picture or just beside it, m.
 double nearest_in(const DrawItem& item, const DrawCamera& camera) {
@@ -16,9 +16,9 @@ double nearest_in(const DrawItem& item, const DrawCamera& camera) {
   for (const Eigen::Vector3f& at : item.mesh->positions) {
     const Vec3 x = eye * (item.shape * (item.pose * at.cast<double>().eval()));
     const double ahead = -x.z(), wide = std::max(ahead, 0.0);
-    if (ahead < -beside || ahead >= out) continue;
-    if (x.x() > camera.left * wide - beside && x.x() < camera.right * wide + beside &&
-        x.y() > camera.bottom * wide - beside && x.y() < camera.top * wide + beside)
+    if (ahead < -fade_margin || ahead >= out) continue;
+    if (x.x() > camera.left * wide - fade_margin && x.x() < camera.right * wide + fade_margin &&
+        x.y() > camera.bottom * wide - fade_margin && x.y() < camera.top * wide + fade_margin)
       out = ahead;
   }
   return out;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
@@ -99,6 +100,8 @@ struct VideoReader::Video {
 VideoReader::VideoReader(std::string address, std::string from, VideoKind kind)
     : address_(std::move(address)),
       video_(std::make_unique<Video>(Video{std::move(from), kind, false, cv::VideoCapture()})) {
+  // OpenCV reports to the terminal why each of its readers does not take a file. Our errors name the file.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   if (!rewind()) return;
   if (kind == VideoKind::device) {
     video_->set_up_device();

@@ -43,6 +43,12 @@ struct Broken {
   double force = 0;  // N
 };
 
+/// A button of a user's panel that could not do what it is for, and why, for that user.
+struct PanelRefusal {
+  ParticipantId participant = 0;
+  std::string why;
+};
+
 struct StepReport {
   SimTime time;                               // of the state after the step
   std::array<double, step_phases> seconds{};  // wall time per phase; measured outside what decides anything
@@ -56,8 +62,9 @@ struct StepReport {
   std::vector<TopologyChange> topology;  // in order; new pieces have the next body ids
   std::vector<LetGo> let_go;
   std::vector<Broken> broken;
-  std::vector<HandRef> panel_carriers;  // hands that carry a panel, ascending
-  std::vector<BodyReport> bodies;       // soft bodies that were solved, and any body with something to report
+  std::vector<HandRef> panel_carriers;       // hands that carry a panel, ascending
+  std::vector<PanelRefusal> panel_refusals;  // in the order of the buttons' presses
+  std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report
 };
 
 }  // namespace prosector

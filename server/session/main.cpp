@@ -9,8 +9,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <new>
 
 #include "common/error.h"
+#include "common/process_limits.h"
 #include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
 #include "common/session_name.h"
@@ -367,6 +369,7 @@ int main(int argc, char** argv) {
   ServerOptions options;
   if (const auto status = parse_options(argc, argv, options)) return *status;
   try {
+    check_process_limits();
     if (!options.export_journal.empty()) return export_journal(options.export_journal), 0;
     if (!options.replay.empty()) return replay_journal(options);
     if (!options.play.empty()) return play_journal(options), 0;
@@ -378,6 +381,9 @@ int main(int argc, char** argv) {
   } catch (const InternalError& e) {
     fmt::print(stderr, "prosector-server: a fault of the program, not of its input; please report it: {}\n",
                e.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "prosector-server: out of memory\n");
     return 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "prosector-server: {}\n", e.what());

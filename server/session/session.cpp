@@ -196,8 +196,9 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   if (command.hand > right_hand) return answer(command, fmt::format("no hand {}", command.hand));
   // Whoever opens the hand or takes something else wants nothing back.
   lost_holds_.forget({command.participant, command.hand});
-  if (!seat.hands[command.hand].present) return answer(command, "the hand is not tracked");
   const bool grasp = command.kind == CommandKind::grasp;
+  if (!seat.hands[command.hand].present)  // such a hand holds nothing: it need not let go
+    return answer(command, grasp ? Refusal("the hand is not tracked") : Refusal());
   HandEvent::Kind kind = grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release;
   if (grasp && command.revision == grasps_body) kind = HandEvent::Kind::grasp_body;
   seat.asked.push_back({kind, command.participant, command.hand,
@@ -516,6 +517,8 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
                              : fmt::format("revision {} of body {}", c.revision, c.body)});
   }
   cutting_.clear();
+  for (const PanelRefusal& refused : report.panel_refusals)
+    if (roster_.find(refused.participant) != nullptr) tell(refused.participant, refused.why);
   for (const LetGo& let_go : report.let_go) take_loss(let_go);
   cut_off_.clear();
   for (const LostHolds::Lost& lost : lost_holds_.follow(hands, tick_))

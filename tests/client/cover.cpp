@@ -23,6 +23,18 @@ std::vector<Corner> ahead_of(const std::vector<Corner>& polygon, double depth) {
   return out;
 }
 
+/// Tells whether the renderer leaves a triangle out that faces away from the eye: of the room, so that one
+/// looks in from outside.
+bool is_one_sided(const DrawItem& item) {
+  const Surface surface = item.appearance.surface;
+  return surface == Surface::floor || surface == Surface::wall || surface == Surface::ceiling;
+}
+
+bool faces_away(const Corner& a, const Corner& b, const Corner& c) {
+  const Corner normal = Corner(b - a).cross(Corner(c - a));  // of a frame whose z is the other way round
+  return normal.dot(a) < 0;
+}
+
 class Raster {
  public:
   Raster(const DrawCamera& camera, int longest) : camera_(camera) {
@@ -49,7 +61,9 @@ class Raster {
   template <class F>
   void draw(const DrawItem& item, const F& f) const {
     const std::vector<Corner> corners = corners_of(item);
+    const bool one_sided = is_one_sided(item);
     for (const auto& [a, b, c] : item.mesh->triangles) {
+      if (one_sided && faces_away(corners[a], corners[b], corners[c])) continue;
       const std::vector<Corner> cut = ahead_of({corners[a], corners[b], corners[c]}, camera_.near);
       for (std::size_t k = 2; k < cut.size(); ++k) fill({on(cut[0]), on(cut[k - 1]), on(cut[k])}, f);
     }

@@ -14,6 +14,7 @@
 #include "client/view/part_labels.h"
 #include "client/view/surface_tree.h"
 #include "common/primitives.h"
+#include "common/rotation_between.h"
 
 namespace prosector {
 namespace {
@@ -43,7 +44,7 @@ struct Heap {
       for (int axis = 0; axis < 3; ++axis) part.size[axis] = uniform(random, 0.015, 0.07);
       list.items.push_back({.mesh = rigid_mesh(mesh_of(part), k + 1),
                             .pose = {0.14 * std::cbrt(uniform(random, 0, 1)) * direction(random),
-                                     Quat::FromTwoVectors(Vec3::UnitX(), direction(random))},
+                                     rotation_between(Vec3::UnitX(), direction(random))},
                             .appearance = {}});
       names.push_back("part " + std::to_string(k) + std::string(k % 23, 'n'));
     }

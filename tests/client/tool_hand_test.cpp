@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::int64_t step_ns = 16'000'000, second_ns = 1'000'000'000;
+constexpr std::int64_t step_ns = 16'000'000, ns_of_second = 1'000'000'000;
 
 /// A session of one scalpel that lies on a table, and a hand that goes where it is told to.
 class Wielded {
@@ -27,13 +27,13 @@ class Wielded {
   std::vector<Vec3> tips;  // of the blade, while it is held
 
   void show(const std::optional<Pose>& instrument, double seconds) {
-    const auto steps = static_cast<std::int64_t>(seconds * second_ns) / step_ns;
+    const auto steps = static_cast<std::int64_t>(seconds * ns_of_second) / step_ns;
     for (std::int64_t k = 0; k < steps; ++k) show_once(instrument);
   }
   BladeFrame blade() const { return tool.pose * tool.blade; }
 
  private:
-  std::int64_t now_ns_ = 7 * second_ns;
+  std::int64_t now_ns_ = 7 * ns_of_second;
 
   void show_once(const std::optional<Pose>& instrument) {
     const HandPose told = hand.follow(tool, instrument, now_ns_ += step_ns);
@@ -91,7 +91,7 @@ TEST(ToolHand, PassesOverWhatLiesBetween) {
 
 TEST(ToolHand, AsksAgainUntilItHolds) {
   Wielded user;
-  std::int64_t now = 7 * second_ns;
+  std::int64_t now = 7 * ns_of_second;
   int wishes = 0;
   for (int k = 0; k < 125; ++k) {
     const HandPose told = user.hand.follow(user.tool, leant({0, 1, 0}, 0), now += step_ns);

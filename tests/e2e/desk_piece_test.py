@@ -17,7 +17,7 @@ SIZE = 640, 480
 FOV = 0.75  # the scene's camera's
 HANDLE = 0.24, 0.902, 0.1  # the scalpel's, as it lies
 BEGIN, END = (-0.13, 0.99, 0.03), (0.13, 0.99, 0.03)  # of the drawn cut: off the skin at both ends
-MIDDLE = 0.02, 0.99, 0.03  # on the cut, where it gapes
+ACROSS = [(0.03, 0.99, 0.002 * k) for k in range(36)]  # places on a line that crosses the drawn cut where it gapes, m
 AWAY = 0.25, 0.9, -0.05  # where neither hand nor words hide the skin
 
 
@@ -41,10 +41,14 @@ def holds_scalpel():
 
 
 def shows_skin(image):
-    """Tells whether the cut's middle shows the skin's colour, which is redder than the table below it."""
-    x, y = (round(a - b) for a, b in zip(view.pixel(MIDDLE), (view.left, view.top)))
-    colours = [image.getpixel((x + i, y + j)) for i in (-2, 0, 2) for j in (-2, 0, 2)]
-    return sum(red - blue for red, _, blue in colours) / len(colours) > 12
+    """Tells whether all places across the drawn line show the skin's colour, which is redder than the table below it. The cut's edges
+    curl, so that the gap is not always seen exactly where the blade went."""
+    for place in ACROSS:
+        x, y = (round(a - b) for a, b in zip(view.pixel(place), (view.left, view.top)))
+        red, _, blue = image.getpixel((x, y))
+        if red - blue < 8:
+            return False
+    return True
 
 
 def picture(name):

@@ -7,6 +7,7 @@
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
 #include "common/eye_distance.h"
+#include "common/rotation_between.h"
 #include "common/smooth_normals.h"
 #include "drivers/camera/face/eyes_filter.h"
 #include "drivers/camera/face/eyes_place.h"
@@ -133,7 +134,7 @@ TEST(EyesPlace, IsExactForAFaceOfTheUsualShape) {
       for (const double eye_distance : {0.058, 0.07})
         for (const Vec3& middle : {Vec3(0, 0, 0.6), Vec3(0.15, -0.1, 0.4), Vec3(-0.4, 0.2, 1.1)}) {
           // The face turns from the way to the camera.
-          const Quat facing(0, 0, 0, 1), way = Quat::FromTwoVectors(Vec3::UnitZ(), middle);
+          const Quat facing(0, 0, 0, 1), way = rotation_between(Vec3::UnitZ(), middle);
           const Quat turned = Quat(Eigen::AngleAxisd(roll, Vec3::UnitZ())) *
                               Quat(Eigen::AngleAxisd(-yaw, Vec3::UnitY())) * facing;
           const Pose head = {middle, way * turned};

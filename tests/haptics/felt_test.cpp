@@ -5,6 +5,7 @@
 
 #include "common/hand.h"
 #include "common/paths.h"
+#include "common/rotation_between.h"
 #include "common/scene/load_scene.h"
 #include "server/accuracy/static_body.h"
 #include "server/physics/soft/soft_body.h"
@@ -30,7 +31,7 @@ SceneDesc held_block(double poisson_ratio = 0.4) {
 }
 
 constexpr std::array<double, fingers> pointing = {1, 0, 1, 1, 1};
-const Quat down = Quat::FromTwoVectors(-Vec3::UnitZ(), -Vec3::UnitY());
+const Quat down = rotation_between(-Vec3::UnitZ(), -Vec3::UnitY());
 
 /// The wrist of a hand whose index finger points down and ends at a place, m.
 Pose finger_at(const Vec3& place) {

@@ -19,7 +19,7 @@ void PrintTo(const Rung& rung, std::ostream* out) {
   *out << rung.model << '_' << rung.integrator;
 }
 
-double all_mass(const Simulation& simulation) {
+double mass_of_pieces(const Simulation& simulation) {
   double sum = 0;
   for (BodyId body = 1; body < simulation.body_count(); ++body) sum += simulation.soft(body).total_mass();
   return sum;
@@ -46,12 +46,12 @@ TEST_P(CutSheet, InTwoBodiesUndoneAndRestored) {
   const std::vector<TopologyChange> halfway = draw(simulation, at, 75);  // to its middle
   ASSERT_FALSE(halfway.empty());
   EXPECT_EQ(simulation.body_count(), 2U);
-  EXPECT_NEAR(all_mass(simulation), mass, 1e-12 * mass);
+  EXPECT_NEAR(mass_of_pieces(simulation), mass, 1e-12 * mass);
   const std::vector<std::uint8_t> saved = simulation.checkpoint();
   Vec3 again = at;
   draw(simulation, at, 75);
   ASSERT_EQ(simulation.body_count(), 3U);
-  EXPECT_NEAR(all_mass(simulation), mass, 1e-12 * mass);
+  EXPECT_NEAR(mass_of_pieces(simulation), mass, 1e-12 * mass);
   for (const BodyId body : {1U, 2U}) {
     EXPECT_GT(simulation.soft(body).total_mass(), 0.4 * mass);
     EXPECT_TRUE(simulation.soft_state(body).motion.x.allFinite());

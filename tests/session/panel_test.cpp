@@ -42,7 +42,8 @@ Pose pointing_at(const Panel& panel, const Vec3& tip_in_panel) {
 }
 
 struct Session {
-  explicit Session(Journal* journal = nullptr) : hosted({}, journal, 1, scene_with_parts()) {
+  explicit Session(Journal* journal = nullptr, const SceneDesc& scene = scene_with_parts())
+      : hosted({}, journal, 1, scene) {
     hosted.tick();
     ada.greet("ada", Role::dissector);
     eve.greet("eve", Role::observer);
@@ -128,6 +129,24 @@ TEST(PanelSession, AFingerPressesAButtonAndPartAndPictureFollow) {
   ASSERT_NE(s.eve.replica.part(bone), nullptr);
   EXPECT_TRUE(s.eve.replica.part(bone)->hidden);
   EXPECT_EQ(s.eve.replica.part(liver)->hidden, false);
+}
+
+TEST(PanelSession, AButtonThatRefusesTellsItsUserWhy) {
+  SceneDesc scene = scene_with_parts();
+  scene.soft[0].snap = 0;  // a block that sags is never near enough
+  Session s(nullptr, scene);
+  s.touch_liver();
+  ASSERT_FALSE(s.eve.replica.panels().empty());
+  s.press(PanelControl::attach);
+  ASSERT_NE(s.eve.replica.part(liver), nullptr);
+  ASSERT_FALSE(s.eve.replica.part(liver)->attached) << "the first press detaches";
+  s.ada.results.clear();
+  s.eve.results.clear();
+  s.press(PanelControl::attach);
+  EXPECT_FALSE(s.eve.replica.part(liver)->attached);
+  ASSERT_EQ(s.ada.results.size(), 1u);
+  EXPECT_NE(s.ada.results[0].reason.find("cm from its place"), std::string::npos) << s.ada.results[0].reason;
+  EXPECT_TRUE(s.eve.results.empty()) << "it is for who pressed";
 }
 
 TEST(PanelSession, AFingerMovesTheSlider) {

@@ -486,6 +486,8 @@ TEST(Session, CommandsAreAnsweredAndChecked) {
   };
   EXPECT_TRUE(ask(command(1, CommandKind::grasp)).empty());  // no hand yet
   EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_TRUE(ask(command(1, CommandKind::release)).empty());
+  EXPECT_TRUE(room.results.back().accepted) << "no hand holds nothing";
   room.feed({from(1, input(1, 1))});
   EXPECT_EQ(ask(command(1, CommandKind::grasp)).size(), 1u);
   EXPECT_EQ(room.results.back().reason, "nothing within reach");  // by what the hand holds after the step

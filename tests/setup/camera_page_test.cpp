@@ -1,11 +1,9 @@
-// The camera's page: a synthetic camera is shown a board, swiftly.
+// The camera's page: a synthetic camera is shown a board.
 #include "client/setup/camera_page.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "drivers/camera/camera_calibration.h"
 #include "tests/setup/pages_room.h"
@@ -13,8 +11,8 @@
 namespace prosector::test {
 namespace {
 
-constexpr double swiftness = 0.6;   // of the shipped motion's times
-constexpr double true_focal = 612;  // px, as the shipped scene has it
+constexpr const char* shipped_camera = "synthetic:" SHIPPED_CAMERAS "/calibrate.toml";
+constexpr double true_focal = 612;  // px, as that scene has it
 constexpr int views_that_do = 7;
 
 struct CameraFolder : TemporaryFile {
@@ -22,31 +20,14 @@ struct CameraFolder : TemporaryFile {
   ~CameraFolder() { std::filesystem::remove_all(path); }
 };
 
-/// Writes the shipped scene with a swifter board into a folder. Returns the camera's address.
-std::string swift_camera(const std::filesystem::path& folder) {
-  const std::filesystem::path shipped = SHIPPED_CAMERAS;
-  std::ifstream in(shipped / "shown_board.csv");
-  std::string line, rows;
-  std::getline(in, line);
-  rows = line + "\n";
-  while (std::getline(in, line)) {
-    const std::size_t comma = line.find(',');
-    rows += fmt::format("{:.4f}{}\n", swiftness * std::stod(line.substr(0, comma)), line.substr(comma));
-  }
-  write_file(folder / "shown_board.csv", rows);
-  write_file(folder / "swift.toml", read_file(shipped / "calibrate.toml"));
-  return "synthetic:" + (folder / "swift.toml").string();
-}
-
 void look(PagesRoom& room, const std::string& address) {
   room.click("Camera");
   room.type("camera address", address);
 }
 
 TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
-  const CameraFolder folder("swift_camera");
   PagesRoom room("# none\n", 1);
-  look(room, swift_camera(folder.path));
+  look(room, shipped_camera);
   room.until([&] { return room.find("camera picture") != nullptr; });
   room.click("calibrate");
   room.until([&] { return room.find("told: views 3") != nullptr; });
@@ -108,11 +89,9 @@ TEST(CameraPage, SaysWhatIsWrongAndComesBack) {
 }
 
 TEST(CameraPage, NothingIsCutOffWhereLettersAreLarge) {
-  const CameraFolder folder("wide_camera");
-  const std::string camera = swift_camera(folder.path);
   for (const double wide : {1., 2.}) {
     PagesRoom room("# none\n", 2, wide);
-    look(room, camera);
+    look(room, shipped_camera);
     room.until([&] { return room.find("camera picture") != nullptr; });
     room.click("calibrate");
     room.draw(20);
@@ -123,8 +102,7 @@ TEST(CameraPage, NothingIsCutOffWhereLettersAreLarge) {
 
 // Tabs are gone through by arrows, fields by Tab, and buttons pressed by Space.
 TEST(CameraPage, TheKeyboardAloneSuffices) {
-  const CameraFolder folder("keyed_camera");
-  PagesRoom room("[tracker]\naddress = \"tags:" + swift_camera(folder.path) + "\"\n", 1);
+  PagesRoom room(std::string("[tracker]\naddress = \"tags:") + shipped_camera + "\"\n", 1);
   room.click("Camera");
   room.press(640, 700);  // nothing is there
   for (int k = 0; k < 8 && room.find("camera picture") == nullptr; ++k) {

@@ -52,9 +52,9 @@ class PagesRoom {
   void draw(int pictures = 4) {
     for (int k = 0; k < pictures || ui_.behind(); ++k) ui_.draw(1. / 30, [&] { pages_.draw(ui_); });
   }
-  /// Draws pictures until something is so, or half a minute is over.
+  /// Draws pictures until something is so, or two minutes are over: a limit for slow machines.
   void until(const std::function<bool()>& so) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
     while (!so() && std::chrono::steady_clock::now() < end) {
       draw(1);
       std::this_thread::sleep_for(std::chrono::milliseconds(15));

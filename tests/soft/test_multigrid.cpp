@@ -7,6 +7,7 @@
 
 #include "server/physics/soft/implicit_stepper.h"
 #include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/laws/constitutive_law.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 

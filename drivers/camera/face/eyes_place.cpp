@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/rotation_between.h"
+
 namespace prosector {
 
 EyesPlace place_eyes(const FoundFace& face, const Lens& lens, double eye_distance) {
   // A camera sees a user's right eye on the left. All is seen along the way to the eyes' middle, so that it
   // doesn't matter where in the picture the face is.
   const Vec3 right = lens.ray(face.right_eye).normalized(), left = lens.ray(face.left_eye).normalized();
-  const Quat straight = Quat::FromTwoVectors(right + left, Vec3::UnitZ());
+  const Quat straight = rotation_between(right + left, Vec3::UnitZ());
   const auto seen = [&](const Vec3& ray) -> Vec2 { return (straight * ray).hnormalized(); };
   const Vec2 across = seen(left) - seen(right), middle = (seen(left) + seen(right)) / 2;
   const double apart = std::max(across.norm(), 1e-6);

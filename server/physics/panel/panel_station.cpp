@@ -44,14 +44,15 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
 }
 
 /// Does what a control asks. A part that refuses (it is too far from its place to be attached) stays as it
-/// is, and its control shows it.
+/// is, its control shows it, and the report says why.
 void carry_out(State& state, const PanelAction& action, StepReport& report) {
   using Kind = PartEvent::Kind;
   const bool on = action.value >= 0.5;
   const auto tell = [&](Kind kind, BodyId body, double value = 0) {
-    static_cast<void>(obey(
+    const Refusal refusal = obey(
         state, {.kind = kind, .participant = action.participant, .body = body, .shape = {}, .value = value},
-        report));
+        report);
+    if (refusal) report.panel_refusals.push_back({action.participant, refusal.why()});
   };
   switch (action.control) {
     case PanelControl::attach:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double on_plane = 1e-9;  // m
 
-using Triangle = std::array<std::uint32_t, 3>;
+using VertexTriple = std::array<std::uint32_t, 3>;
 
 /// Makes vertices at one place one.
 TriangleMesh welded(const TriangleMesh& mesh) {
@@ -25,18 +25,18 @@ TriangleMesh welded(const TriangleMesh& mesh) {
     if (fresh) out.positions.push_back(x);
     to.push_back(it->second);
   }
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle w = {to[t[0]], to[t[1]], to[t[2]]};
+  for (const VertexTriple& t : mesh.triangles) {
+    const VertexTriple w = {to[t[0]], to[t[1]], to[t[2]]};
     if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) out.triangles.push_back(w);
   }
   return out;
 }
 
 /// Returns the mesh without vertices that no triangle has.
-TriangleMesh compacted(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+TriangleMesh compacted(const std::vector<Vec3>& positions, const std::vector<VertexTriple>& triangles) {
   TriangleMesh out;
   std::map<std::uint32_t, std::uint32_t> at;
-  for (Triangle t : triangles) {
+  for (VertexTriple t : triangles) {
     for (std::uint32_t& corner : t) {
       const auto [it, fresh] = at.emplace(corner, static_cast<std::uint32_t>(out.positions.size()));
       if (fresh) out.positions.push_back(positions[corner]);
@@ -55,7 +55,7 @@ class Cutter {
       const double s = normal_.dot(x - point_);
       height_.push_back(std::abs(s) < on_plane ? on_plane : s);
     }
-    for (const Triangle& t : mesh.triangles) split(t);
+    for (const VertexTriple& t : mesh.triangles) split(t);
     close();
   }
   CutSurface result() const { return {compacted(positions_, above_), compacted(positions_, below_)}; }
@@ -64,7 +64,7 @@ class Cutter {
   std::vector<Vec3> positions_;
   std::vector<double> height_;  // m, over the plane, of the mesh's own vertices
   Vec3 point_, normal_;
-  std::vector<Triangle> above_, below_;
+  std::vector<VertexTriple> above_, below_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;  // edge → its new vertex
   std::map<std::uint32_t, std::uint32_t> rim_;  // the part above's boundary: from vertex to vertex
 
@@ -79,7 +79,7 @@ class Cutter {
     return it->second;
   }
 
-  void split(Triangle t) {
+  void split(VertexTriple t) {
     const auto above = [&](std::uint32_t v) { return height_[v] > 0; };
     const auto count = std::count_if(t.begin(), t.end(), above);
     if (count == 0 || count == 3) {
@@ -115,7 +115,7 @@ class Cutter {
     const Vec3 u = normal_.unitOrthogonal(), v = normal_.cross(u);
     std::vector<Vec2> flat;
     for (const Vec3& x : positions_) flat.emplace_back(u.dot(x - point_), v.dot(x - point_));
-    for (const Triangle& t : triangulate(flat, loops)) {
+    for (const VertexTriple& t : triangulate(flat, loops)) {
       below_.push_back(t);
       above_.push_back({t[0], t[2], t[1]});
     }
