@@ -57,6 +57,7 @@ void Desk::update(const DeskSession& session, std::chrono::steady_clock::time_po
   frame_parts(session.room);
   ask(panel_.take_placing());
   view_.advance(seconds, pad_);
+  leave_panel();
   move_hand(session, seconds);
   parts_.lay_out(session.parts, pointed_, Eigen::Vector2d(window_.width(), window_.height()) / session.scale);
 }
@@ -114,6 +115,7 @@ void Desk::press(Key key) {
   if (key == key_of('C')) choices_.wireframes = !choices_.wireframes;
   if (key == key_of('I')) choices_.figures = !choices_.figures;
   if (key == key_of('P')) request_panel();
+  if (panel_.shown() && view_.view_of(key)) leaves_panel_ = true;
   if (key == key_of('V')) choices_.shown = next(choices_.shown);
   if (key == key_of('Z')) take_back();
   press_for_time(key);
@@ -279,6 +281,14 @@ void Desk::follow_panel(const DeskSession& session) {
     for (const double y : {panel_.bottom(), panel_height / 2})
       box.extend(panel_.shown()->pose * Vec3(x, y, 0));
   view_.make_room_for(box);
+}
+
+/// Closes the panel once the view has come to another place. It faces the view in which it came up: seen from
+/// elsewhere it hides what it is about. A hand that touches a part brings it up anew, facing the new view.
+void Desk::leave_panel() {
+  if (!leaves_panel_ || view_.is_under_way()) return;
+  leaves_panel_ = false;
+  if (panel_.shown()) ask(CommandKind::close_panel);
 }
 
 void Desk::frame_parts(const DeskRoom& room) {

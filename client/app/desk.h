@@ -118,6 +118,7 @@ class Desk {
   std::optional<BodyId> pressed_at_;  // what the pointer was at when the button went down
   double pace_ = 1, scale_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
+  bool leaves_panel_ = false;  // the view goes to another place
   bool takes_back_ = false;    // the last cut, as soon as no blade is led
 
   void take(const WindowEvent& event, const DeskSession& session);
@@ -137,6 +138,7 @@ class Desk {
   void trace_cut(const DeskSession& session);
   void request_panel();
   void follow_panel(const DeskSession& session);
+  void leave_panel();
   void slide(const Vec3& at);
   void frame_parts(const DeskRoom& room);
   void move_hand(const DeskSession& session, double seconds);

@@ -19,6 +19,12 @@ constexpr double roomy = 0.9;                            // of the picture
 constexpr double near_distance = 0.5;                    // m
 constexpr double first_right = 0.9, first_below = 0.85;  // of the picture: beside what it shows
 
+/// Returns which saved view a key stands for: 1 to 9.
+std::optional<std::size_t> index_of_view(Key key) {
+  if (key < key_of('1') || key > key_of('9')) return std::nullopt;
+  return static_cast<std::size_t>(static_cast<int>(key) - '1');
+}
+
 }  // namespace
 
 void DeskView::begin(const DeskStart& start, int width, int height) {
@@ -77,15 +83,16 @@ void DeskView::take(const WindowEvent& event, const DeskRoom& room) {
 }
 
 void DeskView::press(Key key, const DeskRoom& room) {
-  if (key == Key::home) orbit_.go_to(orbit_.home());
   if (key == key_of('F')) flies_ = !flies_;
   if (key == key_of('G')) frame_pointed(room);
-  if (key < key_of('1') || key > key_of('9')) return;
-  const auto index = static_cast<std::size_t>(static_cast<int>(key) - '1');
-  if (is_held(Key::control))
-    views_[index] = place();
-  else if (views_[index])
-    orbit_.go_to(*views_[index]);
+  if (const auto view = view_of(key)) orbit_.go_to(*view);
+  if (const auto index = index_of_view(key); index && is_held(Key::control)) views_[*index] = place();
+}
+
+std::optional<ViewPlace> DeskView::view_of(Key key) const {
+  if (key == Key::home) return orbit_.home();
+  const auto index = index_of_view(key);
+  return index && !is_held(Key::control) ? views_[*index] : std::nullopt;
 }
 
 void DeskView::frame_pointed(const DeskRoom& room) {

@@ -27,6 +27,8 @@ class DeskView {
   /// Frames a box (m, world frame); an empty one leaves the view as it is.
   void frame(const Eigen::AlignedBox3d& box);
 
+  /// Returns the view that pressing a key leads to, as it is now; nullopt: to none.
+  std::optional<ViewPlace> view_of(Key key) const;
   /// Steps back until the whole box is in the picture, unless it is already.
   void make_room_for(const Eigen::AlignedBox3d& box);
 
@@ -35,6 +37,8 @@ class DeskView {
   /// Looks from now on as that camera does, whatever mouse and keys do to the view; nullopt: as they have it.
   void look_as(const std::optional<DrawCamera>& camera);
 
+  /// Tells whether the view goes to another place by itself.
+  bool is_under_way() const { return orbit_.is_under_way(); }
   const ViewPlace& place() const { return leading_ ? leading_place_ : orbit_.place(); }
   /// Returns what the picture is seen by, which the pointer is in.
   DrawCamera camera() const;
@@ -58,7 +62,6 @@ class DeskView {
 
   DrawCamera resting_camera() const;
   void press(Key key, const DeskRoom& room);
-  void go_to_saved(std::size_t index);
   void drag(const Eigen::Vector2d& by);
   void turn(const Eigen::Vector2d& by);
   void fly(double seconds, const GamepadUser& pad);

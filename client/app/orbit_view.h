@@ -46,6 +46,7 @@ class OrbitView {
   void begin(const ViewPlace& home);
   const ViewPlace& place() const { return now_; }
   const ViewPlace& home() const { return home_; }
+  bool is_under_way() const { return under_way_ < 1; }
 
   // Each of these changes, during a transition, where that leads. Numbers that aren't finite change nothing.
   /// Turns the eye about the target, rad: to its left, and upwards.

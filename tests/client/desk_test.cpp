@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
@@ -288,6 +289,33 @@ TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
     EXPECT_LT(std::abs(corner.y() / corner.z()), camera.top);
   }
   EXPECT_GT((desk.eye().p - target).dot(before.p - target), 0) << "from the same side";
+}
+
+TEST_F(AtTheDesk, APanelIsClosedWhereTheUserGoesToAnotherView) {
+  const auto closes = [&] {
+    const std::vector<Command> commands = desk.take_commands();
+    return std::ranges::count(commands, CommandKind::close_panel, &Command::kind) == 1;
+  };
+  for (const Key key : {Key::home, key_of('4')}) {
+    press(key);
+    EXPECT_FALSE(closes()) << "there is none";
+  }
+  session.own_panel = Panel();
+  update();
+  EXPECT_FALSE(closes());
+  for (const Key key : {key_of('4'), Key::home}) {
+    press(key);
+    EXPECT_FALSE(closes()) << "not before the view is there: a hand that touches would bring it up as it was";
+    wait(400);
+    EXPECT_TRUE(closes());
+  }
+  press(key_of('9'));
+  wait(20);
+  EXPECT_FALSE(closes()) << "no view is saved there";
+  window.events.push_back(KeyEvent{Key::control, true, false});
+  press(key_of('4'));
+  wait(400);
+  EXPECT_FALSE(closes()) << "the view is saved, not changed";
 }
 
 TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "common/panel.h"
@@ -36,6 +37,30 @@ TEST(PanelPlace, StandsBesideThePartAndInReach) {
     const Vec3 right = Vec3::UnitY().cross(s.reader - s.touched);
     EXPECT_GT(side * right.dot(panel.p - s.touched), 0) << "on the side asked for";
   }
+}
+
+TEST(PanelPlace, LeavesThePartInSightOfWhoLooksFromAbove) {
+  PanelSite s = site();
+  for (const double side : {-1.0, 1.0})
+    for (const Vec3& reader : {Vec3(0.02, 1.9, 0.04), Vec3(0.02, 1.9, 0.3), Vec3(0.1, 1.7, 0.1)}) {
+      s.side = side;
+      s.reader = reader;
+      const Pose panel = place_panel(s);
+      const Vec3 away = Vec3(s.touched.x() - reader.x(), 0, s.touched.z() - reader.z()).normalized();
+      // Seen from the eyes, on the level of the part's top: all of the board is beyond all of the part.
+      const auto seen = [&](const Vec3& place) {
+        const double share = (reader.y() - s.hi.y()) / (reader.y() - place.y());
+        return away.dot(reader + share * (place - reader));
+      };
+      double farthest = -1, nearest = 1;
+      for (const double x : {s.lo.x(), s.hi.x()})
+        for (const double z : {s.lo.z(), s.hi.z()}) farthest = std::max(farthest, seen({x, s.hi.y(), z}));
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+          nearest = std::min(nearest, seen(panel * Vec3(x * panel_width, y * panel_height, 0)));
+      EXPECT_GT(nearest, farthest) << "side " << side << ", reader " << reader.transpose();
+      EXPECT_LT((panel.p - s.touched).norm(), 0.5) << "in reach";
+    }
 }
 
 TEST(PanelPlace, IsAProperPoseForAnySite) {

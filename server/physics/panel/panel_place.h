@@ -13,7 +13,8 @@ struct PanelSite {
 };
 
 /// Returns a place above the part and a little to the side, where reader and fingers find it, facing the
-/// reader. Finite and upright for any finite site.
+/// reader. Of a reader who looks from above, it is a place beyond the part. Finite and upright for any finite
+/// site.
 Pose place_panel(const PanelSite& site);
 /// Returns how a panel with its middle there is turned so that it faces the reader's eyes; m, world frame.
 /// Upright, whatever the places.
