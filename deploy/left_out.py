@@ -5,8 +5,8 @@ left_out.py slow JUNIT SECONDS: prints what deploy/slow_sanitized.txt is to hold
 list: names what is left out there. stay, rest: prints the numbers of the other tests, and of these, as `ctest -I FILE` wants them
 (not a regular expression: ctest silently ignored one of 40 groups, and ran everything). ctest counts what its other filters choose
 (-L, -R, -E), so they must be told here, too.
-Refuses a row that matches no test of BUILD_DIR, and one whose stand-in does not stay. A row may be about tests that the filters
-don't choose. `asan` leaves out what deploy/slow_sanitized.txt names, too: each of them must be a test of BUILD_DIR, and of each
+Refuses a row that matches no test of BUILD_DIR, and one whose stand-in does not stay; rows about programs that are not built there
+are passed over. A row may be about tests that the filters don't choose. `asan` leaves out what deploy/slow_sanitized.txt names, too: each of them must be a test of BUILD_DIR, and of each
 executable some must stay.
 """
 import json
@@ -39,7 +39,8 @@ def tests_of(build, filters):
 
 def left_out(every, wheres):
     """Names that WHERES leave out of every test of the build."""
-    wanted = [row for row in rows() if row[1] in wheres]
+    unbuilt = {match[1] for name in every if (match := re.fullmatch(r"test_(\w+)_NOT_BUILT", name))}
+    wanted = [row for row in rows() if row[1] in wheres and not is_of(unbuilt, row[2])]
     out = {name for name in every if any(re.search(tests, name) for _, _, tests, _ in wanted)}
     for place, _, tests, stand_in in wanted:
         if not any(re.search(tests, name) for name in every):
@@ -47,6 +48,12 @@ def left_out(every, wheres):
         if not any(re.search(stand_in, name) for name in every if name not in out):
             sys.exit(f"{place}: {stand_in} should stay, but is left out or is no test")
     return out | slow(every, out) if "asan" in wheres else out
+
+
+def is_of(programs, tests):
+    """Whether a row's expression names tests of one of these programs."""
+    match = re.match(r"\^(\w+)\\\.", tests)
+    return match is not None and match[1] in programs
 
 
 def slow(every, out):
