@@ -284,7 +284,7 @@ void Desk::follow_panel(const DeskSession& session) {
 }
 
 /// Closes the panel once the view has come to another place. It faces the view in which it came up: seen from
-/// elsewhere it hides what it is about. A hand that touches a part brings it up anew, facing the new view.
+/// elsewhere it hides its part. A hand that touches a part opens the panel again, facing the new view.
 void Desk::leave_panel() {
   if (!leaves_panel_ || view_.is_under_way()) return;
   leaves_panel_ = false;

@@ -12,7 +12,7 @@ namespace prosector {
 namespace {
 
 constexpr double text_height = 13, padding = 7;  // points
-constexpr double left = 10, bottom = 120;  // points: above the axes, beside what scenes show in their middle
+constexpr double left = 10, bottom = 120;        // points: above the axes, left of the middle of the picture
 const Vec3 green{0.10, 0.90, 0.20};
 
 std::string in_words(const Vec3& v, int digits) {

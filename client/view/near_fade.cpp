@@ -7,7 +7,7 @@ namespace prosector {
 namespace {
 
 constexpr double gone_at = 0.05;      // m ahead of the eye; more than any camera's near plane
-constexpr double fade_margin = 0.09;  // m beside the picture: as long as an edge of what fades
+constexpr double fade_margin = 0.09;  // m outside the picture: as long as an edge of what fades
 
 /// Returns how far ahead of the eye the item's nearest vertex is that is in the picture or just beside it, m.
 double nearest_in(const DrawItem& item, const DrawCamera& camera) {

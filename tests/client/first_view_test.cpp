@@ -19,7 +19,6 @@
 namespace prosector::test {
 namespace {
 
-constexpr std::size_t least_pixels = 30;  // of the anatomy, at the coarsest size: ropes are thin
 constexpr double most_at_start = 0.15, most_touching = 0.35;  // of the anatomy's pixels
 
 using Size = std::array<int, 2>;
@@ -66,7 +65,7 @@ class JudgedUser {
   void judge(const Size& size, std::span<const double> places) {
     user_.join(size[0], size[1]);
     AnatomyPixels seen;
-    ASSERT_GT(user_.cover(longest_, &seen).pixels, least_pixels);
+    ASSERT_GT(user_.cover(longest_, &seen).pixels, 100U);
     expect_seen(size, "first", most_at_start);
     user_.wait(0.3);
     expect_seen(size, "at rest", most_at_start);

@@ -630,7 +630,7 @@ TEST(ContactOverlay, TellsEveryFigureAtTheLeft) {
   Typesetter typesetter;
   const SetText set = set_text(typesetter, figures, list.scale);
   constexpr double axes = 114;  // points that they reach up from the lower border
-  EXPECT_LT(figures.at.x() + set.width(), 0.33 * list.cameras[0].width) << "beside the scene's middle";
+  EXPECT_LT(figures.at.x() + set.width(), 0.33 * list.cameras[0].width) << "left of the scene's middle";
   EXPECT_GT(figures.at.y(), 0.5 * list.cameras[0].height);
   EXPECT_LT(figures.at.y() + set.height(), list.cameras[0].height - axes);
 }
