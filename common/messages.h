@@ -5,7 +5,9 @@
 // field they bound.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +19,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 9;
+inline constexpr std::uint32_t protocol_version = 10;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -283,6 +285,23 @@ struct CameraInfo {
   double fov = 0.8;  // vertical, rad
 };
 
+/// How the patient whose organs are shown lies in the room: directions in the world frame, of any length but
+/// zero, perpendicular to each other.
+struct PatientFrame {
+  Vec3 right = -Vec3::UnitX();  // towards the patient's right
+  Vec3 head = -Vec3::UnitZ();   // from the feet towards the head (superior)
+
+  /// Returns the unit direction towards the patient's front (anterior).
+  Vec3 front() const { return head.cross(right).normalized(); }
+};
+inline constexpr double least_patient_angle = 1.55;  // rad between `right` and `head`
+
+/// Tells whether the two directions are finite, not zero, and perpendicular but for rounding.
+inline bool is_frame(const PatientFrame& frame) {
+  const double area = frame.head.cross(frame.right).norm(), lengths = frame.head.norm() * frame.right.norm();
+  return std::isfinite(lengths) && lengths > 0 && area >= std::sin(least_patient_angle) * lengths;
+}
+
 /// server → all, reliable, transient-local: the scene graph. Meshes follow as Assets.
 struct SceneInfo {
   std::string name;
@@ -290,6 +309,7 @@ struct SceneInfo {
   std::vector<SceneBody> bodies;
   std::vector<LightInfo> lights;
   CameraInfo camera;
+  std::optional<PatientFrame> patient;  // nullopt: the scene has none
 };
 
 inline constexpr std::size_t asset_chunk_bytes = 256 * 1024;

@@ -3,13 +3,10 @@
 #include <array>
 
 #include "client/view/body_mesh.h"
-#include "client/view/overlay_frame.h"
 #include "common/primitives.h"
 
 namespace prosector {
 namespace {
-
-const std::array<Vec3, 3> axis_colors = {{{0.9, 0.05, 0.04}, {0.05, 0.75, 0.08}, {0.08, 0.2, 1.0}}};
 
 constexpr double name_above = 0.2;  // m, from the eyes
 
@@ -62,32 +59,6 @@ void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, co
 
 void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& forearm, const Vec3& color) {
   list.items.push_back({.mesh = figure.forearm, .pose = forearm, .appearance = coat_look(color)});
-}
-
-void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera) {
-  constexpr double length = 42, margin = 56, letter = 13;  // points
-  const Quat camera_from_frame = camera.pose.q.conjugate() * frame;
-  const OverlayFrame picture(camera, list.scale);
-  const auto to_ndc = [&](const Vec3& from_below) {
-    return picture.at(from_below.x(), picture.height - from_below.y());
-  };
-  const Vec3 origin(margin, margin, 0);
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 along = camera_from_frame * Vec3::Unit(axis);
-    along.z() = 0;
-    const Vec3 tip = origin + length * along;
-    const Vec3& color = axis_colors[static_cast<std::size_t>(axis)];
-    list.lines.push_back({to_ndc(origin), to_ndc(tip), color, 3, true});
-    DrawText label;
-    label.text = std::string(1, static_cast<char>('x' + axis));
-    const Vec3 beyond = tip + 9 * along.normalized();
-    label.at = {beyond.x(), picture.height - beyond.y(), 0};
-    label.height = letter;
-    label.centred = true;
-    label.ground = TextGround::none;
-    label.color = color.cwiseMax(0.3);
-    list.texts.push_back(label);
-  }
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// Other users as people with their names; the frame of the room in a corner of one's own view.
+// Other users as people with their names.
 
 #include <array>
 #include <memory>
@@ -25,8 +25,5 @@ void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, co
 
 /// Adds a forearm with its cuff, as forearm_behind() puts it.
 void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& forearm, const Vec3& color);
-
-/// Adds the axes of `frame` as `camera` sees their directions, in the lower left corner of every view.
-void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera);
 
 }  // namespace prosector

@@ -7,6 +7,7 @@
 
 #include "client/view/avatar.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/corner_axes.h"
 #include "client/view/overlay_frame.h"
 #include "common/counted.h"
 
@@ -75,7 +76,7 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
     list.strip = time_bar_strip;
     add_time_bar(list, *settings.time);
   }
-  add_corner_axes(list, Quat::Identity(), list.cameras.front());
+  add_corner_axes(list, replica.scene()->patient, list.cameras.front());
   const auto line = [&](int row, std::string text) {
     list.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
   };

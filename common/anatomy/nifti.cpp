@@ -215,6 +215,7 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
     const Axes axes = axes_of(use_sform ? sform : qform);
     h.axis = axes.axis;
     h.flip = axes.flip;
+    h.oriented = true;
   }
   return h;
 }

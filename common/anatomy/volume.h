@@ -21,6 +21,7 @@ struct Volume {
   std::array<std::int64_t, 3> dims{};
   Vec3 voxel_size = Vec3::Zero();       // m
   std::vector<float> values;            // finite
+  bool oriented = false;                // its axes are right, anterior, superior
   std::vector<std::string> notes = {};  // what its file says ambiguously, and how it was read
 
   float at(std::int64_t i, std::int64_t j, std::int64_t k) const {

@@ -101,6 +101,7 @@ Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, c
                                  h.dims[2], size));
   Volume out;
   out.notes = h.notes;
+  out.oriented = h.oriented;
   for (std::size_t k = 0; k < 3; ++k) {
     out.dims[k] = h.dims[static_cast<std::size_t>(h.axis[k])];
     out.voxel_size[static_cast<int>(k)] = h.voxel_size[h.axis[k]];

@@ -34,6 +34,7 @@ struct VolumeHeader {
   double slope = 1, intercept = 0;
   std::array<int, 3> axis = {0, 1, 2};  // file axis that becomes x, y, z
   std::array<bool, 3> flip{};           // of the file's axes
+  bool oriented = false;                // x, y, z are the patient's right, anterior, superior
   std::vector<std::string> notes;       // as of Volume
 };
 

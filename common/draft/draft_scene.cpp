@@ -382,6 +382,13 @@ Eigen::AlignedBox3d labelled_box(const Volume& volume, const std::map<int, std::
   return out;
 }
 
+/// Returns, as TOML, how the patient of a volume with the axes right, anterior, superior lies once it is
+/// turned.
+std::string patient_of(const Quat& turn) {
+  return fmt::format("\n[patient]\nright = {}\nhead = {}\n", toml_numbers(turn * Vec3::UnitX()),
+                     toml_numbers(turn * Vec3::UnitZ()));
+}
+
 Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
                   const std::filesystem::path& folder, const DraftOptions& options) {
   Draft out;
@@ -412,6 +419,7 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   pose.p = onto_table(box);
   box.translate(pose.p);
   out.toml = head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
+             (volume.oriented ? patient_of(pose.q) : "") +
              fmt::format(
                  "\n[[atlas]]\nvolume = {}\n{}max_volume_error = \"40 %\"  # thin structures lose volume at "
                  "this cell; the server reports how much\nposition = {}\n{}",

@@ -303,6 +303,7 @@ struct SceneDesc {
   HandDesc hand;
   std::optional<RoomDesc> room;  // every scene file has one; none: empty space, for programs of one's own
   CameraInfo camera;
+  std::optional<PatientFrame> patient;  // nullopt: nobody lies here
   std::vector<RigidDesc> rigid;
   std::vector<SoftDesc> soft;
   std::vector<AtlasDesc> atlases;

@@ -45,6 +45,8 @@ class Checker {
     check_lights();
     if (scene_.camera.eye == scene_.camera.target)
       fail("camera", "target", "[camera]", "target is the eye's own place: there is nothing to look at");
+    if (scene_.patient && !is_frame(*scene_.patient))
+      fail("patient", "head", "[patient]", "right and head are perpendicular directions, not zero");
   }
 
  private:

@@ -73,6 +73,26 @@ const Table& camera_table() {
   return table;
 }
 
+const Table& patient_table() {
+  using P = PatientFrame;
+  static const Table table{
+      "[patient]",
+      "How the patient lies. With it the axes in the picture's corner say R and L (right, left), A and P "
+      "(anterior, posterior), S and I (superior, inferior) instead of x, y and z.",
+      {number<P, &P::right>("right", "", {-1000, 1000},
+                            "direction towards the patient's right; of any length"),
+       number<P, &P::head>("head", "", {-1000, 1000},
+                           "direction from feet to head, perpendicular to right; of any length")},
+      {},
+      fresh<P>};
+  return table;
+}
+
+void* patient_of(void* scene) {
+  std::optional<PatientFrame>& patient = static_cast<SceneDesc*>(scene)->patient;
+  return patient ? &*patient : &patient.emplace();
+}
+
 const Table& light_table() {
   using L = LightDesc;
   static const Table table{
@@ -119,6 +139,7 @@ const Table& scene_table() {
        {"hand", hand_table, false, 1, member<&SD::hand>},
        {"room", room_table, false, 1, room_of},
        {"camera", camera_table, false, 1, member<&SD::camera>},
+       {"patient", patient_table, false, 1, patient_of},
        {"rigid", rigid_table, true, max_bodies, append<SD, &SD::rigid>},
        {"soft", soft_table, true, max_bodies, append<SD, &SD::soft>},
        {"atlas", atlas_table, true, max_atlases, append<SD, &SD::atlases>},

@@ -184,6 +184,8 @@ void to_wire(const SceneInfo& m, prosector_SceneInfo& w, WireArena& arena) {
   to_wire(m.camera.eye, w.camera_eye);
   to_wire(m.camera.target, w.camera_target);
   w.camera_fov = m.camera.fov;
+  to_wire(m.patient ? m.patient->right : Vec3::Zero(), w.patient_right);
+  to_wire(m.patient ? m.patient->head : Vec3::Zero(), w.patient_head);
 }
 
 Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
@@ -198,6 +200,9 @@ Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
   m.lights.clear();
   for (std::size_t i = 0; i < w.lights._length; ++i) m.lights.push_back(light_from_wire(w.lights._buffer[i]));
   m.camera = {from_wire(w.camera_eye), from_wire(w.camera_target), w.camera_fov};
+  const PatientFrame patient{from_wire(w.patient_right), from_wire(w.patient_head)};
+  m.patient.reset();
+  if (!patient.right.isZero(0) || !patient.head.isZero(0)) m.patient = patient;
   return {};
 }
 
@@ -218,6 +223,7 @@ Refusal check(SceneInfo& m) {
       .that(within(m.camera.eye, max_coordinate) && within(m.camera.target, max_coordinate),
             "camera out of range")
       .that(within(m.camera.fov, 0.01, 3.1), "field of view out of range")
+      .that(!m.patient || is_frame(*m.patient), "the patient's directions are not perpendicular")
       .refusal();
 }
 

@@ -145,9 +145,10 @@ void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
 
 template <class Io>
 void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
-  auto& [participant, at] = e;
+  auto& [participant, at, ahead] = e;
   io.number(participant);
   io.numbers(at.data(), 3);
+  io.numbers(ahead.data(), 3);
 }
 
 template <class Io>

@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 13;
+inline constexpr std::uint64_t journal_version = 14;
 /// Keys of the file's description, as they are sealed.
 inline constexpr std::array journal_keys = {"format",  "scene_file", "scene_text", "session",  "content_hash",
                                             "choices", "identity",   "begins_at",  "beginning"};

@@ -11,6 +11,13 @@ namespace prosector {
 namespace {
 
 constexpr double head_step = 0.01;  // m that a head moves before it is worth telling
+constexpr double head_turn = 0.05;  // the same of the change of the direction that it faces
+
+/// Returns the level unit vector whither a head faces, however steeply it looks; zero if it lies on its side.
+Vec3 direction_ahead(const Pose& head) {
+  const Vec3 level = Vec3::UnitY().cross(head.q * Vec3::UnitX());
+  return level.norm() > 0.1 ? Vec3(level.normalized()) : Vec3::Zero();
+}
 
 }  // namespace
 
@@ -45,10 +52,13 @@ void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands)
   }
   if (!has_hands) told_.erase(who);  // the simulation forgets it, too
   if (!input.head_tracked || !has_hands) return;
-  const auto [told, is_new] = told_.try_emplace(who, input.head.p);
-  if (!is_new && (input.head.p - told->second).norm() < head_step) return;
-  told->second = input.head.p;
-  heads_.push_back({who, input.head.p});
+  const HeadPlace head{who, input.head.p, direction_ahead(input.head)};
+  const auto [told, is_new] = told_.try_emplace(who, head);
+  const HeadPlace& last = told->second;
+  if (!is_new && (head.at - last.at).norm() < head_step && (head.ahead - last.ahead).norm() < head_turn)
+    return;
+  told->second = head;
+  heads_.push_back(head);
 }
 
 void PanelInputs::move_into(TickInput& out) {

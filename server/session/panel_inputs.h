@@ -47,7 +47,7 @@ class PanelInputs {
   std::vector<bool> parts_;
   std::vector<ParticipantId> open_;
   std::vector<PanelEvent> asked_;
-  std::map<ParticipantId, Vec3> told_;  // where the simulation believes heads to be, m
+  std::map<ParticipantId, HeadPlace> told_;  // how the simulation believes heads to be
   std::vector<HeadPlace> heads_;
   std::uint64_t held_timeout_;
   std::map<std::pair<ParticipantId, HeldThing>, std::uint64_t> held_;  // ticks since each was told of

@@ -103,6 +103,7 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
   out.scene.name = desc.name;
   out.scene.description = desc.description;
   out.scene.camera = desc.camera;
+  out.scene.patient = desc.patient;
   for (const LightDesc& light : desc.lights)
     out.scene.lights.emplace_back(light).body = find_body(simulation, light.carrier);
 

@@ -50,9 +50,11 @@ inline Bytes nifti_header(int nx, int ny, int nz, std::int16_t datatype, bool sw
   return out;
 }
 
+/// Voxels on each side of what two_balls_voxels() gives.
+inline constexpr int two_balls_side = 40;
 /// Two balls: label 7 (radius 12 voxels) with a speck of the same label, and label 9 (radius 5).
-inline Bytes two_balls() {
-  constexpr int n = 40;
+inline std::vector<std::uint8_t> two_balls_voxels() {
+  constexpr int n = two_balls_side;
   std::vector<std::uint8_t> v(n * n * n);
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
@@ -62,7 +64,12 @@ inline Bytes two_balls() {
         if ((Vec3(i, j, k) - Vec3(33, 30, 20)).norm() < 5) voxel = 9;
       }
   v[static_cast<std::size_t>(2 + n * (2 + n * 2))] = 7;
-  return inrimage(n, n, n, {2, 2, 2}, v);
+  return v;
+}
+
+inline Bytes two_balls() {
+  constexpr int n = two_balls_side;
+  return inrimage(n, n, n, {2, 2, 2}, two_balls_voxels());
 }
 
 inline void write(const std::filesystem::path& file, const void* data, std::size_t size) {

@@ -7,6 +7,7 @@
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/corner_axes.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
@@ -93,7 +94,7 @@ GalleryPicture avatar() {
   DrawList list = stage({0.3, 1.6, 1.6}, {0, 1.4, 0});
   const Pose head{{0.1, 1.5, -0.2}, look_at({0.1, 1.5, -0.2}, {-0.3, 1.3, 1}).q};
   add_avatar(list, FigureMeshes(make_figure_surfaces(), 30), head, {0.9, 0.5, 0.1}, "Ada Lovelace");
-  add_corner_axes(list, Quat::Identity(), list.cameras[0]);
+  add_corner_axes(list, std::nullopt, list.cameras[0]);
   list.texts.push_back({"real time 1.00  step 4.2 ms", {8, 8, 0}, true, 14, {1, 1, 1}});
   return {"avatar", width, height, list};
 }
@@ -131,7 +132,7 @@ GalleryPicture panel() {
   contact.impulse = 0.0145;
   contact.force = {0.1, -0.86, 0.02};
   add_contact_overlay(list, contact, part.name);
-  add_corner_axes(list, Quat::Identity(), list.cameras[0]);
+  add_corner_axes(list, PatientFrame{}, list.cameras[0]);
   return {"panel", wide, high, list};
 }
 

@@ -13,6 +13,7 @@
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/corner_axes.h"
 #include "client/view/force_arrow.h"
 #include "client/view/hand_cues.h"
 #include "client/view/near_fade.h"
@@ -328,11 +329,11 @@ TEST(HandCues, AShadowGrowsDarkerAsTheHandComesNearAndLiesOnTheSurface) {
   EXPECT_TRUE(list.items.empty() && list.lines.empty()) << "nothing lies below";
 }
 
-TEST(Avatar, CornerAxesLieLowerLeftAndTurnWithTheCamera) {
+TEST(CornerAxes, LieLowerLeftAndTurnWithTheCamera) {
   DrawCamera camera;
   camera.pose.q = Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitY()));  // looks along −x
   DrawList list;
-  add_corner_axes(list, Quat::Identity(), camera);
+  add_corner_axes(list, std::nullopt, camera);
   ASSERT_EQ(list.lines.size(), 3u);
   for (const DrawLine& line : list.lines) {
     EXPECT_TRUE(line.overlay);
@@ -342,6 +343,28 @@ TEST(Avatar, CornerAxesLieLowerLeftAndTurnWithTheCamera) {
   const Vec3 z = list.lines[2].b - list.lines[2].a;
   EXPECT_LT(z.x(), -0.05) << "looking along −x, +z is to the left";
   EXPECT_NEAR((list.lines[0].b - list.lines[0].a).norm(), 0, 1e-6) << "+x comes straight at the eye";
+}
+
+TEST(CornerAxes, OfAPatientSayWhichWayIsRightFrontAndHead) {
+  const PatientFrame supine{{-2, 0, 0}, {0, 0, -1}};  // the face upwards
+  EXPECT_NEAR((supine.front() - Vec3::UnitY()).norm(), 0, 1e-12);
+  DrawCamera camera;  // looks along −z, from the feet to the head
+  camera.pose.q = Quat(Eigen::AngleAxisd(-0.5, Vec3::UnitX()));
+  DrawList list;
+  add_corner_axes(list, supine, camera);
+  std::map<std::string, Vec3> letters;
+  for (const DrawText& text : list.texts) letters[text.text] = text.at;
+  ASSERT_EQ(letters.size(), 6u);
+  EXPECT_LT(letters["R"].x(), letters["L"].x() - 50)
+      << "the patient's right is to the left of who stands at the feet";
+  EXPECT_LT(letters["A"].y(), letters["P"].y() - 40) << "the front is up; a text's y is from above";
+  EXPECT_LT(letters["S"].y(), letters["I"].y() - 20) << "the head is farther off: up in a view from above";
+  EXPECT_NEAR((list.lines[0].b - list.lines[0].a).head<2>().y(), 0, 1e-9);
+
+  DrawList from_the_feet;
+  camera.pose.q = Quat::Identity();
+  add_corner_axes(from_the_feet, supine, camera);
+  EXPECT_EQ(from_the_feet.texts.size(), 4u) << "an axis that points at the eye has no letters";
 }
 
 TEST(Room, FacesInwards) {

@@ -134,6 +134,25 @@ TEST(DraftScene, ALabelMapIsAnAtlas) {
   }
 }
 
+/// The axes of a NIfTI file that says how it lies are the patient's; those of other files aren't known.
+TEST(DraftScene, ALabelMapThatSaysHowItLiesHasAPatient) {
+  const TempDir dir;
+  write(dir.path / "plain.inr", two_balls());
+  EXPECT_FALSE(drafted(dir.path / "plain.inr", dir.path).patient);
+  Bytes file = nifti_header(two_balls_side, two_balls_side, two_balls_side, 2);
+  put<std::int16_t>(file, 254, 1);
+  for (std::size_t r = 0; r < 3; ++r) put(file, 280 + 20 * r, 2.f);
+  const std::vector<std::uint8_t> voxels = two_balls_voxels();
+  file.insert(file.end(), voxels.begin(), voxels.end());
+  write(dir.path / "map.nii", file);
+  const SceneDesc scene = drafted(dir.path / "map.nii", dir.path);
+  ASSERT_TRUE(scene.patient);
+  EXPECT_NEAR((scene.patient->right - Vec3::UnitX()).norm(), 0, 1e-6);
+  EXPECT_NEAR((scene.patient->head - Vec3::UnitY()).norm(), 0, 1e-6) << "the volume's z is up";
+  const SceneDesc lying = drafted(dir.path / "map.nii", dir.path, {.z_up = false});
+  EXPECT_NEAR((lying.patient->head - Vec3::UnitZ()).norm(), 0, 1e-6);
+}
+
 TEST(DraftScene, AScalpelLiesOnTheTableBesideWhatCanBeCut) {
   const TempDir dir;
   const auto file = dir.path / "thing.obj";

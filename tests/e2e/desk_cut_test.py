@@ -23,22 +23,12 @@ BESIDE = 0.2, 0.9, -0.2  # where no tissue is
 TOLD = re.compile(r"cut: (\d+) mm long, (\d+) mm deep, in the liver")
 
 
-def parts():
-    """Of the scene, by name."""
-    return view.last_line().get("parts", {})
-
-
-def topology():
-    """All meshes' hash."""
-    return view.last_line().get("topology")
-
-
 def revision():
-    return parts().get("liver", {}).get("revision", 0)
+    return view.parts().get("liver", {}).get("revision", 0)
 
 
 def holds_knife():
-    return "mouse, right" in parts().get("knife", {}).get("holders", [])
+    return "mouse, right" in view.parts().get("knife", {}).get("holders", [])
 
 
 def take_up_the_knife():
@@ -116,11 +106,11 @@ with Processes(OUT) as processes:
     sheet(["above", "drawn", "cut"])
     act("click", 1)
     wait_until("the knife let go", lambda: not holds_knife(), 10)
-    before = topology()
+    before = view.topology()
     act("key", "z")
-    wait_until("the cut taken back", lambda: topology() not in (None, before), 10)
+    wait_until("the cut taken back", lambda: view.topology() not in (None, before), 10)
     wait_until("the line of the cut gone", lambda: dark_along_the_cut() < 0.2, 10)
     view.picture().save(OUT / "undone.png")
-    assert not [name for name in parts() if "piece" in name], "a piece was left"
+    wait_until("no piece left", lambda: not view.pieces(), 10)
     commands = processes.leave(client, server)
     assert commands["grasp"]["granted"] == taken and commands["undo"] == {"granted": 1, "refused": 0}, commands

@@ -143,6 +143,18 @@ class View:
         except (OSError, ValueError):
             return {}  # not there yet, or still being written
 
+    def parts(self):
+        """What the client knows of the scene's parts, by name."""
+        return self.last_line().get("parts", {})
+
+    def pieces(self):
+        """The sizes of pieces that came off, by name, m. Pieces that were joined again are hidden, and not among them."""
+        return {name: part["size"] for name, part in self.parts().items() if "piece" in name and not part.get("hidden")}
+
+    def topology(self):
+        """The hash of all meshes."""
+        return self.last_line().get("topology")
+
     def eyes(self):
         """Where they are and where they look, once they are known."""
         eyes = wait_until("the eyes", lambda: self.last_line().get("people", {}).get(self.name, {}).get("eyes"))

@@ -21,23 +21,8 @@ ACROSS = [(0.03, 0.99, 0.002 * k) for k in range(36)]  # places on a line that c
 AWAY = 0.25, 0.9, -0.05  # where neither hand nor words hide the skin
 
 
-def parts():
-    """Of the scene, by name."""
-    return view.last_line().get("parts", {})
-
-
-def pieces():
-    """Sizes of what is off, by name: what was joined again is hidden. Crumbs of the border may be among it."""
-    return {name: part["size"] for name, part in parts().items() if "piece" in name and not part.get("hidden")}
-
-
-def topology():
-    """All meshes' hash."""
-    return view.last_line().get("topology")
-
-
 def holds_scalpel():
-    return "mouse, right" in parts().get("scalpel", {}).get("holders", [])
+    return "mouse, right" in view.parts().get("scalpel", {}).get("holders", [])
 
 
 def shows_skin(image):
@@ -65,7 +50,7 @@ with Processes(OUT) as processes:
     view.point_at(HANDLE)
     view.hand_settles()
     assert shows_skin(picture("start")), "the skin is not seen where it lies"
-    whole = topology()
+    whole = view.topology()
 
     act("mousedown", 1)
     wait_until("the scalpel in the hand", holds_scalpel)
@@ -75,20 +60,20 @@ with Processes(OUT) as processes:
     view.draw(HANDLE, BEGIN, 10)
     view.hand_settles()
     picture("above")
-    assert topology() == whole, "cut before the button went down"
+    assert view.topology() == whole, "cut before the button went down"
     act("mousedown", 1)
     view.draw(BEGIN, END, 60)
     view.hand_settles()  # a person looks whether the blade is there, however slow the pictures are
     picture("drawn")
     act("mouseup", 1)
-    wait_until("a half that came off", lambda: any(max(size) > 0.15 for size in pieces().values()), 60)
+    wait_until("a half that came off", lambda: any(max(size) > 0.15 for size in view.pieces().values()), 60)
     view.draw(END, AWAY, 5)
     wait_until("the cut open", lambda: not shows_skin(view.picture()), 20)
     time.sleep(1)
     picture("off")
-    print("came off:", pieces())
+    print("came off:", view.pieces())
     act("key", "z")
-    wait_until("one skin again", lambda: "skin" in parts() and not pieces(), 20)
+    wait_until("one skin again", lambda: "skin" in view.parts() and not view.pieces(), 20)
     wait_until("the cut shut", lambda: shows_skin(view.picture()), 20)
     time.sleep(1)
     picture("back")

@@ -89,6 +89,7 @@ SceneInfo some_scene() {
                      .transmittance = {0.5, 0.25, 0.125}};
   m.bodies = {table, liver, suture, dish};
   m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3, 0}};
+  m.patient = {{-1, 0, 0}, {0, 0.6, -0.8}};
   return m;
 }
 

@@ -167,6 +167,14 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<SceneInfo>("light nowhere", [](SceneInfo& m) { m.lights[0].position.x() = nan; }),
       spoiled<SceneInfo>("light without direction", [](SceneInfo& m) { m.lights[0].direction.setZero(); }),
       spoiled<SceneInfo>("field of view", [](SceneInfo& m) { m.camera.fov = 4; }),
+      spoiled<SceneInfo>("a patient askew",
+                         [](SceneInfo& m) {
+                           m.patient = {{1, 0, 0}, {1, 1, 0}};
+                         }),
+      spoiled<SceneInfo>("a patient without head",
+                         [](SceneInfo& m) {
+                           m.patient = {{1, 0, 0}, Vec3::Zero()};
+                         }),
       spoiled<AssetChunk>("no such chunk", [](AssetChunk& m) { m.chunk = 2; }),
       spoiled<AssetChunk>("wrong count", [](AssetChunk& m) { m.chunks = 3; }),
       spoiled<AssetChunk>("huge", [](AssetChunk& m) { m.total_bytes = 0xffffffff; }),
@@ -375,7 +383,7 @@ std::string as_wire_bytes(const Message& message) {
             add(b.appearance.transmittance);
           }
           for (const LightInfo& l : m.lights) add(l.intensity), add(l.body), text += l.name;
-          add(m.camera.fov);
+          add(m.camera.fov), add(m.patient->right), add(m.patient->head);
         } else if constexpr (std::is_same_v<M, AssetChunk>) {
           text.assign(m.bytes.begin(), m.bytes.end());
           text += to_hex(m.hash);

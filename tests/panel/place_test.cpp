@@ -12,13 +12,13 @@ namespace prosector {
 namespace {
 
 PanelSite site() {
-  return {{0.02, 1.05, 0.03}, {-0.08, 0.95, -0.06}, {0.1, 1.06, 0.07}, {0.05, 1.5, 0.6}, -1};
+  return {{0.02, 1.05, 0.03}, {-0.08, 0.95, -0.06}, {0.1, 1.06, 0.07}, {{0.05, 1.5, 0.6}, Vec3::Zero()}, -1};
 }
 
 TEST(PanelPlace, FacesTheReader) {
   const PanelSite s = site();
   const Pose panel = place_panel(s);
-  EXPECT_GT((panel.q * Vec3::UnitZ()).dot((s.reader - panel.p).normalized()), 0.999);
+  EXPECT_GT((panel.q * Vec3::UnitZ()).dot((s.reader.eyes - panel.p).normalized()), 0.999);
   EXPECT_GT((panel.q * Vec3::UnitY()).y(), 0.5) << "upright";
   EXPECT_NEAR((panel.q * Vec3::UnitX()).y(), 0, 1e-12) << "its lines are level";
 }
@@ -34,7 +34,7 @@ TEST(PanelPlace, StandsBesideThePartAndInReach) {
         EXPECT_FALSE((corner.array() > s.lo.array()).all() && (corner.array() < s.hi.array()).all());
       }
     EXPECT_LT((panel.p - s.touched).norm(), 0.5);
-    const Vec3 right = Vec3::UnitY().cross(s.reader - s.touched);
+    const Vec3 right = Vec3::UnitY().cross(s.reader.eyes - s.touched);
     EXPECT_GT(side * right.dot(panel.p - s.touched), 0) << "on the side asked for";
   }
 }
@@ -44,7 +44,7 @@ TEST(PanelPlace, LeavesThePartInSightOfWhoLooksFromAbove) {
   for (const double side : {-1.0, 1.0})
     for (const Vec3& reader : {Vec3(0.02, 1.9, 0.04), Vec3(0.02, 1.9, 0.3), Vec3(0.1, 1.7, 0.1)}) {
       s.side = side;
-      s.reader = reader;
+      s.reader.eyes = reader;
       const Pose panel = place_panel(s);
       const Vec3 away = Vec3(s.touched.x() - reader.x(), 0, s.touched.z() - reader.z()).normalized();
       // Seen from the eyes, on the level of the part's top: all of the board is beyond all of the part.
@@ -63,6 +63,33 @@ TEST(PanelPlace, LeavesThePartInSightOfWhoLooksFromAbove) {
     }
 }
 
+TEST(PanelPlace, IsUprightInThePictureOfWhoLooksFromAbove) {
+  for (const double angle : {0.0, 1.0, 2.5, 4.0, 5.5})
+    for (const Vec3& beside : {Vec3(0, 0, 0), Vec3(0.05, 0, -0.02), Vec3(-0.04, 0, 0.03)}) {
+      PanelSite s = site();
+      s.reader.eyes = s.touched + Vec3(0, 0.6, 0) + beside;
+      s.reader.ahead = {std::sin(angle), 0, -std::cos(angle)};
+      const Pose panel = place_panel(s);
+      EXPECT_GT((panel.p - s.touched).dot(s.reader.ahead), panel_height / 2) << "beyond the part: above it";
+      Vec3 up = panel.q * Vec3::UnitY();
+      up.y() = 0;
+      EXPECT_GT(up.normalized().dot(s.reader.ahead), 0.97) << "angle " << angle;
+      const Vec3 dragged = s.touched + Vec3(0.1, 0.05, 0.1);
+      up = face_reader(dragged, s.reader) * Vec3::UnitY();
+      EXPECT_GT(Vec3(up.x(), 0, up.z()).normalized().dot(s.reader.ahead), 0.97) << "dragged, angle " << angle;
+    }
+}
+
+TEST(PanelPlace, TurnsWithoutAJumpFromBesideToAbove) {
+  PanelReader reader{{0, 1.6, 0}, {-1, 0, 0}};
+  Quat last = face_reader({0.0, 1.0, -2}, reader);
+  for (double z = -2; z <= 0.0; z += 0.001) {
+    const Quat now = face_reader({0.0, 1.0, z}, reader);
+    ASSERT_LT(now.angularDistance(last), 0.05) << z;
+    last = now;
+  }
+}
+
 TEST(PanelPlace, IsAProperPoseForAnySite) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> wide(-1000, 1000), narrow(-0.1, 0.1);
@@ -70,8 +97,10 @@ TEST(PanelPlace, IsAProperPoseForAnySite) {
     const auto place = [&](auto& d) { return Vec3(d(random), d(random), d(random)); };
     PanelSite s;
     s.touched = place(wide);
-    s.reader = i % 3 == 0 ? place(wide) : i % 3 == 1 ? Vec3(s.touched + place(narrow)) : s.touched;
-    if (i % 7 == 0) s.reader = s.touched + Vec3(0, 1, 0);
+    s.reader.eyes = i % 3 == 0 ? place(wide) : i % 3 == 1 ? Vec3(s.touched + place(narrow)) : s.touched;
+    if (i % 7 == 0) s.reader.eyes = s.touched + Vec3(0, 1, 0);
+    const Vec3 ahead(place(narrow).x(), 0, place(narrow).z());
+    if (i % 2 == 0) s.reader.ahead = ahead.normalized();
     s.lo = s.touched - place(narrow).cwiseAbs();
     s.hi = s.touched + place(narrow).cwiseAbs();
     s.side = i % 2 == 0 ? 1 : -1;

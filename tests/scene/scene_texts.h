@@ -20,6 +20,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[hand]", "[hand]\n"},
       {"[room]", "[room]\n"},
       {"[camera]", "[camera]\n"},
+      {"[patient]", "[patient]\n"},
       {"[[rigid]]", "[[rigid]]\nname = \"r\"\nvolume = \"v.inr\"\n"},
       {"[[rigid.fracture]]", "[[rigid.fracture]]\n"},
       {"[[rigid.edge]]", "[[rigid.edge]]\n"},

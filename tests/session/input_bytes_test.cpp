@@ -23,7 +23,7 @@ ConsumedInput one_of_each() {
   HandTarget target{12, left_hand, {{0.1, 0.2, 0.3}, Quat(0.5, -0.5, 0.5, 0.5)}, {}};
   for (std::size_t i = 0; i < fingers; ++i) target.flexion[i] = 0.125 * static_cast<double>(i);
   out.input.targets = {target};
-  out.input.heads = {{11, {1.5, 1.6, 1.7}}};
+  out.input.heads = {{11, {1.5, 1.6, 1.7}, {0.6, 0, -0.8}}};
   out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
   out.input.held = {{11, HeldThing::tablet, true, {{1, 2, 3}, Quat(0.5, 0.5, -0.5, 0.5)}},
                     {12, HeldThing::stylus, false, {}}};

@@ -6,6 +6,7 @@
 #include "common/panel.h"
 #include "common/panel_placing.h"
 #include "server/session/input_bytes.h"
+#include "server/session/panel_inputs.h"
 #include "tests/session/hosted.h"
 
 namespace prosector {
@@ -269,15 +270,42 @@ TEST(PanelSession, ATabletIsThePanelForEveryoneUntilItIsLost) {
   EXPECT_TRUE(s.eve.replica.panels().empty()) << "it goes with its owner";
 }
 
+/// Whither a head faces is told, however it looks down, once it turned enough.
+TEST(PanelSession, AHeadIsToldWithTheDirectionThatItFaces) {
+  PanelInputs inputs({true}, 60);
+  HandInput input;
+  input.head_tracked = true;
+  const auto told = [&](double turned, double down) {
+    input.head.q = Quat(Eigen::AngleAxisd(turned, Vec3::UnitY()) * Eigen::AngleAxisd(-down, Vec3::UnitX()));
+    inputs.see(7, input, true);
+    TickInput out;
+    inputs.consume([](ParticipantId) { return true; }, out);
+    return out.heads;
+  };
+  ASSERT_EQ(told(0, 1.5).size(), 1u);
+  EXPECT_TRUE(told(0, 0.3).empty()) << "it looks up, where it was, in the same direction";
+  EXPECT_TRUE(told(0.02, 1.5).empty());
+  const std::vector<HeadPlace> turned = told(1.2, 1.5);
+  ASSERT_EQ(turned.size(), 1u);
+  EXPECT_NEAR((turned[0].ahead - Vec3(-std::sin(1.2), 0, -std::cos(1.2))).norm(), 0, 1e-12);
+  input.head.q = Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitZ()));  // it lies on its side
+  inputs.see(7, input, true);
+  TickInput out;
+  inputs.consume([](ParticipantId) { return true; }, out);
+  ASSERT_EQ(out.heads.size(), 1u);
+  EXPECT_EQ(out.heads[0].ahead, Vec3::Zero());
+}
+
 TEST(PanelSession, InputsAreKeptBitForBit) {
   ConsumedInput input;
-  input.input.heads = {{7, {0.1, 1.5, -0.2}}, {9, {1e-300, 2, 3}}};
+  input.input.heads = {{7, {0.1, 1.5, -0.2}, {1, 0, 0}}, {9, {1e-300, 2, 3}, {0, 0, 0}}};
   input.input.panels = {{PanelEvent::Kind::open, 7, 3, PanelControl::attach, 0},
                         {PanelEvent::Kind::set, 9, 0, PanelControl::stiffness, 0.123456789}};
   const auto bytes = encode_input(input);
   const ConsumedInput back = decode_input(bytes);
   EXPECT_EQ(encode_input(back), bytes);
   ASSERT_EQ(back.input.heads.size(), 2u);
+  EXPECT_EQ(back.input.heads[0].ahead, Vec3(1, 0, 0));
   EXPECT_EQ(back.input.heads[1].at, input.input.heads[1].at);
   ASSERT_EQ(back.input.panels.size(), 2u);
   EXPECT_EQ(back.input.panels[1].control, PanelControl::stiffness);
@@ -302,7 +330,7 @@ TEST(PanelSession, SameInputsSameHash) {
   };
   for (std::uint64_t t = 0; t < 80; ++t) {
     hand({test::press(t), Quat::Identity()}, {});
-    if (t == 5) inputs.back().heads = {{7, {0, 0.5, 0.6}}};
+    if (t == 5) inputs.back().heads = {{7, {0, 0.5, 0.6}, {0, 0, -1}}};
     step();
   }
   ASSERT_EQ(first.panels().size(), 1u);

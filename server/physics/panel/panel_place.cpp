@@ -14,18 +14,31 @@ constexpr double aside = 0.12;   // m to the side of where it was touched, so th
 constexpr double behind = 0.06;  // m beyond where it was touched
 constexpr double around_head = 0.05;  // m from the head, within which a hand takes hold of it
 constexpr double steepest = 0.94;     // sine of the panel's inclination
-constexpr double from_above =
-    0.85;  // sine of the gaze's inclination from which a reader looks down on the part
 
-/// Returns the level direction from one place to another, or towards +z where there is none.
-Vec3 level_direction(const Vec3& from, const Vec3& to) {
-  const Vec3 way(to.x() - from.x(), 0, to.z() - from.z());
-  return way.norm() > 1e-3 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
+// Sines of the inclination of a reader's gaze at a place.
+constexpr double steep = 0.7;        // above, it counts more and more whither the reader faces
+constexpr double from_above = 0.85;  // above, only that counts: the reader looks down on the place
+
+double inclination_of_gaze(const Vec3& place, const PanelReader& reader) {
+  return (reader.eyes - place).stableNormalized().y();
+}
+
+/// Returns the level unit vector from a place towards the reader, or towards +z where there is none. For a
+/// reader above the place that is against the direction in which they face: where they are, in the level
+/// plane, says nothing of what is up in their picture.
+Vec3 towards_reader(const Vec3& place, const PanelReader& reader) {
+  const Vec3 way(reader.eyes.x() - place.x(), 0, reader.eyes.z() - place.z());
+  const Vec3 level = way.norm() > 1e-3 ? Vec3(way.normalized()) : Vec3::Zero();
+  const double share =
+      std::clamp((inclination_of_gaze(place, reader) - steep) / (from_above - steep), 0.0, 1.0);
+  const bool faces = !reader.ahead.isZero();
+  const Vec3 sum = faces ? Vec3((1 - share) * level - share * reader.ahead) : level;
+  return sum.norm() > 1e-3 ? Vec3(sum.normalized()) : faces ? Vec3(-reader.ahead) : Vec3(Vec3::UnitZ());
 }
 
 /// Tells whether the reader looks at the part from above: what stands above it would hide it then.
 bool is_from_above(const PanelSite& site) {
-  return (site.reader - site.touched).stableNormalized().y() > from_above;
+  return inclination_of_gaze(site.touched, site.reader) > from_above;
 }
 
 /// Returns how far the part's box reaches from where it was touched, along a level direction, m.
@@ -39,7 +52,7 @@ double reach_along(const PanelSite& site, const Vec3& way) {
 
 Pose place_panel(const PanelSite& site) {
   const Vec3 up = Vec3::UnitY();
-  const Vec3 to_reader = level_direction(site.touched, site.reader);
+  const Vec3 to_reader = towards_reader(site.touched, site.reader);
   const Vec3 outward = site.side * up.cross(to_reader);
   const double top = std::min(std::max(site.hi.y() - site.touched.y(), 0.0) + clearance, highest);
   if (is_from_above(site)) {
@@ -56,9 +69,9 @@ bool is_at_head(const Vec3& at) {
          at.y() > panel_head_bottom && at.y() < panel_height / 2 + around_head;
 }
 
-Quat face_reader(const Vec3& middle, const Vec3& reader) {
-  const Vec3 up = Vec3::UnitY(), ahead = level_direction(middle, reader);
-  const double sine = std::clamp((reader - middle).stableNormalized().y(), -steepest, steepest);
+Quat face_reader(const Vec3& middle, const PanelReader& reader) {
+  const Vec3 up = Vec3::UnitY(), ahead = towards_reader(middle, reader);
+  const double sine = std::clamp(inclination_of_gaze(middle, reader), -steepest, steepest);
   Mat3 axes;
   axes.col(2) = std::sqrt(1 - sine * sine) * ahead + sine * up;
   axes.col(0) = up.cross(ahead);

@@ -78,9 +78,10 @@ void PanelWorld::save(ByteWriter& out) const {
     }
   }
   out.add(static_cast<std::uint64_t>(heads_.size()));
-  for (const auto& [who, at] : heads_) {
+  for (const auto& [who, reader] : heads_) {
     out.add(who);
-    out.add(at);
+    out.add(reader.eyes);
+    out.add(reader.ahead);
   }
   out.add(static_cast<std::uint64_t>(rests_.size()));
   for (const auto& [hand, rest] : rests_) {
@@ -159,7 +160,12 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     }
     return panel;
   });
-  read.heads_ = read_map<decltype(heads_)>(in, id, [&] { return in.vector(); });
+  read.heads_ = read_map<decltype(heads_)>(in, id, [&] {
+    PanelReader reader{in.vector(), in.vector()};
+    in.require(reader.ahead.isZero(0) || std::abs(reader.ahead.norm() - 1) < 1e-5,
+               "a gaze without direction");
+    return reader;
+  });
   read.rests_ = read_map<decltype(rests_)>(in, hand, [&] {
     Rest rest;
     rest.body = in.number<BodyId>();

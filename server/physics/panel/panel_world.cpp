@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "server/physics/panel/panel_place.h"
-
 namespace prosector {
 namespace {
 
@@ -38,7 +36,9 @@ std::uint32_t PanelWorld::ticks(double seconds) const {
 }
 
 void PanelWorld::take(const HeadPlace& head) {
-  if (usable(head.at)) heads_[head.participant] = head.at;
+  if (!usable(head.at)) return;
+  const bool faces = std::abs(head.ahead.norm() - 1) < 1e-6 && std::abs(head.ahead.y()) < 1e-6;
+  heads_[head.participant] = {head.at, faces ? head.ahead : Vec3::Zero()};
 }
 
 void PanelWorld::take(const HeldPlace& held) {
@@ -97,9 +97,9 @@ void PanelWorld::open(ParticipantId who, BodyId body, const Vec3& touched, const
   }
   const auto [lo, hi] = subjects.box(body);
   const auto head = heads_.find(who);
-  const Vec3 reader = head != heads_.end() ? head->second
-                      : palm != nullptr    ? Vec3(*palm + Vec3(0, 0.3, 0))
-                                           : Vec3(touched + Vec3(0, 0.3, 1));
+  PanelReader reader{touched + Vec3(0, 0.3, 1)};
+  if (palm != nullptr) reader.eyes = *palm + Vec3(0, 0.3, 0);
+  if (head != heads_.end()) reader = head->second;
   if (!usable(touched) || !usable(lo) || !usable(hi)) return;
   Open panel;
   panel.body = body;

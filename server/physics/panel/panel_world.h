@@ -13,6 +13,7 @@
 #include "common/byte_stream.h"
 #include "server/physics/panel/panel_event.h"
 #include "server/physics/panel/panel_motion.h"
+#include "server/physics/panel/panel_place.h"
 
 namespace prosector {
 
@@ -118,7 +119,7 @@ class PanelWorld {
 
   double h_;
   std::map<ParticipantId, Open> open_;
-  std::map<ParticipantId, Vec3> heads_;
+  std::map<ParticipantId, PanelReader> heads_;
   std::map<HandRef, Rest> rests_;
   std::map<HandRef, std::vector<Capsule>> last_fingers_;
   std::map<HandRef, Fist> fists_;

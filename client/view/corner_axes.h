@@ -1,0 +1,16 @@
+#pragma once
+// The directions of the room, or of the patient in it, in a corner of the user's own view.
+
+#include <optional>
+
+#include "client/view/draw_list.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Adds three axes as `camera` sees their directions, in the lower left corner of every view: the world's x,
+/// y and z, or, if there is a patient, their R to L (right, left), A to P (anterior, posterior) and S to I
+/// (superior, inferior).
+void add_corner_axes(DrawList& list, const std::optional<PatientFrame>& patient, const DrawCamera& camera);
+
+}  // namespace prosector
