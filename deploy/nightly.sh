@@ -3,18 +3,19 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-parts=(package learn asan tsan seeds play)
+parts=(package learn mice asan tsan seeds play)
 
 usage() {
   cat <<TXT
 deploy/nightly.sh [--hours N] [--only PART]... [--out DIR] [--list]
   PART         package  the Debian packages in a bare root (docs/do/packages.md)
                learn    the lessons of docs/learn, in real windows, at a person's pace
+               mice     two people in real windows, with mouse and keys, half an hour in each shipped scene
                asan   every test under the address and undefined-behaviour sanitizers, all their checks on
                tsan   what has threads of its own, under the thread sanitizer
                seeds  tests that draw a new seed, again and again: optimised, and under sanitizers when \`asan\` built them
                play   deploy/play.sh
-  --hours N    ends after N hours (default 8): a part that takes longer is cut off and counts as failed;
+  --hours N    ends after N hours (default 16): a part that takes longer is cut off and counts as failed;
                \`seeds\` and \`play\` share what is left of them
   --out DIR    figures.json, table.md, each run's log (default out/nightly)
   --list       prints each part's tests, where built, and runs nothing
@@ -23,7 +24,7 @@ TXT
 
 refuse() { echo "nightly: $1" >&2; usage >&2; exit 2; }
 
-hours=8 out=$root/out/nightly list=no chosen=()
+hours=16 out=$root/out/nightly list=no chosen=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --hours) hours=${2:-}; shift ;;
@@ -39,7 +40,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-[[ $hours =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--hours $hours: expected a number of hours, such as 8 or 0.5"
+[[ $hours =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--hours $hours: expected a number of hours, such as 16 or 0.5"
 limit=$(awk -v hours="$hours" 'BEGIN { printf "%d", 3600 * hours }')
 [ "$limit" -gt 0 ] || refuse "--hours $hours: expected more than a second"
 [ ${#chosen[@]} -gt 0 ] || chosen=("${parts[@]}")
@@ -122,6 +123,20 @@ run_learn() {
   [ $status -eq 0 ] || echo "nightly: learn failed: $out/learn.log" >&2
 }
 
+# Each scene has its half hour, or, where less is left, its share of half of that: other parts need time, too.
+run_mice() {
+  build_for mice release everything || return 0
+  local scenes=(deploy/scenes/*.toml) seconds=1800 scene name seed began status
+  [ $((seconds * ${#scenes[@]} * 2)) -lt "$(left)" ] || seconds=$(($(left) / 2 / ${#scenes[@]}))
+  for scene in "${scenes[@]}"; do
+    status=0 began=$SECONDS name=$(basename "$scene" .toml) seed=$RANDOM
+    bounded "$(left)" tests/e2e/mice.py build/release/bin "$out/mice-$name" "$scene" --seconds $seconds --seed $seed \
+      >"$out/mice-$name.log" 2>&1 || status=$?
+    record mice $seed $status $((SECONDS - began)) -
+    [ $status -eq 0 ] || echo "nightly: mice failed in $name: $out/mice-$name.log" >&2
+  done
+}
+
 run_asan() {
   build_for asan asan-full every_test || return 0
   # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
@@ -175,6 +190,7 @@ for part in "${chosen[@]}"; do
   case $part in
     package) run_package ;;
     learn) run_learn ;;
+    mice) run_mice ;;
     asan) run_asan ;;
     tsan) run_tsan ;;
     seeds) if is_chosen play && [ -x deploy/play.sh ]; then run_seeds $(($(left) / 2)); else run_seeds "$(left)"; fi ;;

@@ -16,6 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds poll_interval{20};
 constexpr std::chrono::milliseconds rejoin_interval{300};  // Presence may be said five times a second
+constexpr std::chrono::seconds leave_time{1};  // until the server knows that an old connection ended
 
 ParticipantId draw_participant_id() {
   std::random_device entropy;
@@ -27,14 +28,15 @@ ParticipantId draw_participant_id() {
 }  // namespace
 
 Connection::Connection(const BusConfig& config, const JoinRequest& request)
-    : bus_(make_cyclone_bus(config)),
+    : config_(config),
+      bus_(make_cyclone_bus(config)),
       presence_{.participant = draw_participant_id(),
                 .name = request.name,
                 .role = request.role,
                 .devices = request.devices,
                 .arms = request.arms},
       servers_(request.language) {
-  find_session(config, request.patience);
+  find_session(request.patience);
   ask_to_join(request.patience);
 }
 
@@ -45,16 +47,26 @@ Connection::~Connection() {
   bus_->dispose(presence_);
 }
 
+std::shared_ptr<Bus> Connection::bus() const {
+  std::lock_guard lock(bus_mutex_);
+  return bus_;
+}
+
+void Connection::publish(const HandInput& input) {
+  unheard_.sent();
+  bus()->publish(input);
+}
+
 /// Waits for the session. Where a look around finds that it runs, it is waited for as long again.
-void Connection::find_session(const BusConfig& config, std::chrono::milliseconds patience) {
+void Connection::find_session(std::chrono::milliseconds patience) {
   auto deadline = Clock::now() + patience;
   bool looked_around = false;
   std::vector<Received> received;
   while (!servers_.replica().session()) {
     if (Clock::now() > deadline) {
-      const std::vector<SessionInfo> found = list_sessions(config, std::chrono::milliseconds(600));
-      if (looked_around || !is_among(config, found))
-        throw InputError(no_session_text(config, 2 * patience, found));
+      const std::vector<SessionInfo> found = list_sessions(config_, std::chrono::milliseconds(600));
+      if (looked_around || !is_among(config_, found))
+        throw InputError(no_session_text(config_, 2 * patience, found));
       looked_around = true;
       deadline = Clock::now() + patience;
     }
@@ -120,17 +132,25 @@ void Connection::run(std::stop_token stop) {
       next_check = Clock::now() + rejoin_interval;
     }
     ask_for_keyframes();
-    if (!bus_->wait(std::chrono::milliseconds(100))) continue;
-    bus_->take(received);
+    const std::shared_ptr<Bus> bus = this->bus();
+    if (!bus->wait(std::chrono::milliseconds(100))) continue;
+    bus->take(received);
     const std::uint64_t followed = servers_.followed();
     if (on_received_)
       for (const Received& r : received)
         if (r.writer == followed) on_received_(r);
-    std::lock_guard lock(mutex_);
-    for (const CommandResult* answer : apply(received))
-      if (!answer->accepted)
-        words_.push_back((answer->sequence == 0 ? "" : "the server refused: ") + answer->reason);
+    take(received);
+    if (!is_unheard(received)) continue;
+    connect_anew();
+    next_check = Clock::now() + leave_time;
   }
+}
+
+void Connection::take(const std::vector<Received>& received) {
+  std::lock_guard lock(mutex_);
+  for (const CommandResult* answer : apply(received))
+    if (!answer->accepted)
+      words_.push_back((answer->sequence == 0 ? "" : "the server refused: ") + answer->reason);
 }
 
 // After the network was cut, or the server started again, the roster is without us: say again who we are.
@@ -139,8 +159,47 @@ void Connection::rejoin_if_forgotten() {
     return r.session() && !r.server_gone() && !r.roster().contains(presence_.participant);
   });
   if (!forgotten) return;
-  bus_->publish(presence_);
+  bus()->publish(presence_);
   command(CommandKind::join, right_hand);
+}
+
+/// Tells whether the server, by what it just said, no longer consumes what this user's hands do.
+bool Connection::is_unheard(const std::vector<Received>& received) {
+  const bool takes_part = with_replica([&](const Replica& r) {
+    const auto own = r.roster().find(presence_.participant);
+    return own != r.roster().end() && own->second.role != Role::observer && r.pace() > 0;
+  });
+  bool unheard = false;
+  for (const Received& r : received) {
+    if (r.writer != servers_.followed() || r.liveness == Liveness::gone) continue;
+    const auto* user = std::get_if<UserState>(&r.message);
+    if (user != nullptr && user->participant == presence_.participant)
+      unheard_.take_consumed(user->input_sequence);
+    if (std::holds_alternative<ServerStatus>(r.message)) unheard |= unheard_.take_status(takes_part);
+  }
+  return unheard;
+}
+
+/// Leaves the session and comes back as another process would: with writers of its own.
+void Connection::connect_anew() {
+  std::shared_ptr<Bus> other;
+  try {
+    other = make_cyclone_bus(config_);
+  } catch (const InputError& error) {
+    std::lock_guard lock(mutex_);
+    words_.push_back(fmt::format("the server no longer receives your hands: {}", error.what()));
+    return;
+  }
+  {
+    std::lock_guard lock(bus_mutex_);
+    std::swap(bus_, other);
+  }
+  other->dispose(presence_);
+  Received own_end{RosterEntry{}, Liveness::gone, servers_.followed()};
+  std::get<RosterEntry>(own_end.message).participant = presence_.participant;
+  std::lock_guard lock(mutex_);
+  servers_.apply(own_end);
+  words_.push_back("the server did not receive your hands any more: the connection was made anew");
 }
 
 // Where what this client has of a body does not fit what the server says of it.
@@ -165,7 +224,7 @@ void Connection::command(CommandKind kind, std::size_t hand) {
 void Connection::command(Command command) {
   command.participant = presence_.participant;
   command.sequence = ++command_sequence_;
-  bus_->publish(command);
+  bus()->publish(command);
 }
 
 std::vector<std::string> Connection::take_words() {

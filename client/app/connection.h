@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "client/app/unheard_inputs.h"
 #include "client/replica/server_choice.h"
 #include "idl/bus.h"
 
@@ -47,18 +48,21 @@ class Connection {
   void on_received(std::function<void(const Received&)> f) { on_received_ = std::move(f); }
   void start();
 
-  void publish(const HandInput& input) { bus_->publish(input); }
-  void publish(const ArmForce& force) { bus_->publish(force); }
+  void publish(const HandInput& input);
+  void publish(const ArmForce& force) { bus()->publish(force); }
   void command(CommandKind kind, std::size_t hand);
   void command(Command command);  // participant and sequence are filled in
-  BusCounters counters() const { return bus_->counters(); }
+  BusCounters counters() const { return bus()->counters(); }
   /// Returns what the server told this user since the last call, for people, in order: why commands were
   /// refused, and what a hand lost.
   std::vector<std::string> take_words();
 
  private:
-  std::unique_ptr<Bus> bus_;
+  BusConfig config_;
+  mutable std::mutex bus_mutex_;
+  std::shared_ptr<Bus> bus_;  // use bus(): it may be replaced
   Presence presence_;
+  UnheardInputs unheard_;
   std::mutex mutex_;
   ServerChoice servers_;
   std::vector<std::string> words_;
@@ -66,11 +70,15 @@ class Connection {
   std::function<void(const Received&)> on_received_;
   std::jthread thread_;
 
-  void find_session(const BusConfig& config, std::chrono::milliseconds patience);
+  std::shared_ptr<Bus> bus() const;
+  void find_session(std::chrono::milliseconds patience);
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);
+  void take(const std::vector<Received>& received);
   std::vector<const CommandResult*> apply(const std::vector<Received>& received);
   void rejoin_if_forgotten();
+  bool is_unheard(const std::vector<Received>& received);
+  void connect_anew();
   void ask_for_keyframes();
 };
 

@@ -8,9 +8,9 @@
 
 namespace prosector {
 
-/// Adds three axes as `camera` sees their directions, in the lower left corner of every view: the world's x,
-/// y and z, or, if there is a patient, their R to L (right, left), A to P (anterior, posterior) and S to I
-/// (superior, inferior).
+/// Adds three axes as `camera` sees their directions, in the lower left corner of every view. They are the
+/// world's x, y and z. If there is a patient, they are theirs instead: R to L (right, left), A to P
+/// (anterior, posterior) and S to I (superior, inferior).
 void add_corner_axes(DrawList& list, const std::optional<PatientFrame>& patient, const DrawCamera& camera);
 
 }  // namespace prosector

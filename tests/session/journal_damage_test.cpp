@@ -9,6 +9,7 @@
 
 #include "common/error.h"
 #include "server/session/replay.h"
+#include "tests/random.h"
 #include "tests/session/recorded.h"
 
 namespace prosector {
@@ -158,6 +159,63 @@ TEST(JournalDamage, NoFlippedBitOfTheFileResumesIntoAnotherState) {
     refused += !result.hash;
   }
   EXPECT_GT(refused, 0);
+}
+
+/// Returns the file as broken disks and careless copies leave it: bytes changed, lost, doubled or zeroed,
+/// pages exchanged, its end cut off.
+std::string mutated(std::string file, std::mt19937_64& random) {
+  constexpr std::size_t page = 4096;
+  for (std::size_t edits = 1 + random() % 3; edits > 0 && file.size() > 2 * page; --edits) {
+    const std::size_t at = random() % (file.size() - page), many = 1 + random() % (2 * page);
+    const std::size_t other = random() % (file.size() / page) * page, own = at / page * page;
+    switch (random() % 6) {
+      case 0:
+        for (std::size_t k = at; k < at + page; k += 1 + random() % page)
+          file[k] = static_cast<char>(random());
+        break;
+      case 1:
+        file.erase(at, many);
+        break;
+      case 2:
+        file.insert(at, file.substr(random() % file.size(), many));
+        break;
+      case 3:
+        std::fill_n(file.begin() + static_cast<std::ptrdiff_t>(at), page, '\0');
+        break;
+      case 4:
+        for (std::size_t k = 0; k < page; ++k) std::swap(file[own + k], file[other + k]);
+        break;
+      case 5:
+        file.resize(at + page);
+        break;
+    }
+  }
+  return file;
+}
+
+/// A damaged journal is refused, resumes into the very same state, or says what it lacks.
+void try_mutants(unsigned seed, std::size_t count) {
+  const TemporaryFile file("mutants");
+  const std::uint64_t hash = record_slow(file.path, 20);
+  const std::string whole = read(file.path);
+  std::mt19937_64 random(seed);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::ofstream(file.path, std::ios::binary) << mutated(whole, random);
+    const Resumed result = resumed(file.path);
+    EXPECT_TRUE(result.hash == hash || !result.said.empty()) << "mutant " << i << " of seed " << seed;
+    refused += !result.hash;
+  }
+  EXPECT_GT(refused, count / 4);
+}
+
+TEST(JournalMutants, OfAFixedSeed) {
+  try_mutants(20261128, 40);
+}
+
+// The nightly run's: PROSECTOR_MUTANTS of them.
+TEST(JournalMutants, OfAnySeed) {
+  try_mutants(test_seed(false), number("PROSECTOR_MUTANTS", 2000));
 }
 
 /// SQLite takes a log up to its first damaged frame, and says nothing.

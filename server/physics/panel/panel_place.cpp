@@ -24,8 +24,8 @@ double inclination_of_gaze(const Vec3& place, const PanelReader& reader) {
 }
 
 /// Returns the level unit vector from a place towards the reader, or towards +z where there is none. For a
-/// reader above the place that is against the direction in which they face: where they are, in the level
-/// plane, says nothing of what is up in their picture.
+/// reader above the place it is against the direction in which they face. Where such a reader is, in the
+/// level plane, says nothing of what is up in their picture.
 Vec3 towards_reader(const Vec3& place, const PanelReader& reader) {
   const Vec3 way(reader.eyes.x() - place.x(), 0, reader.eyes.z() - place.z());
   const Vec3 level = way.norm() > 1e-3 ? Vec3(way.normalized()) : Vec3::Zero();
