@@ -30,7 +30,8 @@ ParticipantId draw_participant_id() {
 Connection::Connection(const BusConfig& config, const JoinRequest& request)
     : config_(config),
       bus_(make_cyclone_bus(config)),
-      presence_{.participant = draw_participant_id(),
+      participant_(draw_participant_id()),
+      presence_{.participant = 0,
                 .name = request.name,
                 .role = request.role,
                 .devices = request.devices,
@@ -44,12 +45,18 @@ Connection::~Connection() {
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();
   command(CommandKind::leave, right_hand);
-  bus_->dispose(presence_);
+  bus_->dispose(presence());
 }
 
 std::shared_ptr<Bus> Connection::bus() const {
   std::lock_guard lock(bus_mutex_);
   return bus_;
+}
+
+Presence Connection::presence() const {
+  Presence out = presence_;
+  out.participant = participant_;
+  return out;
 }
 
 void Connection::publish(const HandInput& input) {
@@ -89,7 +96,7 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
   std::vector<Received> received;
   while (Clock::now() < deadline) {
     if (Clock::now() >= next_try) {
-      bus_->publish(presence_);
+      bus_->publish(presence());
       command(CommandKind::join, right_hand);
       next_try = Clock::now() + std::chrono::milliseconds(500);
     }
@@ -113,7 +120,7 @@ std::vector<const CommandResult*> Connection::apply(const std::vector<Received>&
   std::vector<const CommandResult*> answers;
   for (const Received& r : received) {
     const auto* result = std::get_if<CommandResult>(&r.message);
-    const bool ours = result != nullptr && result->participant == presence_.participant;
+    const bool ours = result != nullptr && result->participant == participant_;
     if (ours && r.writer == servers_.followed()) answers.push_back(result);
   }
   return answers;
@@ -156,26 +163,26 @@ void Connection::take(const std::vector<Received>& received) {
 // After the network was cut, or the server started again, the roster is without us: say again who we are.
 void Connection::rejoin_if_forgotten() {
   const bool forgotten = with_replica([&](const Replica& r) {
-    return r.session() && !r.server_gone() && !r.roster().contains(presence_.participant);
+    return r.session() && !r.server_gone() && !r.roster().contains(participant_);
   });
   if (!forgotten) return;
-  bus()->publish(presence_);
+  bus()->publish(presence());
   command(CommandKind::join, right_hand);
 }
 
 /// Tells whether the server, by what it just said, no longer consumes what this user's hands do.
 bool Connection::is_unheard(const std::vector<Received>& received) {
   const bool takes_part = with_replica([&](const Replica& r) {
-    const auto own = r.roster().find(presence_.participant);
+    const auto own = r.roster().find(participant_);
     return own != r.roster().end() && own->second.role != Role::observer && r.pace() > 0;
   });
   bool unheard = false;
   for (const Received& r : received) {
     if (r.writer != servers_.followed() || r.liveness == Liveness::gone) continue;
     const auto* user = std::get_if<UserState>(&r.message);
-    if (user != nullptr && user->participant == presence_.participant)
-      unheard_.take_consumed(user->input_sequence);
-    if (std::holds_alternative<ServerStatus>(r.message)) unheard |= unheard_.take_status(takes_part);
+    if (user != nullptr && user->participant == participant_) unheard_.take_consumed(user->input_sequence);
+    if (std::holds_alternative<ServerStatus>(r.message))
+      unheard |= unheard_.take_status(r.arrival_ns, takes_part);
   }
   return unheard;
 }
@@ -190,15 +197,17 @@ void Connection::connect_anew() {
     words_.push_back(fmt::format("the server no longer receives your hands: {}", error.what()));
     return;
   }
+  const Presence old = presence();
   {
     std::lock_guard lock(bus_mutex_);
     std::swap(bus_, other);
+    participant_ = draw_participant_id();  // the server ties the old one to the old writers
   }
-  other->dispose(presence_);
-  Received own_end{RosterEntry{}, Liveness::gone, servers_.followed()};
-  std::get<RosterEntry>(own_end.message).participant = presence_.participant;
+  other->dispose(old);
+  Received end{RosterEntry{}, Liveness::gone, servers_.followed()};
+  std::get<RosterEntry>(end.message).participant = old.participant;
   std::lock_guard lock(mutex_);
-  servers_.apply(own_end);
+  servers_.apply(end);
   words_.push_back("the server did not receive your hands any more: the connection was made anew");
 }
 
@@ -222,7 +231,7 @@ void Connection::command(CommandKind kind, std::size_t hand) {
 }
 
 void Connection::command(Command command) {
-  command.participant = presence_.participant;
+  command.participant = participant_;
   command.sequence = ++command_sequence_;
   bus()->publish(command);
 }

@@ -33,7 +33,8 @@ class Connection {
   Connection(const BusConfig& config, const JoinRequest& request);
   ~Connection();
 
-  ParticipantId participant() const { return presence_.participant; }
+  /// Returns this user's id in the session. A connection that is made anew gets another one.
+  ParticipantId participant() const { return participant_; }
   const std::string& name() const { return presence_.name; }
 
   /// Runs `f(replica)` while the network thread waits.
@@ -61,7 +62,8 @@ class Connection {
   BusConfig config_;
   mutable std::mutex bus_mutex_;
   std::shared_ptr<Bus> bus_;  // use bus(): it may be replaced
-  Presence presence_;
+  std::atomic<ParticipantId> participant_;
+  Presence presence_;  // but for the id
   UnheardInputs unheard_;
   std::mutex mutex_;
   ServerChoice servers_;
@@ -71,6 +73,7 @@ class Connection {
   std::jthread thread_;
 
   std::shared_ptr<Bus> bus() const;
+  Presence presence() const;
   void find_session(std::chrono::milliseconds patience);
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);

@@ -26,6 +26,8 @@ class Happenings {
  public:
   /// Takes whose client this is: that one's deeds are told as "you".
   explicit Happenings(ParticipantId self) : self_(self) {}
+  /// Takes the id that this user has from now on.
+  void rename_self(ParticipantId self) { self_ = self; }
 
   /// Returns a sentence for everything new about people, time, cuts, pieces that came off, and the
   /// simulation's troubles and their end. `now`: s of a clock that never goes back. A stroke is told once,

@@ -183,6 +183,7 @@ class Client {
       inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
     }
     for (const std::string& words : connection_.take_words()) inform(words, MessageKind::own);
+    happenings_.rename_self(connection_.participant());
     for (const Happening& happening : connection_.with_replica([&](const Replica& replica) {
            return happenings_.look(replica, seconds_since(report_.joined_ns));
          }))

@@ -7,42 +7,52 @@
 namespace prosector {
 namespace {
 
-/// Sends inputs and tells statuses; returns the number of the first one that said so, 0: none did.
-int first_alarm(UnheardInputs& inputs, int statuses, bool sends, bool consumes, bool time_goes) {
-  static std::uint64_t sequence = 0;
-  for (int k = 1; k <= statuses; ++k) {
-    if (sends) inputs.sent();
-    if (consumes) inputs.take_consumed(++sequence);
-    if (inputs.take_status(time_goes)) return k;
+/// A client that may send, and a server that may consume, told of by a status every quarter of a second.
+struct Ends {
+  bool sends = true, consumes = false, time_goes = true;
+  UnheardInputs inputs;
+  std::int64_t now_ns = 1'000'000'000;
+  std::uint64_t sequence = 0;
+
+  /// Lets seconds pass; returns after how many the client found that it isn't heard, 0: it did not.
+  double first_alarm(double seconds) {
+    for (double passed = 0.25; passed <= seconds; passed += 0.25) {
+      now_ns += 250'000'000;
+      if (sends) inputs.sent();
+      if (consumes) inputs.take_consumed(++sequence);
+      if (inputs.take_status(now_ns, time_goes)) return passed;
+    }
+    return 0;
   }
-  return 0;
-}
+};
 
 TEST(UnheardInputs, AreToldOnlyWhereTheyAreSentAndTimeGoesOn) {
   for (int which = 0; which < 8; ++which) {
-    UnheardInputs inputs;
-    const bool sends = (which & 1) != 0, consumes = (which & 2) != 0, time_goes = (which & 4) != 0;
-    const int expected = sends && !consumes && time_goes ? UnheardInputs::patience : 0;
-    EXPECT_EQ(first_alarm(inputs, 100, sends, consumes, time_goes), expected) << which;
+    Ends ends;
+    ends.sends = (which & 1) != 0, ends.consumes = (which & 2) != 0, ends.time_goes = (which & 4) != 0;
+    const double expected = ends.sends && !ends.consumes && ends.time_goes ? 5.25 : 0;
+    EXPECT_EQ(ends.first_alarm(100), expected) << which;
   }
 }
 
 TEST(UnheardInputs, AreToldLessAndLessOftenUntilTheServerHearsAgain) {
-  UnheardInputs inputs;
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 5);
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 20);
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 80);
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 300);
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 300);
-  EXPECT_EQ(first_alarm(inputs, 10, true, true, true), 0);
-  EXPECT_EQ(first_alarm(inputs, 1000, true, false, true), 5);
+  Ends ends;
+  EXPECT_EQ(ends.first_alarm(1000), 5.25);
+  for (const double seconds : {20, 80, 300, 300}) EXPECT_EQ(ends.first_alarm(1000), seconds);
+  ends.consumes = true;
+  EXPECT_EQ(ends.first_alarm(10), 0);
+  ends.consumes = false;
+  EXPECT_EQ(ends.first_alarm(1000), 5.25);
 }
 
-TEST(UnheardInputs, APauseOfOneStatusStartsTheCountAnew) {
-  UnheardInputs inputs;
-  EXPECT_EQ(first_alarm(inputs, 4, true, false, true), 0);
-  EXPECT_EQ(first_alarm(inputs, 1, true, false, false), 0);
-  EXPECT_EQ(first_alarm(inputs, 100, true, false, true), 5);
+TEST(UnheardInputs, ArentCountedWhileTheServerIsSilent) {
+  Ends ends;
+  EXPECT_EQ(ends.first_alarm(4), 0);
+  ends.now_ns += 60'000'000'000;
+  EXPECT_EQ(ends.first_alarm(1000), 5.25);
+  EXPECT_EQ(ends.first_alarm(4), 0);
+  ends.time_goes = false;
+  EXPECT_EQ(ends.first_alarm(60), 0) << "the host stopped time";
 }
 
 }  // namespace

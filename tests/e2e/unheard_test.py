@@ -90,7 +90,7 @@ LOG = SessionLog(OUT / "observer.jsonl")
 SWAY.write_text("time,station,x,y,z,qw,qx,qy,qz\n" + "".join(
     f"{t / 2},1,{0.05 * (-1) ** t},1.3,0.3,1,0,0,0\n" for t in range(400)))
 start(BIN / "prosector-fastrak-twin", "--script", SWAY, "--link", OUT / "tracker", "--room-device", "0,1,1,1,0,0,0")
-server = start(BIN / "prosector-server", SCENE, "--session", "unheard")
+server = start(BIN / "prosector-server", SCENE, "--session", "unheard", "--summary", OUT / "server.json")
 server.wait("is open on this machine")
 observer = start(BIN / "prosector-client", "observe", "--session", "unheard", "--display", "none", "--session-log", LOG.file)
 observer.wait("everything is here")
