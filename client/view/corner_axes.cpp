@@ -9,8 +9,8 @@ namespace prosector {
 namespace {
 
 constexpr double margin = 56;         // points, from the borders to where the axes meet
-constexpr double letter_height = 13;  // points
-constexpr double letter_gap = 9;      // points, from an axis' end to its letter's middle
+constexpr double letter_height = 12;  // points
+constexpr double letter_gap = 11;     // points, from an axis' end to its letter's middle
 constexpr double axis_length = 42;    // points, if seen from beside
 constexpr double half_length = 34;    // points, of an axis with two ends
 constexpr double least_seen =
@@ -49,8 +49,7 @@ class CornerDrawing {
     label.at = {at.x(), picture_.height - at.y(), 0};
     label.height = letter_height;
     label.centred = true;
-    label.ground = TextGround::none;
-    label.color = color.cwiseMax(0.3);
+    label.color = (color + Vec3::Ones()) / 2;
     list_.texts.push_back(label);
   }
 

@@ -51,7 +51,7 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nrotation = [0, 0, 0, 0]\n", "not all zero"},
       {"name = \"s\"\n[patient]\nright = [1, 0, 0]\nhead = [0.5, 0, 0.5]\n",
        "test.toml:4: [patient]: right and head are perpendicular directions, not zero"},
-      {"name = \"s\"\n[patient]\nright = [0, 0, 0]\n", "test.toml:3: [patient]: right and head"},
+      {"name = \"s\"\n[patient]\nright = [0, 0, 0]\n", "test.toml:2: [patient]: right and head"},
       {"name = \"s\"\n[[light]]\ndirection = [0, 0, 0]\n", "test.toml:3: [[light]] 1: direction is zero"},
       {"name = \"s\"\n[[light]]\nkind = \"laser\"\n", "must be one of: directional, point, spot"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nmodel = \"\"\n", "model = "},

@@ -42,8 +42,16 @@ void for_each_number(const std::function<void(const Table&, const Field&, const 
   });
 }
 
+/// Returns what else has to be said with a field of this table: a patient's directions are perpendicular, and
+/// what is `written` of one is along [1, 1, 1].
+std::string companion(const Table& table, const Field& field) {
+  if (table.name != "[patient]") return "";
+  return fmt::format("\n{} = [1, -1, 0]", field.key == "right" ? "head" : "right");
+}
+
 std::string complaint_about(const Table& table, const Field& field, const std::string& value) {
-  return complaint(scene_with(std::string(table.name), fmt::format("{} = {}", field.key, value)));
+  return complaint(scene_with(std::string(table.name),
+                              fmt::format("{} = {}{}", field.key, value, companion(table, field))));
 }
 
 TEST(SceneFields, EveryRangeRejectsWhatLiesOutside) {
