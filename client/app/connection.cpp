@@ -33,7 +33,8 @@ Connection::Connection(const BusConfig& config, const JoinRequest& request)
                 .role = request.role,
                 .devices = request.devices,
                 .arms = request.arms},
-      servers_(request.language) {
+      servers_(request.language),
+      catalogue_(catalogue_for(request.language)) {
   find_session(config, request.patience);
   ask_to_join(request.patience);
 }
@@ -129,7 +130,9 @@ void Connection::run(std::stop_token stop) {
     std::lock_guard lock(mutex_);
     for (const CommandResult* answer : apply(received))
       if (!answer->accepted)
-        words_.push_back((answer->sequence == 0 ? "" : "the server refused: ") + answer->reason);
+        words_.push_back(answer->sequence == 0
+                             ? catalogue_.tr(answer->reason)
+                             : catalogue_.tr("the server refused: {}", catalogue_.tr(answer->reason)));
   }
 }
 

@@ -42,7 +42,7 @@ class Client {
   Client(const ClientOptions& options, std::int64_t started_ns)
       : options_(options),
         connection_(options.bus, request(options)),
-        happenings_(connection_.participant()) {
+        happenings_(connection_.participant(), options.words) {
     report_.started_ns = started_ns;
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
@@ -114,8 +114,8 @@ class Client {
   std::unique_ptr<ArmHand> arm_;  // null: no arm
   HeadsetUser headset_user_;
   std::unique_ptr<InputPump> pump_;
-  std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
-  std::string missing_ = "everything";  // what was last told to be missing
+  std::optional<Viewer> viewer_;                           // made last: see yield_to_simulation()
+  std::string missing_ = options_.words.tr("everything");  // what was last told to be missing
   bool server_gone_ = false, greeted_ = false;
   Role role_ = Role::observer;
   Console console_;
@@ -170,17 +170,18 @@ class Client {
         if (!options_.camera.empty())
           check_phantoms(*replica.scene(), options_.phantoms, found.has_place() ? found.body : "");
       }
-      missing = replica.missing();
+      missing = replica.missing(options_.words);
       return replica.server_gone();
     });
     if (missing != missing_) {
       missing_ = missing;
-      tell(missing.empty() ? "everything is here" : missing);
+      tell(missing.empty() ? options_.words.tr("everything is here") : missing);
       if (missing.empty()) greet();
     }
     if (gone != server_gone_) {
       server_gone_ = gone;
-      inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
+      inform(gone ? options_.words.tr("the server is gone; waiting for it to come back")
+                  : options_.words.tr("the server is back"));
     }
     for (const std::string& words : connection_.take_words()) inform(words, MessageKind::own);
     for (const Happening& happening : connection_.with_replica([&](const Replica& replica) {
@@ -251,9 +252,10 @@ class Client {
     });
     if (role == role_) return;
     take_role(role);
-    inform(role == Role::observer
-               ? "you are an observer now"
-               : fmt::format("you are {} now", role == Role::host ? "the host" : "a dissector"));
+    const Catalogue& words = options_.words;
+    inform(role == Role::observer ? words.tr("you are an observer now")
+           : role == Role::host   ? words.tr("you are the host now")
+                                  : words.tr("you are a dissector now"));
   }
 
   void obey_console() {

@@ -12,7 +12,7 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
                   const char* nothing) {
   ImGui::PushID(field.key);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(field.name);
+  ImGui::TextUnformatted(ui.tr(field.name));
   ImGui::SameLine(110 * static_cast<float>(ui.scale()));
   const float button = ImGui::GetFrameHeight();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
@@ -22,7 +22,7 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
   ImGui::SameLine();
   bool picked = false;
   if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
-    if (!field.text.empty() && ImGui::Selectable("none, until another one is named")) {
+    if (!field.text.empty() && ImGui::Selectable(ui.tr("none, until another one is named"))) {
       field.text.clear();
       picked = true;
     }
