@@ -27,9 +27,20 @@ std::size_t letters(std::string_view utf8) {
   return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
+/// A row of the help, in the user's language.
+struct HelpRow {
+  std::string input, does;
+};
+
+HelpRow row_of(const Control& control, const Catalogue& words) {
+  HelpRow out{std::string(control.input), std::string(control.does)};
+  if (control.device == ControlDevice::terminal) return out;  // what is typed there is English
+  return {words.tr(out.input), words.tr(out.does)};
+}
+
 std::size_t longest_input(const Catalogue& words) {
   std::size_t out = 0;
-  for (const Control& control : controls) out = std::max(out, letters(words.tr(std::string(control.input))));
+  for (const Control& control : controls) out = std::max(out, letters(row_of(control, words).input));
   return out;
 }
 
@@ -43,8 +54,7 @@ std::string help_text(Role role, std::span<const ControlDevice> devices, HelpCol
     std::string lines;
     for (const Control& control : controls) {
       if (control.device != device || control.least > role) continue;
-      const std::string input = words.tr(std::string(control.input)),
-                        does = words.tr(std::string(control.does));
+      const auto [input, does] = row_of(control, words);
       lines += columns == HelpColumns::tabs
                    ? fmt::format("{}\t{}\n", input, does)
                    : fmt::format("  {}{}  {}\n", input, std::string(width - letters(input), ' '), does);
