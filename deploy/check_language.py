@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Holds the client's translations to its sources.
 
 Every text that the client's sources mark, by tr(...) or msg(...), must be in each client/language/*.po, in their

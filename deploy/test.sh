@@ -65,6 +65,7 @@ deploy/check_includes.sh
 deploy/check_types.py
 deploy/check_format.sh
 deploy/check_docs.py
+deploy/check_language.py
 deploy/check_comments.py
 step "build: release"
 deploy/build.sh release

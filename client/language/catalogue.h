@@ -27,7 +27,7 @@ Translations read_mo(std::string_view bytes);
 /// A language's translations; copies share them. It never changes, so threads may share it, too.
 class Catalogue {
  public:
-  /// English: every text stays as it is.
+  /// Makes it English: every text stays as it is.
   Catalogue() = default;
   explicit Catalogue(Translations translations)
       : translations_(std::make_shared<const Translations>(std::move(translations))) {}

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Holds deploy/check_language.py to finding each fault that a translation can have."""
 import importlib.util
 import sys
