@@ -14,6 +14,7 @@ for option in "$@"; do
   esac
 done
 
+export LC_ALL=C.UTF-8  # programs speak English, as tests read
 export PROSECTOR_WERROR=ON
 phases=() reports=()
 phase="" began=0

@@ -114,8 +114,8 @@ class Client {
   std::unique_ptr<ArmHand> arm_;  // null: no arm
   HeadsetUser headset_user_;
   std::unique_ptr<InputPump> pump_;
-  std::optional<Viewer> viewer_;                           // made last: see yield_to_simulation()
-  std::string missing_ = options_.words.tr("everything");  // what was last told to be missing
+  std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
+  std::string missing_ = "everything";  // what was last told to be missing
   bool server_gone_ = false, greeted_ = false;
   Role role_ = Role::observer;
   Console console_;
@@ -170,12 +170,12 @@ class Client {
         if (!options_.camera.empty())
           check_phantoms(*replica.scene(), options_.phantoms, found.has_place() ? found.body : "");
       }
-      missing = replica.missing(options_.words);
+      missing = replica.missing();
       return replica.server_gone();
     });
     if (missing != missing_) {
       missing_ = missing;
-      tell(missing.empty() ? options_.words.tr("everything is here") : missing);
+      tell(missing.empty() ? "everything is here" : missing);  // English: scripts wait for it
       if (missing.empty()) greet();
     }
     if (gone != server_gone_) {
@@ -209,9 +209,10 @@ class Client {
   }
 
   void show_loading() {
-    const double progress =
-        connection_.with_replica([](const Replica& replica) { return replica.progress(); });
-    viewer_->draw_loading(missing_, progress);
+    const auto [missing, progress] = connection_.with_replica([this](const Replica& replica) {
+      return std::pair(replica.missing(options_.words), replica.progress());
+    });
+    viewer_->draw_loading(missing, progress);
   }
 
   /// Observers have no hands; whoever is made a dissector has.
