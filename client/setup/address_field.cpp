@@ -4,6 +4,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "client/setup/words.h"
 
 namespace prosector {
@@ -13,7 +15,9 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
   ImGui::PushID(field.key);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(ui.tr(field.name));
-  ImGui::SameLine(110 * static_cast<float>(ui.scale()));
+  const float name_end =
+      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(std::max(110 * static_cast<float>(ui.scale()), name_end));
   const float button = ImGui::GetFrameHeight();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const bool entered = ImGui::InputText("##address", &field.text, ImGuiInputTextFlags_EnterReturnsTrue);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <thread>
 
@@ -30,6 +31,10 @@ void ChecksPage::draw(Interface& ui) {
                 ui.tr("Only a second device that sees the screen can tell. Latency, on the page of the "
                       "tracker, compares two.")}};
   const float scale = static_cast<float>(ui.scale());
+  float words_at = 310 * scale;
+  for (const char* state : state_words)
+    words_at = std::max(words_at,
+                        230 * scale + ImGui::CalcTextSize(ui.tr(state)).x + ImGui::GetStyle().ItemSpacing.x);
   for (const MachineCheck& check : checks_) {
     ImGui::Separator();
     const auto state = static_cast<std::size_t>(check.state);
@@ -42,7 +47,7 @@ void ChecksPage::draw(Interface& ui) {
     ui.note("check " + check.name);
     ImGui::SameLine(230 * scale);
     ImGui::TextColored(state_colors[state], "%s", ui.tr(state_words[state]));
-    ImGui::SameLine(310 * scale);
+    ImGui::SameLine(words_at);
     wrapped(check.words);
   }
   ImGui::Separator();

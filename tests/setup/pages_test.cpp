@@ -39,7 +39,7 @@ TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
   const struct {
     double scale;
     int wide, high;
-  } windows[] = {{2, 1280, 720}, {1, 1024, 600}, {2, 1920, 1080}, {1.5, 1366, 768}};
+  } windows[] = {{2, 1280, 720}, {1, 1280, 720}, {1, 1024, 600}, {2, 1920, 1080}, {1.5, 1366, 768}};
   for (const auto& [scale, wide, high] : windows) {
     for (const char* language : {"en", "de", "tr"}) {
       PagesRoom room(no_devices, scale, wide, high, language);
