@@ -100,6 +100,7 @@ forbid "Dear ImGui only in the .cpp files of client/setup" 'imgui' \
 forbid "the set-up window starts programs: it knows neither sessions from inside nor the desk" 'client/(app|replica|view)/' $(sources client/setup/)
 forbid "FreeType, HarfBuzz, FriBidi and fontconfig only in the .cpp files of client/text" '(ft2build|hb|fribidi|fontconfig/)' \
   $(sources '(common|idl|drivers|server|client)/' '^client/text/[a-z_]*\.cpp$')
+forbid "the languages of the client know common only" '(idl|drivers|server|tests|client/[a-km-z])/' $(sources client/language/)
 forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|view)/' $(sources client/text/)
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml\+\+|assimp/|opencv|sqlite3)' \
   $(sources '(common|idl|drivers|server|client)/' '(\.cpp|^drivers/camera/with_cv\.h)$')

@@ -14,6 +14,7 @@ for option in "$@"; do
   esac
 done
 
+export LC_ALL=C.UTF-8  # programs speak English, as tests read
 export PROSECTOR_WERROR=ON
 phases=() reports=()
 phase="" began=0
@@ -65,6 +66,7 @@ deploy/check_includes.sh
 deploy/check_types.py
 deploy/check_format.sh
 deploy/check_docs.py
+deploy/check_language.py
 deploy/check_comments.py
 step "build: release"
 deploy/build.sh release

@@ -36,7 +36,8 @@ Connection::Connection(const BusConfig& config, const JoinRequest& request)
                 .role = request.role,
                 .devices = request.devices,
                 .arms = request.arms},
-      servers_(request.language) {
+      servers_(request.language),
+      catalogue_(catalogue_for(request.language)) {
   find_session(request.patience);
   ask_to_join(request.patience);
 }
@@ -157,7 +158,9 @@ void Connection::take(const std::vector<Received>& received) {
   std::lock_guard lock(mutex_);
   for (const CommandResult* answer : apply(received))
     if (!answer->accepted)
-      words_.push_back((answer->sequence == 0 ? "" : "the server refused: ") + answer->reason);
+      words_.push_back(answer->sequence == 0
+                           ? catalogue_.tr(answer->reason)
+                           : catalogue_.tr("the server refused: {}", catalogue_.tr(answer->reason)));
 }
 
 // After the network was cut, or the server started again, the roster is without us: say again who we are.
@@ -194,7 +197,7 @@ void Connection::connect_anew() {
     other = make_cyclone_bus(config_);
   } catch (const InputError& error) {
     std::lock_guard lock(mutex_);
-    words_.push_back(fmt::format("the server no longer receives your hands: {}", error.what()));
+    words_.push_back(catalogue_.tr("the server no longer receives your hands: {}", error.what()));
     return;
   }
   const Presence old = presence();
@@ -208,7 +211,8 @@ void Connection::connect_anew() {
   std::get<RosterEntry>(end.message).participant = old.participant;
   std::lock_guard lock(mutex_);
   servers_.apply(end);
-  words_.push_back("the server did not receive your hands any more: the connection was made anew");
+  words_.push_back(
+      catalogue_.tr("the server did not receive your hands any more: the connection was made anew"));
 }
 
 // Where what this client has of a body does not fit what the server says of it.

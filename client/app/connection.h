@@ -68,6 +68,7 @@ class Connection {
   std::mutex mutex_;
   ServerChoice servers_;
   std::vector<std::string> words_;
+  Catalogue catalogue_;
   std::atomic<std::uint64_t> command_sequence_ = 0;
   std::function<void(const Received&)> on_received_;
   std::jthread thread_;

@@ -7,13 +7,13 @@
 namespace prosector {
 namespace {
 
-std::string_view name_of(ControlDevice device) {
-  constexpr std::array<std::string_view, 6> names = {"The view, with mouse and keyboard",
-                                                     "Your hand, with the mouse",
-                                                     "Gamepad",
-                                                     "Headset and glove",
-                                                     "At this terminal",
-                                                     "Time, while a recording is watched"};
+const char* name_of(ControlDevice device) {
+  constexpr std::array<const char*, 6> names = {msg("The view, with mouse and keyboard"),
+                                                msg("Your hand, with the mouse"),
+                                                msg("Gamepad"),
+                                                msg("Headset and glove"),
+                                                "At this terminal",
+                                                msg("Time, while a recording is watched")};
   return names[static_cast<std::size_t>(device)];
 }
 
@@ -22,33 +22,56 @@ std::string_view whose(Role least) {
   return names[static_cast<std::size_t>(least)];
 }
 
-std::size_t longest_input() {
-  return std::ranges::max(controls, {}, [](const Control& c) { return c.input.size(); }).input.size();
+/// Returns the letters of a text as they stand beside each other: code points.
+std::size_t letters(std::string_view utf8) {
+  return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// A row of the help, in the user's language.
+struct HelpRow {
+  std::string input, does;
+};
+
+HelpRow row_of(const Control& control, const Catalogue& words) {
+  HelpRow out{std::string(control.input), std::string(control.does)};
+  if (control.device == ControlDevice::terminal) return out;  // what is typed there is English
+  return {words.tr(out.input), words.tr(out.does)};
+}
+
+std::size_t longest_input(const Catalogue& words) {
+  std::size_t out = 0;
+  for (const Control& control : controls) out = std::max(out, letters(row_of(control, words).input));
+  return out;
 }
 
 }  // namespace
 
-std::string help_text(Role role, std::span<const ControlDevice> devices, HelpColumns columns) {
+std::string help_text(Role role, std::span<const ControlDevice> devices, HelpColumns columns,
+                      const Catalogue& words) {
+  const std::size_t width = longest_input(words);
   std::string out;
   for (const ControlDevice device : devices) {
     std::string lines;
-    for (const Control& control : controls)
-      if (control.device == device && control.least <= role)
-        lines += columns == HelpColumns::tabs
-                     ? fmt::format("{}\t{}\n", control.input, control.does)
-                     : fmt::format("  {:<{}}  {}\n", control.input, longest_input(), control.does);
-    if (!lines.empty()) out += fmt::format("{}\n{}", name_of(device), lines);
+    for (const Control& control : controls) {
+      if (control.device != device || control.least > role) continue;
+      const auto [input, does] = row_of(control, words);
+      lines += columns == HelpColumns::tabs
+                   ? fmt::format("{}\t{}\n", input, does)
+                   : fmt::format("  {}{}  {}\n", input, std::string(width - letters(input), ' '), does);
+    }
+    if (!lines.empty()) out += fmt::format("{}\n{}", words.tr(name_of(device)), lines);
   }
   if (!out.empty()) out.pop_back();
   return out;
 }
 
-std::vector<std::string> first_words(Role role, std::span<const ControlDevice> devices) {
+std::vector<std::string> first_words(Role role, std::span<const ControlDevice> devices,
+                                     const Catalogue& words) {
   std::vector<std::string> out;
   if (std::ranges::count(devices, ControlDevice::view) > 0)
-    out.emplace_back("H: all that mouse and keys do here");
+    out.emplace_back(words.tr("H: all that mouse and keys do here"));
   if (role != Role::observer && std::ranges::count(devices, ControlDevice::hand) > 0)
-    out.emplace_back("your hand follows the pointer; hold the left button to touch what it is at");
+    out.emplace_back(words.tr("your hand follows the pointer; hold the left button to touch what it is at"));
   return out;
 }
 

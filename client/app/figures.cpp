@@ -1,7 +1,5 @@
 #include "client/app/figures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace prosector {
@@ -9,13 +7,13 @@ namespace {
 
 constexpr double interval = 0.5;  // s: numbers that change faster cannot be read
 
-std::string network(const BusCounters& before, const BusCounters& now, double seconds) {
+std::string network(const BusCounters& before, const BusCounters& now, double seconds,
+                    const Catalogue& words) {
   const auto rate = [&](std::uint64_t a, std::uint64_t b) {
     return 1e-3 * static_cast<double>(b - a) / seconds;
   };
-  return fmt::format("network {:.1f} kB/s in, {:.1f} kB/s out, {} dropped",
-                     rate(before.bytes_in, now.bytes_in), rate(before.bytes_out, now.bytes_out),
-                     now.dropped_total);
+  return words.tr("network {:.1f} kB/s in, {:.1f} kB/s out, {} dropped", rate(before.bytes_in, now.bytes_in),
+                  rate(before.bytes_out, now.bytes_out), now.dropped_total);
 }
 
 }  // namespace
@@ -32,12 +30,12 @@ void Figures::take(std::int64_t now_ns, double seconds, const BusCounters& count
   longest_ = std::max(longest_, seconds);
   const double over = 1e-9 * static_cast<double>(now_ns - *since_ns_);
   if (over < interval) return;
-  text_ = fmt::format("picture {:.1f} ms, at most {:.1f}, {:.0f} a second\n{}",
-                      1e3 * drawing_seconds_ / pictures_, 1e3 * longest_, pictures_ / over,
-                      network(counters_since_, counters, over));
+  text_ = words_.tr("picture {:.1f} ms, at most {:.1f}, {:.0f} a second", 1e3 * drawing_seconds_ / pictures_,
+                    1e3 * longest_, pictures_ / over) +
+          '\n' + network(counters_since_, counters, over, words_);
   if (status != nullptr)
-    text_ += fmt::format("\nstep {:.1f} ms, of 100 one over {:.1f}; x{:.2f} real time", status->step_ms_p50,
-                         status->step_ms_p99, status->real_time_factor);
+    text_ += '\n' + words_.tr("step {:.1f} ms, of 100 one over {:.1f}; x{:.2f} real time",
+                              status->step_ms_p50, status->step_ms_p99, status->real_time_factor);
   since_ns_ = now_ns;
   counters_since_ = counters;
   pictures_ = 0;

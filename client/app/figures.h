@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "client/language/catalogue.h"
 #include "common/messages.h"
 #include "idl/bus.h"
 
@@ -12,6 +14,8 @@ namespace prosector {
 
 class Figures {
  public:
+  explicit Figures(Catalogue words = {}) : words_(std::move(words)) {}
+
   /// Takes that a picture was drawn, which took `seconds`; `counters` and `status` (null: none yet) as they
   /// are.
   void take(std::int64_t now_ns, double seconds, const BusCounters& counters, const ServerStatus* status);
@@ -19,6 +23,7 @@ class Figures {
   const std::string& text() const { return text_; }
 
  private:
+  Catalogue words_;
   std::optional<std::int64_t> since_ns_;
   BusCounters counters_since_;
   int pictures_ = 0;

@@ -1,7 +1,5 @@
 #include "client/app/happenings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -17,30 +15,16 @@ constexpr double forgotten_seconds = 120;  // since the server had it
 constexpr double hardly_slower = 0.9;      // of real time
 constexpr double calm_seconds = 3;         // without any: told to be over
 
-std::string_view role_name(Role role) {
+const char* role_name(Role role) {
   switch (role) {
     case Role::observer:
-      return "an observer";
+      return msg("an observer");
     case Role::dissector:
-      return "a dissector";
+      return msg("a dissector");
     case Role::host:
-      return "the host";
+      return msg("the host");
   }
-  return "somebody else";
-}
-
-std::string_view did(TopologyCause cause) {
-  switch (cause) {
-    case TopologyCause::cut:
-      return "cut";
-    case TopologyCause::undo:
-      return "took back a cut of";
-    case TopologyCause::rewind:
-      return "rewound";
-    case TopologyCause::compiled:
-      break;
-  }
-  return "changed";
+  return msg("somebody else");
 }
 
 /// Returns the entries of a list that is told as one line: "liver reset: …, kidney …".
@@ -93,12 +77,12 @@ void Happenings::look_at_people(const Replica& replica, std::vector<Happening>& 
   for (const auto& [who, entry] : replica.roster()) {
     const auto known = people_.find(who);
     if (known == people_.end() && who != self_)
-      out.push_back({fmt::format("{} joined as {}", entry.name, role_name(entry.role))});
+      out.push_back({words_.tr("{} joined as {}", entry.name, words_.tr(role_name(entry.role)))});
     else if (known != people_.end() && who != self_ && known->second.role != entry.role)
-      out.push_back({fmt::format("{} is {} now", entry.name, role_name(entry.role))});
+      out.push_back({words_.tr("{} is {} now", entry.name, words_.tr(role_name(entry.role)))});
   }
   for (const auto& [who, entry] : people_)
-    if (who != self_ && !replica.roster().contains(who)) out.push_back({entry.name + " left"});
+    if (who != self_ && !replica.roster().contains(who)) out.push_back({words_.tr("{} left", entry.name)});
   people_ = replica.roster();
 }
 
@@ -107,9 +91,10 @@ void Happenings::look_at_time(const Replica& replica, std::vector<Happening>& ou
   pace_ = replica.pace();
   if (replica.recording()) return;  // its bar tells
   if (pace_ == 0)
-    out.push_back({"the host stopped time"});
+    out.push_back({words_.tr("the host stopped time")});
   else
-    out.push_back({pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_)});
+    out.push_back({pace_ == 1 ? std::string(words_.tr("time goes on"))
+                              : words_.tr("slow motion: {:g} of real time", pace_)});
 }
 
 void Happenings::look_at_hands(const Replica& replica, std::vector<Happening>& out) {
@@ -121,7 +106,7 @@ void Happenings::look_at_hands(const Replica& replica, std::vector<Happening>& o
         part != nullptr && std::ranges::any_of(part->holders, is_own)) {
       held.insert(body);
       if (!held_.contains(body))
-        out.push_back({fmt::format("you hold the {}", replica.scene()->bodies[body].name), MessageKind::own});
+        out.push_back({words_.tr("you hold the {}", replica.scene()->bodies[body].name), MessageKind::own});
     }
   held_ = std::move(held);
 }
@@ -136,15 +121,13 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<Ha
     Seen& seen = entry->second;
     if (is_new && newest->piece_of >= 0 && static_cast<std::size_t>(newest->piece_of) < bodies.size())
       out.push_back(
-          {fmt::format("a piece came off the {}", bodies[static_cast<std::size_t>(newest->piece_of)].name)});
+          {words_.tr("a piece came off the {}", bodies[static_cast<std::size_t>(newest->piece_of)].name)});
     const bool changed = !is_new && newest->revision != seen.revision;
     const bool same_stroke = newest->cause == TopologyCause::cut && seen.cause == TopologyCause::cut &&
                              newest->author == seen.author && now - seen.told < StrokeGauge::stroke_seconds;
     const bool sought = replica.recording() && newest->cause == TopologyCause::rewind && newest->author == 0;
     if (changed && newest->cause != TopologyCause::compiled && !same_stroke && !sought)
-      out.push_back({fmt::format("{} {} the {}", name_of(replica, newest->author), did(newest->cause),
-                                 bodies[body].name),
-                     kind_of(newest->author)});
+      out.push_back({told_change(replica, *newest, bodies[body].name), kind_of(newest->author)});
     if (is_new || changed) seen = {newest->revision, newest->cause, newest->author, now};
   }
 }
@@ -152,9 +135,11 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<Ha
 void Happenings::look_at_strokes(const Replica& replica, double now, std::vector<Happening>& out) {
   strokes_.look(replica, now);
   for (const StrokeFigures& stroke : strokes_.take_ended()) {
-    const std::string whose = stroke.author == self_ ? "cut" : name_of(replica, stroke.author) + "'s cut";
-    out.push_back({fmt::format("{}: {}, in the {}", whose, in_words(stroke),
-                               replica.scene()->bodies[stroke.organ].name),
+    const std::string figures = in_words(stroke, words_);
+    const std::string& organ = replica.scene()->bodies[stroke.organ].name;
+    out.push_back({stroke.author == self_ ? words_.tr("cut: {}, in the {}", figures, organ)
+                                          : words_.tr("{}'s cut: {}, in the {}",
+                                                      name_of(replica, stroke.author), figures, organ),
                    kind_of(stroke.author)});
   }
 }
@@ -168,7 +153,7 @@ void Happenings::look_at_troubles(const Replica& replica, double now, std::vecto
     Trouble& t = known->second;
     const bool is_back = now - t.last > trouble_seconds && now - t.told > trouble_interval;
     if (is_new || is_back) {
-      out.push_back({trouble});
+      out.push_back({words_.tr(trouble)});
       t.told = now;
       told_of_trouble_ = true;
     }
@@ -178,14 +163,32 @@ void Happenings::look_at_troubles(const Replica& replica, double now, std::vecto
   const bool recent =
       std::ranges::any_of(troubles_, [&](const auto& t) { return now - t.second.last < calm_seconds; });
   if (!told_of_trouble_ || recent) return;
-  out.push_back({"the simulation is well again"});
+  out.push_back({words_.tr("the simulation is well again")});
   told_of_trouble_ = false;
 }
 
+/// Says who changed a part, and how.
+std::string Happenings::told_change(const Replica& replica, const TopologyRevision& revision,
+                                    const std::string& part) const {
+  const bool own = revision.author == self_;
+  const std::string who = name_of(replica, revision.author);
+  switch (revision.cause) {
+    case TopologyCause::cut:
+      return own ? words_.tr("you cut the {}", part) : words_.tr("{} cut the {}", who, part);
+    case TopologyCause::undo:
+      return own ? words_.tr("you took back a cut of the {}", part)
+                 : words_.tr("{} took back a cut of the {}", who, part);
+    case TopologyCause::rewind:
+      return own ? words_.tr("you rewound the {}", part) : words_.tr("{} rewound the {}", who, part);
+    case TopologyCause::compiled:
+      break;
+  }
+  return own ? words_.tr("you changed the {}", part) : words_.tr("{} changed the {}", who, part);
+}
+
 std::string Happenings::name_of(const Replica& replica, ParticipantId who) const {
-  if (who == self_) return "you";
   const auto found = replica.roster().find(who);
-  return found == replica.roster().end() ? "somebody who left" : found->second.name;
+  return found == replica.roster().end() ? words_.tr("somebody who left") : found->second.name;
 }
 
 }  // namespace prosector

@@ -5,8 +5,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/replica/replica.h"
 #include "client/replica/stroke_figures.h"
 #include "client/view/message_lines.h"
@@ -25,7 +27,7 @@ struct Happening {
 class Happenings {
  public:
   /// Takes whose client this is: that one's deeds are told as "you".
-  explicit Happenings(ParticipantId self) : self_(self) {}
+  explicit Happenings(ParticipantId self, Catalogue words = {}) : self_(self), words_(std::move(words)) {}
   /// Takes the id that this user has from now on.
   void rename_self(ParticipantId self) { self_ = self; }
 
@@ -44,6 +46,7 @@ class Happenings {
   };
 
   ParticipantId self_;
+  Catalogue words_;
   bool looked_ = false;
   std::map<ParticipantId, RosterEntry> people_;
   std::map<BodyId, Seen> topologies_;
@@ -62,6 +65,8 @@ class Happenings {
   void look_at_cuts(const Replica& replica, double now, std::vector<Happening>& out);
   void look_at_troubles(const Replica& replica, double now, std::vector<Happening>& out);
   void look_at_strokes(const Replica& replica, double now, std::vector<Happening>& out);
+  std::string told_change(const Replica& replica, const TopologyRevision& revision,
+                          const std::string& part) const;
   std::string name_of(const Replica& replica, ParticipantId who) const;
   MessageKind kind_of(ParticipantId author) const {
     return author == self_ ? MessageKind::own : MessageKind::news;

@@ -182,7 +182,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
 void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--name", raw.user_name, "Your name, as others see it (default: your login name)");
   app.add_option("--language", raw.language,
-                 "Tag of the language of parts' names, for instance de, tr (default: the locale's)");
+                 "Tag of the language of messages, help and parts' names, for instance de, tr (default: the "
+                 "locale's)");
   app.add_option("--seconds", o.seconds, "Leave after this long (default: stay)")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--summary", o.summary, "Write figures of this run as JSON")->group("Measurement");
@@ -230,6 +231,8 @@ void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
 void add_setup(CLI::App& app, SetupOptions& setup, ClientOptions& o, RawOptions& raw) {
   add_network(app, o, raw);
   app.add_option("--name", raw.user_name, "Your name, until you give another one (default: your login name)");
+  app.add_option("--language", raw.language,
+                 "Tag of the window's and sessions' language, for instance de, tr (default: the locale's)");
   app.add_option("--scenes", setup.scenes, "Folder of scenes to host (default: those of the program)")
       ->check(CLI::ExistingDirectory);
   app.add_option("--config", setup.config, "The client's configuration, which need not be there yet");
@@ -365,6 +368,8 @@ SetupOptions resolve_setup(const RawOptions& raw, ClientOptions& o, SetupOptions
   resolve_network(raw, o.bus);
   setup.bus = o.bus;
   setup.name = raw.user_name.empty() ? login_name() : raw.user_name;
+  setup.words = catalogue_for(parse_language(raw.language));
+  if (!raw.language.empty()) setup.language = parse_language(raw.language);
   if (setup.shaders.empty()) setup.shaders = default_shader_dir();
   return setup;
 }
@@ -479,6 +484,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (!phantom.body.empty() && !phantom.has_place()) o.phantoms.push_back(phantom.body);
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
+  o.words = catalogue_for(o.join.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
   resolve_network(raw, o.bus);
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;

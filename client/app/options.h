@@ -13,6 +13,7 @@
 #include "client/app/device_rig.h"
 #include "client/app/render_scene.h"
 #include "client/app/self_test.h"
+#include "client/language/catalogue.h"
 #include "client/offer/offer_protocol.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
@@ -31,6 +32,7 @@ struct Screenshot {
 
 struct ClientOptions {
   BusConfig bus;
+  Catalogue words;  // in the language of join.language
   JoinRequest join;
   ConfigSource source;  // of `devices`
   ClientConfig devices;
@@ -73,7 +75,9 @@ using Task = std::function<int()>;
 /// What the set-up window is told.
 struct SetupOptions {
   BusConfig bus;
-  std::string name;  // until somebody gives another one
+  std::string name;      // until somebody gives another one
+  std::string language;  // tag that was asked for; empty: the locale's
+  Catalogue words;       // of that language
   std::filesystem::path scenes,
       config;  // folder of scenes to host, the client's configuration; empty: the usual
   std::filesystem::path shaders, layout_log;

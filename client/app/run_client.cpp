@@ -42,7 +42,7 @@ class Client {
   Client(const ClientOptions& options, std::int64_t started_ns)
       : options_(options),
         connection_(options.bus, request(options)),
-        happenings_(connection_.participant()) {
+        happenings_(connection_.participant(), options.words) {
     report_.started_ns = started_ns;
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
@@ -175,12 +175,13 @@ class Client {
     });
     if (missing != missing_) {
       missing_ = missing;
-      tell(missing.empty() ? "everything is here" : missing);
+      tell(missing.empty() ? "everything is here" : missing);  // English: scripts wait for it
       if (missing.empty()) greet();
     }
     if (gone != server_gone_) {
       server_gone_ = gone;
-      inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
+      inform(gone ? options_.words.tr("the server is gone; waiting for it to come back")
+                  : options_.words.tr("the server is back"));
     }
     for (const std::string& words : connection_.take_words()) inform(words, MessageKind::own);
     happenings_.rename_self(connection_.participant());
@@ -209,9 +210,10 @@ class Client {
   }
 
   void show_loading() {
-    const double progress =
-        connection_.with_replica([](const Replica& replica) { return replica.progress(); });
-    viewer_->draw_loading(missing_, progress);
+    const auto [missing, progress] = connection_.with_replica([this](const Replica& replica) {
+      return std::pair(replica.missing(options_.words), replica.progress());
+    });
+    viewer_->draw_loading(missing, progress);
   }
 
   /// Observers have no hands; whoever is made a dissector has.
@@ -252,9 +254,10 @@ class Client {
     });
     if (role == role_) return;
     take_role(role);
-    inform(role == Role::observer
-               ? "you are an observer now"
-               : fmt::format("you are {} now", role == Role::host ? "the host" : "a dissector"));
+    const Catalogue& words = options_.words;
+    inform(role == Role::observer ? words.tr("you are an observer now")
+           : role == Role::host   ? words.tr("you are the host now")
+                                  : words.tr("you are a dissector now"));
   }
 
   void obey_console() {

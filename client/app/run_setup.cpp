@@ -51,16 +51,16 @@ void fill_screen(WindowContext& window, const Pages& pages, std::optional<int>& 
 std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Anteroom& room,
                                                    ConfigDraft& draft) {
   auto window = make_window_context(o.width, o.height, "Prosector");
-  Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()));
+  Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()), o.words);
   const std::filesystem::path scenes = scenes_of(o);
   Pages pages(
       room, draft,
       [&] {
         try {
           return check_pictures(picture_time(*window, o.shaders, scenes / "minimal.toml"),
-                                window->description());
+                                window->description(), o.words);
         } catch (const InputError& error) {
-          return MachineCheck{"Pictures", CheckState::unknown, error.what()};
+          return MachineCheck{msg("Pictures"), CheckState::unknown, error.what()};
         }
       },
       eye_displays());
@@ -119,7 +119,9 @@ int run_setup(const SetupOptions& options) {
                  .scenes = scenes_of(options),
                  .cache = default_cache_dir(),
                  .memory = config / "anteroom.toml",
-                 .config = settings});
+                 .config = settings,
+                 .language = options.language,
+                 .words = options.words});
   if (room.memory.name.empty()) room.memory.name = options.name;
   while (setup_interrupted == 0) {
     const auto entry = show_pages(options, room, draft);

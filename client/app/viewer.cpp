@@ -26,14 +26,16 @@ Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientRepor
       tell_(std::move(tell)),
       sink_(options),
       stage_(make_stage(options, headset_user, camera)),
-      follow_(options.follow) {
+      follow_(options.follow),
+      figures_(options.words),
+      messages_(options.words) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
   if (!options.picture_log.empty()) log_.emplace(options.picture_log);
   if (stage_) report_.renderer = stage_->context->description();
 }
 
 void Viewer::take_picture(const std::filesystem::path& file) {
-  stage_ ? sink_.ask(file) : inform("picture: nothing is drawn with --display none");
+  stage_ ? sink_.ask(file) : inform(options_.words.tr("picture: nothing is drawn with --display none"));
 }
 
 std::optional<BodyId> Viewer::part_at(const Ray& ray) {
@@ -86,7 +88,7 @@ bool Viewer::comes_too_soon() {
 void Viewer::look_through_camera(const SightPicture* picture) {
   SeeThrough now;
   now.room_board = stage_->sight->room_board();
-  now.words = stage_->sight->trouble();
+  now.words = stage_->sight->trouble(options_.words);
   now.phantoms = options_.phantoms;
   now.found = stage_->phantom;
   now.camera.width = stage_->context->width();
@@ -102,7 +104,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
     if (now.found && picture->room_phantom) now.found->place = picture->room_phantom;
   }
   if (now.words != (through_ ? through_->words : ""))
-    inform(now.words.empty() ? "the camera sees the table" : now.words);
+    inform(now.words.empty() ? options_.words.tr("the camera sees the table") : now.words);
   through_ = std::move(now);
 }
 
@@ -121,7 +123,7 @@ void Viewer::wait_for_hands(const InputPump& pump, std::int64_t time_ns) const {
 bool Viewer::begin_headset_frame() {
   auto frame = stage_->headset->next_frame();
   for (const HeadsetNews& news : stage_->headset->take_news())
-    news.for_wearer ? inform(news.line) : tell_(news.line);
+    news.for_wearer ? inform(options_.words.tr(news.line)) : tell_(news.line);
   if (!frame) {
     if (stage_->mirror != nullptr) stage_->mirror->wait();
     return false;
@@ -205,11 +207,11 @@ std::vector<ControlDevice> Viewer::devices() const {
 }
 
 std::string Viewer::help(Role role, HelpColumns columns) const {
-  return help_text(role, devices(), columns);
+  return help_text(role, devices(), columns, options_.words);
 }
 
 std::vector<std::string> Viewer::greeting(Role role) const {
-  return has_desk() ? first_words(role, devices()) : std::vector<std::string>();
+  return has_desk() ? first_words(role, devices(), options_.words) : std::vector<std::string>();
 }
 
 std::string Viewer::pointed() const {
@@ -244,7 +246,7 @@ double Viewer::touch_force(ParticipantId self) {
 /// Takes where the user's eyes are before the screen, if that is a window: also where no picture is drawn.
 void Viewer::follow_eyes() {
   if (!stage_->eyes) return;
-  if (const std::string news = stage_->eyes->take_news(); !news.empty()) inform(news);
+  if (const std::string news = stage_->eyes->take_news(); !news.empty()) inform(options_.words.tr(news));
   const double fov = connection_.with_replica([](const Replica& r) { return r.scene()->camera.fov; });
   look_ = stage_->eyes->look(monotonic_ns(), fov);
 }
@@ -266,7 +268,8 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
     const double aspect = static_cast<double>(stage_->context->width()) / stage_->context->height();
     if (!desk.has_begun()) desk.begin(seat_of(replica, tick, self.participant, aspect));
     DeskSession out = desk_session(replica, stage_->view, tick, self.participant);
-    if (desk.parts().is_open()) out.parts = part_rows(parts_known(replica), parts_, desk.parts().search());
+    if (desk.parts().is_open())
+      out.parts = part_rows(parts_known(replica), parts_, desk.parts().search(), options_.words);
     out.scale = scale();
     return out;
   });
@@ -323,7 +326,7 @@ void Viewer::call_parts(const HandInput& user, std::size_t hand) {
 /// Lets a tracked user's fingertips work the list of parts on its board.
 void Viewer::work_parts_board(const Replica& replica, const LocalUser& self, ViewSettings& settings) {
   if (!parts_board_.is_open()) return;
-  parts_board_.follow(part_rows(parts_known(replica), parts_, {}), self.input);
+  parts_board_.follow(part_rows(parts_known(replica), parts_, {}, options_.words), self.input);
   for (const PartsOrder& order : parts_board_.take_orders()) obey(order);
   settings.parts = parts_;
   const std::vector<BodyId> hovered = parts_board_.hovered_bodies();
@@ -363,8 +366,9 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
     const bool known = met && replica.scene() && met->body < replica.scene()->bodies.size();
     return known ? replica.scene()->bodies[met->body].name : std::string();
   });
-  say(name.empty() ? "P: point at a part of the anatomy to open its panel"
-                   : fmt::format("P: the {} has no panel; only parts of the anatomy have one", name),
+  const Catalogue& words = options_.words;
+  say(name.empty() ? std::string(words.tr("P: point at a part of the anatomy to open its panel"))
+                   : words.tr("P: the {} has no panel; only parts of the anatomy have one", name),
       MessageKind::own);
 }
 
@@ -379,7 +383,7 @@ void Viewer::follow_next(ParticipantId self) {
     }
   });
   if (names.size() == 1 && follow_.empty())
-    say("Tab: nobody else is here to see through the eyes of", MessageKind::own);
+    say(options_.words.tr("Tab: nobody else is here to see through the eyes of"), MessageKind::own);
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }
@@ -389,6 +393,7 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   const std::int64_t begin = monotonic_ns();
   LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump != nullptr};
   ViewSettings settings;
+  settings.words = options_.words;
   settings.overlay = options_.overlay;
   settings.wireframes = options_.wireframes;
   settings.shown = options_.shown;
@@ -456,7 +461,7 @@ void Viewer::keep_picture(int times, const LocalUser& self, ViewSettings setting
         free_picture_file(pictures_folder(variable), std::chrono::system_clock::now(), tick);
     write_png(stage_->renderer->picture_of(build_list(self, settings), settings.width, settings.height),
               file);
-    inform(fmt::format("picture: {}", file.string()));
+    inform(options_.words.tr("picture: {}", file.string()));
   } catch (const InputError& error) {
     inform(error.what());
   }
@@ -470,7 +475,7 @@ void Viewer::note_picture(double seconds) {
     report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);
   if (governor_ && governor_->took(seconds)) {
     stage_->renderer->set_settings(governor_->level().settings);
-    inform(fmt::format("quality: {}", governor_->level().name));
+    inform(options_.words.tr("quality: {}", options_.words.tr(std::string(governor_->level().name))));
   }
   connection_.with_replica([&](const Replica& replica) {
     figures_.take(monotonic_ns(), seconds, connection_.counters(),

@@ -92,15 +92,14 @@ std::shared_ptr<const SightPicture> CameraSight::next(std::chrono::milliseconds 
   return newest_;
 }
 
-std::string CameraSight::trouble() const {
+std::string CameraSight::trouble(const Catalogue& words) const {
   const CameraState camera = camera_->state();
-  if (!camera.problem.empty()) return fmt::format("camera {}", camera.problem);
+  if (!camera.problem.empty()) return words.tr("camera {}", camera.problem);
   const std::lock_guard lock(mutex_);
-  if (!newest_ || seconds_since(newest_->time_ns) > silent) return "the camera gives no pictures";
+  if (!newest_ || seconds_since(newest_->time_ns) > silent) return words.tr("the camera gives no pictures");
   if (!newest_->room_eye)
-    return fmt::format(
-        "the board \"{}\" isn't seen: is there light, and is it in the picture, flat and whole?",
-        tracker_.board().name);
+    return words.tr("the board \"{}\" isn't seen: is there light, and is it in the picture, flat and whole?",
+                    tracker_.board().name);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "client/language/catalogue.h"
 #include "common/image.h"
 #include "drivers/camera/shared_camera.h"
 #include "drivers/camera/tags/tag_reader.h"
@@ -47,7 +48,7 @@ class CameraSight {
   /// Tells whether all who see by the camera have looked at the picture of that time.
   bool all_saw(std::int64_t time_ns) const { return camera_->told_ns() >= time_ns; }
   /// Returns what is wrong with what was seen last, for people; empty: nothing.
-  std::string trouble() const;
+  std::string trouble(const Catalogue& words = {}) const;
   const Pose& room_board() const { return room_board_; }
 
   static constexpr double held = 0.5;  // s that the last pose holds while the board isn't seen

@@ -1,7 +1,5 @@
 #include "client/replica/replica.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "client/replica/shown_names.h"
@@ -199,9 +197,9 @@ std::uint64_t Replica::refused() const {
   return out;
 }
 
-std::string Replica::missing() const {
-  if (!session_) return "waiting for the session's description";
-  if (!scene_) return "waiting for the scene";
+std::string Replica::missing(const Catalogue& words) const {
+  if (!session_) return words.tr("waiting for the session's description");
+  if (!scene_) return words.tr("waiting for the scene");
   std::size_t meshes = 0, states = 0, topologies = 0;
   for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
     if (scene_->bodies[id].kind == BodyKind::rigid) {
@@ -216,8 +214,8 @@ std::string Replica::missing() const {
     }
   }
   if (meshes + states + topologies == 0) return "";
-  return fmt::format("waiting for {} of {} meshes, {} first states, {} topology logs", meshes,
-                     scene_->bodies.size(), states, topologies);
+  return words.tr("waiting for {} of {} meshes, {} first states, {} topology logs", meshes,
+                  scene_->bodies.size(), states, topologies);
 }
 
 double Replica::progress() const {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/replica/asset_store.h"
 #include "client/replica/playout_clock.h"
 #include "client/replica/soft_replica.h"
@@ -48,7 +49,7 @@ class Replica {
   /// What cuts add later changes that no more: until it is here, it is not shown.
   bool complete() const { return complete_; }
   /// Returns what is still missing, for people: "waiting for 3 of 12 meshes".
-  std::string missing() const;
+  std::string missing(const Catalogue& words = {}) const;
   /// Returns how much of what missing() waits for is here, 0 … 1.
   double progress() const;
   /// Hashes the chain hashes of the topology revisions that are shown of every soft body: equal on every

@@ -1,7 +1,5 @@
 #include "client/replica/stroke_figures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,14 +52,14 @@ long mm(double m) {
 
 }  // namespace
 
-std::string depth_in_words(double depth) {
-  return fmt::format("set to {} mm", mm(depth));
+std::string depth_in_words(double depth, const Catalogue& words) {
+  return words.tr("set to {} mm", mm(depth));
 }
 
-std::string in_words(const StrokeFigures& stroke) {
-  std::string out = fmt::format("{} mm long", mm(stroke.length));
-  if (stroke.through) return out + ", right through";
-  return mm(stroke.depth) > 0 ? fmt::format("{}, {} mm deep", out, mm(stroke.depth)) : out;
+std::string in_words(const StrokeFigures& stroke, const Catalogue& words) {
+  if (stroke.through) return words.tr("{} mm long, right through", mm(stroke.length));
+  return mm(stroke.depth) > 0 ? words.tr("{} mm long, {} mm deep", mm(stroke.length), mm(stroke.depth))
+                              : words.tr("{} mm long", mm(stroke.length));
 }
 
 void StrokeGauge::look(const Replica& replica, double now) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/replica/replica.h"
 
 namespace prosector {
@@ -20,9 +21,9 @@ struct StrokeFigures {
 };
 
 /// Returns the figures for people: "63 mm long, 12 mm deep".
-std::string in_words(const StrokeFigures& stroke);
+std::string in_words(const StrokeFigures& stroke, const Catalogue& words = {});
 /// Returns how deep a blade is set to go, for people: "set to 12 mm".
-std::string depth_in_words(double depth);
+std::string depth_in_words(double depth, const Catalogue& words = {});
 
 /// Follows the strokes of everyone from look to look.
 class StrokeGauge {

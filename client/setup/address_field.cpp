@@ -4,6 +4,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "client/setup/words.h"
 
 namespace prosector {
@@ -12,8 +14,10 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
                   const char* nothing) {
   ImGui::PushID(field.key);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(field.name);
-  ImGui::SameLine(110 * static_cast<float>(ui.scale()));
+  ImGui::TextUnformatted(ui.tr(field.name));
+  const float name_end =
+      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(std::max(110 * static_cast<float>(ui.scale()), name_end));
   const float button = ImGui::GetFrameHeight();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const bool entered = ImGui::InputText("##address", &field.text, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -22,7 +26,7 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
   ImGui::SameLine();
   bool picked = false;
   if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
-    if (!field.text.empty() && ImGui::Selectable("none, until another one is named")) {
+    if (!field.text.empty() && ImGui::Selectable(ui.tr("none, until another one is named"))) {
       field.text.clear();
       picked = true;
     }

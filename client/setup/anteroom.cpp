@@ -1,7 +1,5 @@
 #include "client/setup/anteroom.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "common/error.h"
@@ -27,7 +25,7 @@ void Anteroom::poll() {
   if (!hosting_) return;
   hosting_->poll();
   if (hosting_->over()) {
-    say(fmt::format("The session \"{}\" has ended: {}", hosting_->session(), hosting_->words()),
+    say(places_.words.tr("The session \"{}\" has ended: {}", hosting_->session(), hosting_->words()),
         enters_when_open_);
     hosting_.reset();
     enters_when_open_ = false;
@@ -49,7 +47,7 @@ void Anteroom::host(const std::filesystem::path& scene, const std::string& sessi
     hosting_ = std::make_unique<Hosting>(scene, at);
     enters_when_open_ = true;
     memory.scene = scene;
-    say(fmt::format("Opening \"{}\" …", session), false);
+    say(places_.words.tr("Opening \"{}\" …", session), false);
   } catch (const InputError& error) {
     say(error.what(), true);
   }
@@ -57,7 +55,7 @@ void Anteroom::host(const std::filesystem::path& scene, const std::string& sessi
 
 void Anteroom::close_hosted() {
   if (!hosting_) return;
-  say(fmt::format("The session \"{}\" is closed.", hosting_->session()), false);
+  say(places_.words.tr("The session \"{}\" is closed.", hosting_->session()), false);
   hosting_.reset();
 }
 
@@ -82,6 +80,7 @@ std::vector<std::string> Anteroom::entering(const std::string& session) const {
                                   "--session", session};
   if (!memory.name.empty()) out.insert(out.end(), {"--name", memory.name});
   if (own && !memory.watches) out.push_back("--host");
+  if (!places_.language.empty()) out.insert(out.end(), {"--language", places_.language});
   for (std::string& word : memory.seen.words()) out.push_back(std::move(word));
   for (std::string& word : network_words(where())) out.push_back(std::move(word));
   if (!memory.watches && std::filesystem::exists(places_.config))
@@ -95,9 +94,9 @@ std::optional<std::vector<std::string>> Anteroom::take_entry() {
 
 void Anteroom::came_back(int status, const std::string& words) {
   if (status == 0)
-    say("You are back from the session.", false);
+    say(msg("You are back from the session."), false);
   else
-    say(words.empty() ? fmt::format("The client ended with {}.", status) : words, true);
+    say(words.empty() ? places_.words.tr("The client ended with {}.", status) : words, true);
   search_.search(where());
 }
 

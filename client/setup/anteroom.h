@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/setup/anteroom_memory.h"
 #include "client/setup/hosting.h"
 #include "client/setup/scene_list.h"
@@ -21,6 +22,8 @@ struct AnteroomPlaces {
   std::filesystem::path scenes, cache;  // folders
   std::filesystem::path memory;         // file of what was chosen last
   std::filesystem::path config;         // the client's configuration; need not be there
+  std::string language = {};            // tag for sessions that are entered; empty: the locale's
+  Catalogue words = {};                 // of what is said
 };
 
 class Anteroom {

@@ -25,8 +25,8 @@ void CalibratePage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns)
 }
 
 void CalibratePage::draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
-  title(chosen_ == nullptr ? live_->name() : chosen_->name);
-  wrapped(chosen_ == nullptr ? live_->about() : chosen_->about);
+  title(ui.tr(chosen_ == nullptr ? live_->name() : chosen_->name));
+  wrapped(ui.tr(chosen_ == nullptr ? live_->about() : chosen_->about));
   ImGui::Separator();
   if (chosen_ == nullptr)
     live_->draw(ui, draft, said_, now_ns);
@@ -57,11 +57,11 @@ void CalibratePage::choose(const ProcedureRow* row) {
 }
 
 void CalibratePage::draw_choice(Interface& ui) {
-  title(heading_);
-  if (ImGui::Selectable(live_->name(), chosen_ == nullptr)) choose(nullptr);
+  title(ui.tr(heading_));
+  if (ImGui::Selectable(ui.tr(live_->name()), chosen_ == nullptr)) choose(nullptr);
   ui.note(live_->name());
   for (const ProcedureRow& row : rows_) {
-    if (ImGui::Selectable(row.name, &row == chosen_)) choose(&row);
+    if (ImGui::Selectable(ui.tr(row.name), &row == chosen_)) choose(&row);
     ui.note(row.name);
     const auto told = outcomes_.find(row.name);
     if (told == outcomes_.end()) continue;
@@ -81,73 +81,74 @@ void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
         edit_hand(ui, wishes_.hand);
         break;
       case Asked::points:
-        quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
+        quiet(ui.tr("Points to touch, in this order: x to the right, y up, z towards you, m."));
         draw_points(ui, wishes_.points);
         break;
       case Asked::grid:
         draw_grid(ui);
         break;
       case Asked::seconds:
-        ImGui::InputDouble("seconds", &wishes_.seconds, 0, 0, "%.0f");
+        ImGui::InputDouble(ui.tr("seconds"), &wishes_.seconds, 0, 0, "%.0f");
         ui.note("seconds");
         wishes_.seconds = std::clamp(wishes_.seconds, 2., 600.);
         break;
       case Asked::against:
-        ImGui::InputText("the second device, DRIVER:PATH", &wishes_.against);
+        ImGui::InputText(ui.tr("the second device, DRIVER:PATH"), &wishes_.against);
         ui.note("against");
         break;
       case Asked::shape:
         draw_shape(ui, draft);
         break;
       case Asked::landmarks:
-        quiet("Points of the shape to touch, in this order, all around it: in the shape's own frame, m.");
+        quiet(ui.tr(
+            "Points of the shape to touch, in this order, all around it: in the shape's own frame, m."));
         draw_points(ui, wishes_.landmarks);
-        edit_vector("target: its error is told", wishes_.target);
+        edit_vector(ui.tr("target: its error is told"), wishes_.target);
         ui.note("target");
         break;
     }
   ImGui::PopItemWidth();
-  if (ImGui::Button("Begin")) begin(draft);
+  if (ImGui::Button(ui.tr("Begin"))) begin(draft);
   ui.note("begin");
 }
 
 void CalibratePage::draw_points(Interface& ui, std::vector<Vec3>& points) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::string name = fmt::format("point {}", k + 1);
-    edit_vector(name.c_str(), points[k]);
+    edit_vector(fmt::format("{}###{}", ui.tr("point {}", k + 1), name).c_str(), points[k]);
     ui.note(name);
   }
-  if (ImGui::Button("One more")) points.push_back(points.back());
+  if (ImGui::Button(ui.tr("One more"))) points.push_back(points.back());
   ui.note("one more");
   ImGui::SameLine();
-  if (ImGui::Button("One less") && points.size() > 3) points.pop_back();
+  if (ImGui::Button(ui.tr("One less")) && points.size() > 3) points.pop_back();
   ui.note("one less");
 }
 
 /// Returns what the draft says of the phantom's shape.
 std::vector<CalibratePage::TypedKey> CalibratePage::shape_of(const ConfigDraft& draft) {
   const PhantomSettings& phantom = draft.config().phantom;
-  return {{"phantom.body", "the scene's body whose shape it has", phantom.body},
-          {"phantom.mesh", "or a file of its shape", draft.named(phantom.mesh)},
-          {"phantom.board", "the board fixed to it; none: it stands still", draft.named(phantom.board)}};
+  return {{"phantom.body", msg("the scene's body whose shape it has"), phantom.body},
+          {"phantom.mesh", msg("or a file of its shape"), draft.named(phantom.mesh)},
+          {"phantom.board", msg("the board fixed to it; none: it stands still"), draft.named(phantom.board)}};
 }
 
 void CalibratePage::draw_shape(Interface& ui, const ConfigDraft& draft) {
   if (shape_.empty()) shape_ = shape_of(draft);
   for (TypedKey& typed : shape_) {
-    ImGui::InputText(typed.name, &typed.text);
+    ImGui::InputText(ui.tr(typed.name), &typed.text);
     ui.note(typed.key);
   }
 }
 
 void CalibratePage::draw_grid(Interface& ui) {
-  edit_vector("lower corner", wishes_.grid.low);
+  edit_vector(ui.tr("lower corner"), wishes_.grid.low);
   ui.note("lower corner");
-  edit_vector("upper corner", wishes_.grid.high);
+  edit_vector(ui.tr("upper corner"), wishes_.grid.high);
   ui.note("upper corner");
   std::array<int, 3> count{};
   for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(wishes_.grid.count[a]);
-  const bool changed = ImGui::InputInt3("points along x, y, z", count.data());
+  const bool changed = ImGui::InputInt3(ui.tr("points along x, y, z"), count.data());
   ui.note("grid points");
   for (std::size_t a = 0; changed && a < 3; ++a)
     wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
@@ -178,22 +179,22 @@ void CalibratePage::draw_running(Interface& ui, ConfigDraft& draft) {
     finish(draft);
     return;
   }
-  said_ = {fmt::format("Step {} of {}", step.index + 1, step.count), false};
+  said_ = {ui.tr("Step {} of {}", step.index + 1, step.count), false};
   ImGui::SetWindowFontScale(1.35f);
-  wrapped(step.instruction);
+  wrapped(ui.tr(step.instruction));
   ImGui::SetWindowFontScale(1);
   ImGui::ProgressBar(static_cast<float>(step.progress), {-1, 0}, "");
   ImGui::ProgressBar(static_cast<float>(step.index) / static_cast<float>(step.count),
                      {-1, 6 * static_cast<float>(ui.scale())}, "");
-  if (!step.trouble.empty()) warning(step.trouble);
+  if (!step.trouble.empty()) warning(ui.tr(step.trouble));
   const DeviceStatus device = running_->device();
   if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
-  if (ImGui::Button("This one again")) running_->back();
+  if (ImGui::Button(ui.tr("This one again"))) running_->back();
   ui.note("back");
   ImGui::SameLine();
-  if (ImGui::Button("Stop")) {
+  if (ImGui::Button(ui.tr("Stop"))) {
     running_.reset();
-    said_ = {"Stopped: nothing is changed.", false};
+    said_ = {msg("Stopped: nothing is changed."), false};
   }
   ui.note("stop");
 }
@@ -226,9 +227,9 @@ void CalibratePage::draw_outcome(Interface& ui) {
   const std::vector<std::string>& words = outcomes_.at(chosen_->name);
   for (std::size_t k = 0; k < std::min(words.size(), words_at_once); ++k)
     if (words.size() <= words_at_once || k < 2) wrapped(words[k]);
-  if (words.size() > words_at_once && ImGui::CollapsingHeader("More"))
+  if (words.size() > words_at_once && ImGui::CollapsingHeader(ui.tr("More")))
     for (std::size_t k = 2; k < words.size(); ++k) wrapped(words[k]);
-  if (ImGui::Button("Once more")) shows_outcome_ = false;
+  if (ImGui::Button(ui.tr("Once more"))) shows_outcome_ = false;
   ui.note("once more");
 }
 

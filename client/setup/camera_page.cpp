@@ -46,7 +46,8 @@ void CameraPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
     found_ = found_cameras();
   }
   if (watch_) seen_ = watch_->picture();
-  if (fit_.valid() && fit_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take_fit(draft);
+  if (fit_.valid() && fit_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    take_fit(ui, draft);
   draw_beside(
       ui, 0.36,
       [&] {
@@ -80,40 +81,42 @@ void CameraPage::open(const std::string& address, std::int64_t now_ns) {
 }
 
 void CameraPage::draw_choice(Interface& ui, std::int64_t now_ns) {
-  title("Camera");
+  title(ui.tr("Camera"));
   for (const FoundDevice& camera : found_) {
     const std::string& address = camera.addresses.front();
     if (ImGui::Selectable(camera.name.c_str(), watch_ && address_ == address)) open(address, now_ns);
     ui.note(address);
   }
-  if (found_.empty()) quiet("No camera is plugged in.");
-  quiet("Or its number, file, stream or synthetic:FILE");
+  if (found_.empty()) quiet(ui.tr("No camera is plugged in."));
+  quiet(ui.tr("Or its number, file, stream or synthetic:FILE"));
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputText("##camera", &address_, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.note("camera address");
-  const bool looks = ImGui::Button("Look");
+  const bool looks = ImGui::Button(ui.tr("Look"));
   ui.note("look");
   if (entered || looks) open(address_, now_ns);
   if (!watch_) return;
   ImGui::SameLine();
-  if (ImGui::Button("Let it go")) close();
+  if (ImGui::Button(ui.tr("Let it go"))) close();
   ui.note("let go");
 }
 
 void CameraPage::draw_steps(Interface& ui) {
-  title("Its lens");
+  title(ui.tr("Its lens"));
   if (fit_.valid()) {
-    wrapped("Fitting: this takes some seconds.");
+    wrapped(ui.tr("Fitting: this takes some seconds."));
     return;
   }
   if (guides_) {
     draw_guide(ui);
     return;
   }
-  if (outcome_.empty()) quiet("Print the board \"calibration\": prosector-board calibration --out board.pdf");
+  if (outcome_.empty())
+    quiet(ui.tr("Print the board \"calibration\": prosector-board calibration --out board.pdf"));
   for (const std::string& line : outcome_) wrapped(line);
   if (!watch_) return;
-  if (ImGui::Button(outcome_.empty() ? "Calibrate###calibrate" : "Once more###calibrate")) {
+  if (ImGui::Button(fmt::format("{}###calibrate", outcome_.empty() ? ui.tr("Calibrate") : ui.tr("Once more"))
+                        .c_str())) {
     outcome_.clear();
     watch_->guide(find_board(shown_board));
     guides_ = true;
@@ -125,27 +128,27 @@ void CameraPage::draw_steps(Interface& ui) {
 void CameraPage::draw_guide(Interface& ui) {
   const LensGuideStep& step = seen_.step;
   ImGui::SetWindowFontScale(1.35f);
-  wrapped(step.instruction.empty() ? "show the camera the board" : step.instruction);
+  wrapped(step.instruction.empty() ? ui.tr("show the camera the board") : ui.tr(step.instruction));
   ImGui::SetWindowFontScale(1);
-  const std::string views = fmt::format("{} of {} views", step.views, usual_views);
+  const std::string views = ui.tr("{} of {} views", step.views, usual_views);
   ImGui::ProgressBar(std::min(1.f, static_cast<float>(step.views) / static_cast<float>(usual_views)), {-1, 0},
                      views.c_str());
   ui.note(fmt::format("told: views {}", step.views));
-  const std::string covered = fmt::format("{:.0f} % covered", 100 * step.covered);
+  const std::string covered = ui.tr("{:.0f} % covered", 100 * step.covered);
   ImGui::ProgressBar(static_cast<float>(step.covered), {-1, 0}, covered.c_str());
   bool fits = step.done;
   if (step.views >= least_views) {
-    fits |= ImGui::Button("That must do");
+    fits |= ImGui::Button(ui.tr("That must do"));
     ui.note("fit now");
     ImGui::SameLine();
   }
-  const bool stops = ImGui::Button("Stop");
+  const bool stops = ImGui::Button(ui.tr("Stop"));
   ui.note("stop");
   if (fits) begin_fit();
   if (!stops) return;
   watch_->stop_guide();
   guides_ = false;
-  said_ = {"Stopped: nothing is changed.", false};
+  said_ = {msg("Stopped: nothing is changed."), false};
 }
 
 /// Fits on a thread of its own: views are copied, so that the camera may go meanwhile.
@@ -158,24 +161,24 @@ void CameraPage::begin_fit() {
   fitted_ = address_;
   watch_->stop_guide();
   guides_ = false;
-  said_ = {"Fitting …", false};
+  said_ = {msg("Fitting …"), false};
 }
 
 /// Takes what came out into the draft. A lens is a file of its own, which the configuration names.
-void CameraPage::take_fit(ConfigDraft& draft) {
+void CameraPage::take_fit(const Interface& ui, ConfigDraft& draft) {
   try {
     const LensFit fit = fit_.get();
     const Lens& lens = fit.calibration.lens;
-    GuideOutcome outcome = {{fmt::format("{:.3f} px off at views that weren't fitted.", fit.held_out),
-                             fmt::format("Focal lengths {:.1f} and {:.1f} px; {:.0f} % covered.", lens.fx,
-                                         lens.fy, 100 * fit.covered)},
-                            {}};
-    if (!fit.by_edges) outcome.words.push_back(rough_lens_words);
+    GuideOutcome outcome = {
+        {ui.tr("{:.3f} px off at views that weren't fitted.", fit.held_out),
+         ui.tr("Focal lengths {:.1f} and {:.1f} px; {:.0f} % covered.", lens.fx, lens.fy, 100 * fit.covered)},
+        {}};
+    if (!fit.by_edges) outcome.words.push_back(ui.tr(rough_lens_words));
     const std::string& tracker = draft.config().tracker;
     const std::string& known_lens = draft.config().tracker_device.lens;
     outcome.changes = naming_lens(draft.config(), fitted_);
     if (outcome.changes.empty() && !known_lens.ends_with(lens_file))
-      outcome.words.push_back(fmt::format(
+      outcome.words.push_back(ui.tr(
           "The tracker is {}, not this camera: to look through it, name the file as tracker.lens.", tracker));
     outcome_ = outcome.words;
     said_ = take_outcome(draft, outcome);
@@ -187,7 +190,7 @@ void CameraPage::take_fit(ConfigDraft& draft) {
 
 void CameraPage::draw_trouble(Interface& ui, std::int64_t now_ns) const {
   if (!watch_) {
-    quiet("Choose a camera, and its picture is shown here.");
+    quiet(ui.tr("Choose a camera, and its picture is shown here."));
     return;
   }
   const CameraState state = watch_->state();
@@ -195,15 +198,15 @@ void CameraPage::draw_trouble(Interface& ui, std::int64_t now_ns) const {
   if (!state.problem.empty())
     words = state.problem;
   else if (now_ns - std::max(opened_ns_, state.last_ns) > picture_due_ns)
-    words = "No picture comes.";
+    words = msg("No picture comes.");
   else if (seen_.image && seen_.brightness < least_light)
-    words = "It is too dark: make more light.";
+    words = msg("It is too dark: make more light.");
   else if (seen_.image && seen_.tags.empty())
-    words = "No board is seen.";
+    words = msg("No board is seen.");
   if (words.empty())
-    quiet(fmt::format("{} tags are seen.", seen_.tags.size()));
+    quiet(ui.tr("{} tags are seen.", seen_.tags.size()));
   else
-    warning(words);
+    warning(ui.tr(words));
   ui.note("camera trouble: " + words);
 }
 
@@ -213,8 +216,8 @@ void CameraPage::draw_picture(Interface& ui) {
   const auto scale = static_cast<float>(ui.scale());
   if (shown_ != seen_.number) texture_ = ui.texture_of(*seen_.image, texture_);
   shown_ = seen_.number;
-  quiet(fmt::format("{} × {}, {:.0f} pictures a second, brightness {:.0f} of 255", seen_.image->width,
-                    seen_.image->height, seen_.rate, seen_.brightness));
+  quiet(ui.tr("{} × {}, {:.0f} pictures a second, brightness {:.0f} of 255", seen_.image->width,
+              seen_.image->height, seen_.rate, seen_.brightness));
   const auto wide = static_cast<float>(seen_.image->width), high = static_cast<float>(seen_.image->height);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float zoom = std::min(room.x / wide, std::max(room.y, 240 * scale) / high);

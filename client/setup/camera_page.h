@@ -54,7 +54,7 @@ class CameraPage {
   void draw_picture(Interface& ui);
   void draw_trouble(Interface& ui, std::int64_t now_ns) const;
   void begin_fit();
-  void take_fit(ConfigDraft& draft);
+  void take_fit(const Interface& ui, ConfigDraft& draft);
 };
 
 }  // namespace prosector

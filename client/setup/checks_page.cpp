@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <thread>
 
@@ -11,25 +12,29 @@
 namespace prosector {
 namespace {
 
-constexpr std::array state_words = {"unknown", "good", "fair", "bad"};
+constexpr std::array state_words = {msg("unknown"), msg("good"), msg("fair"), msg("bad")};
 const std::array<ImVec4, 4> state_colors = {
     {{0.55f, 0.57f, 0.6f, 1}, {0.35f, 0.8f, 0.45f, 1}, {0.95f, 0.72f, 0.25f, 1}, {0.95f, 0.38f, 0.33f, 1}}};
 
 }  // namespace
 
 void ChecksPage::draw(Interface& ui) {
-  title("What bears a session on this machine");
+  title(ui.tr("What bears a session on this machine"));
   if (checks_.empty())
     checks_ = {measure_pictures_(),
-               check_cores(std::thread::hardware_concurrency()),
-               check_network_buffers(),
-               check_real_time(),
-               check_clock(),
-               check_anatomy(default_data_dir()),
-               {"From hand to picture", CheckState::unknown,
-                "Only a second device that sees the screen can tell. Latency, on the page of the "
-                "tracker, compares two."}};
+               check_cores(std::thread::hardware_concurrency(), ui.words()),
+               check_network_buffers(network_buffer_limit, ui.words()),
+               check_real_time(ui.words()),
+               check_clock(ui.words()),
+               check_anatomy(default_data_dir(), ui.words()),
+               {msg("From hand to picture"), CheckState::unknown,
+                ui.tr("Only a second device that sees the screen can tell. Latency, on the page of the "
+                      "tracker, compares two.")}};
   const float scale = static_cast<float>(ui.scale());
+  float words_at = 310 * scale;
+  for (const char* state : state_words)
+    words_at = std::max(words_at,
+                        230 * scale + ImGui::CalcTextSize(ui.tr(state)).x + ImGui::GetStyle().ItemSpacing.x);
   for (const MachineCheck& check : checks_) {
     ImGui::Separator();
     const auto state = static_cast<std::size_t>(check.state);
@@ -38,15 +43,15 @@ void ChecksPage::draw(Interface& ui) {
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.5f * line, at.y + 0.5f * line}, 0.36f * line,
                                                 ImGui::GetColorU32(state_colors[state]));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.5f * line);
-    ImGui::TextUnformatted(check.name.c_str());
+    ImGui::TextUnformatted(ui.tr(check.name.c_str()));
     ui.note("check " + check.name);
     ImGui::SameLine(230 * scale);
-    ImGui::TextColored(state_colors[state], "%s", state_words[state]);
-    ImGui::SameLine(310 * scale);
+    ImGui::TextColored(state_colors[state], "%s", ui.tr(state_words[state]));
+    ImGui::SameLine(words_at);
     wrapped(check.words);
   }
   ImGui::Separator();
-  if (ImGui::Button("Look again")) checks_.clear();
+  if (ImGui::Button(ui.tr("Look again"))) checks_.clear();
   ui.note("look again");
 }
 

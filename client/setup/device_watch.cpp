@@ -90,14 +90,14 @@ DeviceWatch::DeviceWatch(const ClientConfig& config) {
     }
     add({kind, hand, name, address, {}, {}}, std::move(opened));
   };
-  open(WatchedKind::tracker, right_hand, "tracker", config.tracker,
+  open(WatchedKind::tracker, right_hand, msg("tracker"), config.tracker,
        [&](Opened& o) { o.device = open_device(config.tracker, all_receivers(config.tracker_device)); });
   for (const std::size_t hand : {right_hand, left_hand}) {
     const GloveSettings& glove = config.gloves[hand];
-    open(WatchedKind::glove, hand, hand == right_hand ? "right glove" : "left glove", glove.address,
+    open(WatchedKind::glove, hand, hand == right_hand ? msg("right glove") : msg("left glove"), glove.address,
          [&](Opened& o) { o.device = open_device(glove.address, glove.device); });
   }
-  open(WatchedKind::arm, config.arm.hand, "arm", config.arm.address,
+  open(WatchedKind::arm, config.arm.hand, msg("arm"), config.arm.address,
        [&](Opened& o) { o.arm = open_arm(config.arm.address, config.arm.arm); });
 }
 

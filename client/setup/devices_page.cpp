@@ -20,9 +20,9 @@ struct RoleWord {
   const char* instruction;
 };
 constexpr std::array<RoleWord, 3> roles = {
-    {{StationRole::right_hand, "right", "right hand", "Move your right hand."},
-     {StationRole::left_hand, "left", "left hand", "Move your left hand."},
-     {StationRole::head, "head", "head", "Move your head."}}};
+    {{StationRole::right_hand, "right", msg("right hand"), msg("Move your right hand.")},
+     {StationRole::left_hand, "left", msg("left hand"), msg("Move your left hand.")},
+     {StationRole::head, "head", msg("head"), msg("Move your head.")}}};
 
 const std::string& address_in(const ClientConfig& config, std::size_t field) {
   switch (field) {
@@ -78,13 +78,13 @@ void DevicesPage::change(ConfigDraft& draft, const std::vector<ConfigChange>& ch
 }
 
 void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
-  title("Devices");
+  title(ui.tr("Devices"));
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     AddressField& field = fields_[k];
-    if (edit_address(ui, field, found_, "No serial port and no glove is plugged in.") &&
+    if (edit_address(ui, field, found_, ui.tr("No serial port and no glove is plugged in.")) &&
         field.text != address_in(draft.config(), k))
       change(draft, {{field.key, field.text}},
-             fmt::format("{}: {}", field.name, field.text.empty() ? "none" : field.text));
+             fmt::format("{}: {}", ui.tr(field.name), field.text.empty() ? ui.tr("none") : field.text));
   }
   if (!draft.problem().empty()) warning(draft.problem());
 }
@@ -93,7 +93,7 @@ void DevicesPage::draw_status(Interface& ui) {
   const std::vector<WatchedDevice>& devices = watch_ ? watch_->devices() : std::vector<WatchedDevice>();
   ImGui::Separator();
   if (devices.empty()) {
-    quiet("None is named yet. Give an address, DRIVER:PATH, or choose what is plugged in.");
+    quiet(ui.tr("None is named yet. Give an address, DRIVER:PATH, or choose what is plugged in."));
     return;
   }
   for (std::size_t k = 0; k < devices.size(); ++k) {
@@ -101,9 +101,10 @@ void DevicesPage::draw_status(Interface& ui) {
     double rate = 0;
     for (const WatchedStation& station : device.stations) rate = std::max(rate, station.rate);
     const std::string label =
-        fmt::format("{}: {}, {:.0f} Hz, {} records, {} resyncs, {} reopened###{}", device.name,
-                    health_word(device.status.health), rate, device.status.records, device.status.resyncs,
-                    device.status.reopens, device.name);
+        ui.tr("{}: {}, {:.0f} Hz, {} records, {} resyncs, {} reopened", ui.tr(device.name),
+              ui.tr(std::string(health_word(device.status.health))), rate, device.status.records,
+              device.status.resyncs, device.status.reopens) +
+        "###" + device.name;
     if (ImGui::Selectable(label.c_str(), k == shown_)) shown_ = k;
     ui.note(device.name);
     if (!device.status.message.empty()) warning(device.status.message);
@@ -112,31 +113,31 @@ void DevicesPage::draw_status(Interface& ui) {
 
 void DevicesPage::draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   if (!watch_ || shown_ >= watch_->devices().size()) {
-    title("What it tells");
-    quiet("Choose a device on the left.");
+    title(ui.tr("What it tells"));
+    quiet(ui.tr("Choose a device on the left."));
     return;
   }
   const WatchedDevice& device = watch_->devices()[shown_];
-  title(device.name + "   " + device.address);
-  if (device.stations.empty()) quiet("It tells nothing yet.");
+  title(ui.tr(device.name) + "   " + device.address);
+  if (device.stations.empty()) quiet(ui.tr("It tells nothing yet."));
   for (const WatchedStation& station : device.stations) {
     const DeviceSample& s = station.last;
     ImGui::Separator();
     if (device.kind == WatchedKind::tracker)
-      wrapped(fmt::format("Receiver {}   {:.0f} Hz ± {:.1f} ms   moved {:.2f} m", s.station + 1, station.rate,
-                          1e3 * station.jitter, station.moved));
+      wrapped(ui.tr("Receiver {}   {:.0f} Hz ± {:.1f} ms   moved {:.2f} m", s.station + 1, station.rate,
+                    1e3 * station.jitter, station.moved));
     if (s.has_pose) {
-      wrapped("in the room   " + pose_words(s.pose));
+      wrapped(ui.tr("in the room   {}", pose_words(s.pose)));
       if (device.kind == WatchedKind::tracker)
-        quiet(fmt::format("as sent   {:.3f} {:.3f} {:.3f}   {:.3f} {:.3f} {:.3f} {:.3f}", s.raw_pose[0],
-                          s.raw_pose[1], s.raw_pose[2], s.raw_pose[3], s.raw_pose[4], s.raw_pose[5],
-                          s.raw_pose[6]));
+        quiet(ui.tr("as sent   {:.3f} {:.3f} {:.3f}   {:.3f} {:.3f} {:.3f} {:.3f}", s.raw_pose[0],
+                    s.raw_pose[1], s.raw_pose[2], s.raw_pose[3], s.raw_pose[4], s.raw_pose[5],
+                    s.raw_pose[6]));
     }
-    if (s.buttons != 0) wrapped(fmt::format("buttons {:#b}", s.buttons));
-    constexpr std::array names = {"thumb", "index", "middle", "ring", "little"};
+    if (s.buttons != 0) wrapped(ui.tr("buttons {:#b}", s.buttons));
+    constexpr std::array names = {msg("thumb"), msg("index"), msg("middle"), msg("ring"), msg("little")};
     for (std::size_t f = 0; s.has_flexion && f < fingers; ++f) {
       ImGui::ProgressBar(static_cast<float>(s.flexion[f]), {0.6f * ImGui::GetContentRegionAvail().x, 0},
-                         fmt::format("{} {:.2f}", names[f], s.flexion[f]).c_str());
+                         fmt::format("{} {:.2f}", ui.tr(names[f]), s.flexion[f]).c_str());
       ImGui::SameLine();
       quiet(fmt::format("{}", s.raw_flexion[f]));
     }
@@ -147,26 +148,26 @@ void DevicesPage::draw_device(Interface& ui, ConfigDraft& draft, std::int64_t no
 void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDevice& tracker,
                              std::int64_t now_ns) {
   ImGui::Separator();
-  title("What is fixed to what");
+  title(ui.tr("What is fixed to what"));
   for (const RoleWord& role : roles) {
     const auto& stations = draft.config().stations;
     const auto at = std::find(stations.begin(), stations.end(), role.role);
     ImGui::AlignTextToFramePadding();
-    wrapped(fmt::format(
-        "{}: {}", role.name,
-        at == stations.end() ? "nothing" : fmt::format("receiver {}", at - stations.begin() + 1)));
+    wrapped(fmt::format("{}: {}", ui.tr(role.name),
+                        at == stations.end() ? std::string(ui.tr("nothing"))
+                                             : ui.tr("receiver {}", at - stations.begin() + 1)));
     ImGui::SameLine(220 * static_cast<float>(ui.scale()));
-    if (ImGui::Button(fmt::format("Find it by moving##{}", role.key).c_str())) {
+    if (ImGui::Button(fmt::format("{}##{}", ui.tr("Find it by moving"), role.key).c_str())) {
       assigned_ = role.role;
       assigned_until_ns_ = now_ns + assign_ns;
     }
     ui.note(fmt::format("move {}", role.key));
     if (at != stations.end()) {
       ImGui::SameLine();
-      const bool taken = ImGui::Button(fmt::format("Take it away##{}", role.key).c_str());
+      const bool taken = ImGui::Button(fmt::format("{}##{}", ui.tr("Take it away"), role.key).c_str());
       ui.note(fmt::format("free {}", role.key));
       if (taken) {
-        free_role(draft, role.role);
+        free_role(ui, draft, role.role);
         return;
       }
     }
@@ -174,20 +175,20 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
     const auto moving = moving_station(tracker);
     if (moving) {
       assigned_.reset();
-      assign(draft, role.role, *moving);
+      assign(ui, draft, role.role, *moving);
       return;
     }
     if (now_ns > assigned_until_ns_) {
       assigned_.reset();
-      said_ = {"No receiver moved much farther than the others.", true};
+      said_ = {msg("No receiver moved much farther than the others."), true};
       return;
     }
-    wrapped(role.instruction);
+    wrapped(ui.tr(role.instruction));
   }
 }
 
 /// Takes the receiver from a role. Its mount stays in the configuration.
-void DevicesPage::free_role(ConfigDraft& draft, StationRole role) {
+void DevicesPage::free_role(const Interface& ui, ConfigDraft& draft, StationRole role) {
   const auto& stations = draft.config().stations;
   if (std::count(stations.begin(), stations.end(), StationRole::none) + 1 ==
       static_cast<std::ptrdiff_t>(stations.size())) {
@@ -198,11 +199,11 @@ void DevicesPage::free_role(ConfigDraft& draft, StationRole role) {
   const auto word =
       std::find_if(roles.begin(), roles.end(), [&](const RoleWord& w) { return w.role == role; });
   change(draft, {{fmt::format("tracker.stations.{}.station", word->key), 0.}},
-         fmt::format("No receiver is the {}'s.", word->name));
+         ui.tr("No receiver is the {}'s.", ui.tr(word->name)));
 }
 
 /// Gives a receiver to a role. One that had it gets what that role had.
-void DevicesPage::assign(ConfigDraft& draft, StationRole role, std::uint32_t station) {
+void DevicesPage::assign(const Interface& ui, ConfigDraft& draft, StationRole role, std::uint32_t station) {
   const auto& stations = draft.config().stations;
   const auto word_of = [&](StationRole wanted) {
     return std::find_if(roles.begin(), roles.end(),
@@ -218,13 +219,13 @@ void DevicesPage::assign(ConfigDraft& draft, StationRole role, std::uint32_t sta
   if (other != roles.end() && other->role != role) {
     if (before == stations.end()) {
       said_ = {
-          fmt::format("Receiver {} is the {}'s: find that one by moving first.", station + 1, other->name),
+          ui.tr("Receiver {} is the {}'s: find that one by moving first.", station + 1, ui.tr(other->name)),
           true};
       return;
     }
     changes.push_back(set(*other, static_cast<std::size_t>(before - stations.begin())));
   }
-  change(draft, changes, fmt::format("Receiver {} is the {}'s.", station + 1, own.name));
+  change(draft, changes, ui.tr("Receiver {} is the {}'s.", station + 1, ui.tr(own.name)));
 }
 
 }  // namespace prosector

@@ -25,10 +25,10 @@ class DevicesPage {
   const Said& said() const { return said_; }
 
  private:
-  std::array<AddressField, 4> fields_ = {{{"tracker.address", "Tracker", {}},
-                                          {"glove.right.address", "Right glove", {}},
-                                          {"glove.left.address", "Left glove", {}},
-                                          {"arm.address", "Arm", {}}}};
+  std::array<AddressField, 4> fields_ = {{{"tracker.address", msg("Tracker"), {}},
+                                          {"glove.right.address", msg("Right glove"), {}},
+                                          {"glove.left.address", msg("Left glove"), {}},
+                                          {"arm.address", msg("Arm"), {}}}};
   std::unique_ptr<DeviceWatch> watch_;
   std::vector<FoundDevice> found_;
   std::int64_t found_ns_ = 0;
@@ -39,8 +39,8 @@ class DevicesPage {
 
   void look(const ConfigDraft& draft, std::int64_t now_ns);
   void change(ConfigDraft& draft, const std::vector<ConfigChange>& changes, const std::string& done);
-  void assign(ConfigDraft& draft, StationRole role, std::uint32_t station);
-  void free_role(ConfigDraft& draft, StationRole role);
+  void assign(const Interface& ui, ConfigDraft& draft, StationRole role, std::uint32_t station);
+  void free_role(const Interface& ui, ConfigDraft& draft, StationRole role);
   void draw_addresses(Interface& ui, ConfigDraft& draft);
   void draw_status(Interface& ui);
   void draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);

@@ -8,25 +8,26 @@ namespace prosector {
 
 bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
   if (!draft.changed()) {
-    quiet(draft.file().string() + (std::filesystem::exists(draft.file()) ? "" : ": none yet"));
+    const std::string file = draft.file().string();
+    quiet(std::filesystem::exists(draft.file()) ? file : ui.tr("{}: none yet", file));
     return false;
   }
-  title("To be written to " + draft.file().string());
+  title(ui.tr("To be written to {}", draft.file().string()));
   for (const ChangedLine& line : draft.changes()) {
     if (!line.before.empty()) quiet("- " + line.before);
     if (!line.after.empty()) wrapped("+ " + line.after);
   }
-  if (ImGui::Button("Save")) {
+  if (ImGui::Button(ui.tr("Save"))) {
     try {
       draft.save();
-      said = {"Saved.", false};
+      said = {msg("Saved."), false};
     } catch (const InputError& error) {
       said = {error.what(), true};
     }
   }
   ui.note("save");
   ImGui::SameLine();
-  const bool discarded = ImGui::Button("Discard");
+  const bool discarded = ImGui::Button(ui.tr("Discard"));
   ui.note("discard");
   if (discarded) draft.revert();
   return discarded;
@@ -34,7 +35,7 @@ bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
 
 Said take_outcome(ConfigDraft& draft, const GuideOutcome& outcome) {
   const std::string why = outcome.changes.empty() ? "" : draft.change(outcome.changes);
-  return why.empty() ? Said{"Done.", false} : Said{why, true};
+  return why.empty() ? Said{msg("Done."), false} : Said{why, true};
 }
 
 }  // namespace prosector

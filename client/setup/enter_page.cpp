@@ -18,12 +18,12 @@ constexpr float picture_aspect = 16.f / 9;
 constexpr int scenes_across = 3;
 
 /// Returns why nobody can enter a session; empty: one can.
-std::string refusal(const FoundSession& session) {
+std::string refusal(const Interface& ui, const FoundSession& session) {
   if (!session.speaks_our_version())
-    return fmt::format("It speaks version {} of the protocol, this program version {}: install the same.",
-                       session.info.version, protocol_version);
+    return ui.tr("It speaks version {} of the protocol, this program version {}: install the same.",
+                 session.info.version, protocol_version);
   if (session.full())
-    return fmt::format("It is full: it has place for {}, observers included.", session.info.capacity);
+    return ui.tr("It is full: it has place for {}, observers included.", session.info.capacity);
   return {};
 }
 
@@ -44,37 +44,38 @@ void EnterPage::draw(Interface& ui, Anteroom& room) {
 
 void EnterPage::draw_person(Interface& ui, Anteroom& room) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Your name");
+  ImGui::TextUnformatted(ui.tr("Your name"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(220 * static_cast<float>(ui.scale()));
   ImGui::InputText("##name", &room.memory.name);
   ui.note("name");
   ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::RadioButton("take part", !room.memory.watches)) room.memory.watches = false;
+  if (ImGui::RadioButton(ui.tr("take part"), !room.memory.watches)) room.memory.watches = false;
   ui.note("take part");
   ImGui::SameLine();
-  if (ImGui::RadioButton("watch", room.memory.watches)) room.memory.watches = true;
+  if (ImGui::RadioButton(ui.tr("watch"), room.memory.watches)) room.memory.watches = true;
   ui.note("watch");
   continue_line(14 * ImGui::GetFontSize());
   bool lan = room.memory.lan;
-  if (ImGui::Checkbox("the local network, too", &lan)) room.look_on_lan(lan);
+  if (ImGui::Checkbox(ui.tr("the local network, too"), &lan)) room.look_on_lan(lan);
   ui.note("lan");
 }
 
 void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
   const SearchResult& found = room.found();
-  title(room.memory.lan ? "Sessions on the local network" : "Sessions on this machine");
+  title(room.memory.lan ? ui.tr("Sessions on the local network") : ui.tr("Sessions on this machine"));
   if (!found.problem.empty())
     warning(found.problem);
   else if (found.rounds == 0)
-    quiet("Looking …");
+    quiet(ui.tr("Looking …"));
   else if (found.sessions.empty())
-    quiet("There is none yet. Host one: choose a scene.");
+    quiet(ui.tr("There is none yet. Host one: choose a scene."));
   const FoundSession* chosen = nullptr;
   for (const FoundSession& session : found.sessions) {
     const std::string& name = session.info.session;
-    const std::string label = fmt::format("{}  ·  {}  ·  {}###{}", name, session.info.scene,
-                                          count_words(session.people.size(), "person", "people"), name);
+    const std::string label = fmt::format(
+        "{}  ·  {}  ·  {}###{}", name, session.info.scene,
+        session.people.size() == 1 ? ui.tr("1 person") : ui.tr("{} people", session.people.size()), name);
     if (ImGui::Selectable(label.c_str(), name == session_)) session_ = name;
     ui.note("session " + name);
     if (name == session_) chosen = &session;
@@ -86,7 +87,8 @@ void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
     if (std::none_of(found.sessions.begin(), found.sessions.end(),
                      [&](const FoundSession& s) { return s.info.session == name; }))
       before += (before.empty() ? "" : ", ") + name;
-  if (found.rounds > 0 && !before.empty()) quiet("You were in these, which aren't open here now: " + before);
+  if (found.rounds > 0 && !before.empty())
+    quiet(ui.tr("You were in these, which aren't open here now: {}", before));
 }
 
 void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& session) {
@@ -100,12 +102,13 @@ void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& 
   }
   std::string people;
   for (const std::string& person : session.people) people += (people.empty() ? "" : ", ") + person;
-  wrapped(people.empty() ? "Nobody is in." : "In it: " + people + ".");
-  if (const std::string why = refusal(session); !why.empty()) {
+  wrapped(people.empty() ? ui.tr("Nobody is in.") : ui.tr("In it: {}.", people));
+  if (const std::string why = refusal(ui, session); !why.empty()) {
     warning(why);
     return;
   }
-  if (ImGui::Button(room.memory.watches ? "Watch it" : "Enter", {ImGui::GetContentRegionAvail().x, 0}))
+  if (ImGui::Button(room.memory.watches ? ui.tr("Watch it") : ui.tr("Enter"),
+                    {ImGui::GetContentRegionAvail().x, 0}))
     room.enter(session.info.session);
   ui.note("enter");
   std::vector<std::string> command = room.entering(session.info.session);
@@ -114,11 +117,11 @@ void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& 
 }
 
 void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
-  title("Host a session");
+  title(ui.tr("Host a session"));
   if (room.scenes().scenes().empty())
-    quiet(
+    quiet(ui.tr(
         "No scenes are here: they come with the server (prosector-server). Name a file below, or a folder "
-        "with --scenes.");
+        "with --scenes."));
   const std::vector<ListedScene>& scenes = room.scenes().scenes();
   if (!scene_chosen_) {
     scene_chosen_ = true;
@@ -163,29 +166,30 @@ void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
 void EnterPage::draw_hosting(Interface& ui, Anteroom& room) {
   const std::vector<ListedScene>& scenes = room.scenes().scenes();
   if (const Hosting* hosting = room.hosting()) {
-    wrapped(hosting->open() ? fmt::format("You host \"{}\".", hosting->session())
-                            : fmt::format("Opening \"{}\": {}", hosting->session(), hosting->words()));
+    wrapped(hosting->open() ? ui.tr("You host \"{}\".", hosting->session())
+                            : ui.tr("Opening \"{}\": {}", hosting->session(), hosting->words()));
     if (hosting->open()) {
-      if (ImGui::Button("Enter your session")) room.enter(hosting->session());
+      if (ImGui::Button(ui.tr("Enter your session"))) room.enter(hosting->session());
       ui.note("enter own");
       ImGui::SameLine();
     }
-    if (ImGui::Button("Close it for everyone")) room.close_hosted();
+    if (ImGui::Button(ui.tr("Close it for everyone"))) room.close_hosted();
     ui.note("close");
     return;
   }
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Called");
+  ImGui::TextUnformatted(ui.tr("Called"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(200 * static_cast<float>(ui.scale()));
   ImGui::InputText("##hosted", &hosted_name_);
   ui.note("hosted name");
   ImGui::SameLine();
-  if (ImGui::Button("Host and enter") && scene_ < scenes.size()) room.host(scenes[scene_].file, hosted_name_);
+  if (ImGui::Button(ui.tr("Host and enter")) && scene_ < scenes.size())
+    room.host(scenes[scene_].file, hosted_name_);
   ui.note("host");
   continue_line(14 * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##own", "another scene file, then Enter", &own_scene_,
+  if (ImGui::InputTextWithHint("##own", ui.tr("another scene file, then Enter"), &own_scene_,
                                ImGuiInputTextFlags_EnterReturnsTrue))
     if (const auto place = room.offer(own_scene_)) scene_ = *place;
   ui.note("own scene");

@@ -17,14 +17,14 @@ constexpr std::array<std::size_t, 3> cross_counts = {least_seen_points, 16, most
 }  // namespace
 
 void EyeCrosses::draw_wishes(Interface& ui, const ClientConfig& config, Said& said) {
-  quiet(
+  quiet(ui.tr(
       "Wear the display, with a receiver on it that is the head's. Crosses come, one after the other: lay "
       "each "
-      "over a mark in the room with one eye alone, by moving your head, hold still, and press Space.");
+      "over a mark in the room with one eye alone, by moving your head, hold still, and press Space."));
   ImGui::PushItemWidth(270 * static_cast<float>(ui.scale()));
-  edit_vector("mark, m", mark_);
+  edit_vector(ui.tr("mark, m"), mark_);
   ui.note("mark");
-  if (ImGui::BeginCombo("display", displays_.empty() ? "" : displays_[display_].name.c_str())) {
+  if (ImGui::BeginCombo(ui.tr("display"), displays_.empty() ? "" : displays_[display_].name.c_str())) {
     for (std::size_t k = 0; k < displays_.size(); ++k) {
       if (ImGui::Selectable(displays_[k].name.c_str(), k == display_)) display_ = k;
       ui.note(displays_[k].name);
@@ -34,21 +34,21 @@ void EyeCrosses::draw_wishes(Interface& ui, const ClientConfig& config, Said& sa
   ui.note("eyes' display");
   ImGui::PopItemWidth();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Crosses for each eye:");
+  ImGui::TextUnformatted(ui.tr("Crosses for each eye:"));
   for (const std::size_t count : cross_counts) {
     ImGui::SameLine();
     if (ImGui::RadioButton(std::to_string(count).c_str(), crosses_ == count)) crosses_ = count;
     ui.note(fmt::format("crosses {}", count));
   }
-  quiet("Crosses must fill the display: choose \"filling the screen\", and its number.");
-  if (ImGui::Button("Begin")) begin(config, said);
+  quiet(ui.tr("Crosses must fill the display: choose \"filling the screen\", and its number."));
+  if (ImGui::Button(ui.tr("Begin"))) begin(config, said);
   ui.note("begin eyes");
 }
 
 void EyeCrosses::begin(const ClientConfig& config, Said& said) {
   said = {};
   try {
-    if (displays_.empty()) throw InputError("No side-by-side display is known.");
+    if (displays_.empty()) throw InputError(msg("No side-by-side display is known."));
     const EyeDisplay& display = displays_[display_];
     const ClientConfig seen = seen_for(config, StationRole::head);
     auto guide = std::make_unique<EyesGuide>(seen, mark_, display.width, display.height, crosses_);
@@ -74,7 +74,7 @@ std::optional<GuideOutcome> EyeCrosses::draw_cross(Interface& ui, Said& said) {
     close();
     return out;
   }
-  said = {fmt::format("Cross {} of {}", step.index + 1, step.count), false};
+  said = {ui.tr("Cross {} of {}", step.index + 1, step.count), false};
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const EyeDisplay& display = displays_[display_];
   const float wide = all.x / 2, left = guide_->right_eye() != display.swapped ? wide : 0;
@@ -107,24 +107,24 @@ void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, fl
   const float margin = 24 * scale, height = 190 * scale;
   ImGui::SetCursorPos({left + margin, above ? margin : ImGui::GetIO().DisplaySize.y - margin - height});
   ImGui::BeginChild("words", {width - 2 * margin, height});
-  wrapped(step.instruction);
+  wrapped(ui.tr(step.instruction));
   ImGui::ProgressBar(static_cast<float>(step.progress), {-1, 0},
-                     fmt::format("{} of {}", step.index + 1, step.count).c_str());
-  const bool covered = ImGui::Button("Covered (Space)");
+                     ui.tr("{} of {}", step.index + 1, step.count).c_str());
+  const bool covered = ImGui::Button(ui.tr("Covered (Space)"));
   ui.note("covered");
   ImGui::SameLine();
-  const bool again = ImGui::Button("This one again");
+  const bool again = ImGui::Button(ui.tr("This one again"));
   ui.note("back");
   ImGui::SameLine();
-  const bool stops = ImGui::Button("Stop");
+  const bool stops = ImGui::Button(ui.tr("Stop"));
   ui.note("stop");
   if (!step.trouble.empty()) {
-    warning(step.trouble);
+    warning(ui.tr(step.trouble));
     ui.note("trouble");
   }
   const DeviceStatus device = running_->device();
   if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
-  quiet(residuals());
+  quiet(residuals(ui));
   ImGui::EndChild();
   // Space is for the cross, wherever the keyboard is, unless it presses another button.
   const bool space = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false);
@@ -132,16 +132,16 @@ void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, fl
   if (again) running_->back();
   if (!stops) return;
   close();
-  said = {"Stopped: nothing is changed.", false};
+  said = {msg("Stopped: nothing is changed."), false};
 }
 
 /// Says how well what was seen so far fits, of each eye that saw enough.
-std::string EyeCrosses::residuals() const {
+std::string EyeCrosses::residuals(const Interface& ui) const {
   std::string out;
   for (const bool right : {false, true}) try {
       const double residual = guide_->fit(right).residual;
-      out += fmt::format("{}{} eye: residual {:.2f} pixels", out.empty() ? "" : "; ",
-                         right ? "right" : "left", residual);
+      out += (out.empty() ? "" : "; ") + (right ? ui.tr("right eye: residual {:.2f} pixels", residual)
+                                                : ui.tr("left eye: residual {:.2f} pixels", residual));
     } catch (const InputError&) {
       continue;  // too few yet
     }

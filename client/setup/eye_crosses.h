@@ -44,7 +44,7 @@ class EyeCrosses {
 
   void begin(const ClientConfig& config, Said& said);
   void draw_words(Interface& ui, const GuideStep& step, float left, float width, bool above, Said& said);
-  std::string residuals() const;
+  std::string residuals(const Interface& ui) const;
 };
 
 }  // namespace prosector

@@ -22,7 +22,7 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   const auto scale = static_cast<float>(ui.scale());
   const float field = 190 * scale;
   if (card_ == 0) card_ = card_width / usual_pixel * ui.scale();
-  quiet("1. Lay a bank card on the bar, and make the bar as wide.");
+  quiet(ui.tr("1. Lay a bank card on the bar, and make the bar as wide."));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float high = 0.8f * ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + static_cast<float>(card_), at.y + high}, pale,
@@ -30,7 +30,7 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   ImGui::Dummy({static_cast<float>(card_), high});
   ui.note("card");
   ImGui::SetNextItemWidth(field);
-  ImGui::InputDouble("pixels wide", &card_, 1, 10, "%.0f");
+  ImGui::InputDouble(ui.tr("pixels wide"), &card_, 1, 10, "%.0f");
   ui.note("card width");
   card_ = std::clamp(card_, 1., 8192.);
   double pixel = 0;
@@ -41,28 +41,28 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
     return std::nullopt;
   }
   quiet(
-      "2. Hold a thin rod upright before the ruler. Where does it stand for each eye alone, the other "
-      "closed?");
+      ui.tr("2. Hold a thin rod upright before the ruler. Where does it stand for each eye alone, the other "
+            "closed?"));
   draw_ruler(ui, pixel);
   ImGui::PushItemWidth(field);
-  ImGui::InputDouble("mm, seen by the left eye", &left_, 0.5, 5, "%.1f");
+  ImGui::InputDouble(ui.tr("mm, seen by the left eye"), &left_, 0.5, 5, "%.1f");
   ui.note("left mark");
-  ImGui::InputDouble("mm, seen by the right eye", &right_, 0.5, 5, "%.1f");
+  ImGui::InputDouble(ui.tr("mm, seen by the right eye"), &right_, 0.5, 5, "%.1f");
   ui.note("right mark");
-  quiet("3. Measure how far both are from your eyes.");
-  ImGui::InputDouble("mm to the screen", &screen_mm_, 5, 50, "%.0f");
+  quiet(ui.tr("3. Measure how far both are from your eyes."));
+  ImGui::InputDouble(ui.tr("mm to the screen"), &screen_mm_, 5, 50, "%.0f");
   ui.note("screen distance");
-  ImGui::InputDouble("mm to the rod", &rod_mm_, 5, 50, "%.0f");
+  ImGui::InputDouble(ui.tr("mm to the rod"), &rod_mm_, 5, 50, "%.0f");
   ui.note("rod distance");
   ImGui::PopItemWidth();
-  const bool asked = ImGui::Button("Reckon");
+  const bool asked = ImGui::Button(ui.tr("Reckon"));
   ui.note("reckon");
   if (!asked) return std::nullopt;
   try {
     const EyeDistance eyes =
         eye_distance_by_sight(1e-3 * std::abs(left_ - right_), 1e-3 * screen_mm_, 1e-3 * rod_mm_);
     return GuideOutcome{
-        {fmt::format("Your eyes are {:.1f} ± {:.1f} mm apart.", 1e3 * eyes.distance, 1e3 * eyes.error)},
+        {ui.tr("Your eyes are {:.1f} ± {:.1f} mm apart.", 1e3 * eyes.distance, 1e3 * eyes.error)},
         {{"eyes.distance", eyes.distance}}};
   } catch (const InputError& error) {
     said = {error.what(), true};
@@ -93,8 +93,8 @@ void EyeRuler::draw_ruler(Interface& ui, double pixel) {
     list.AddLine({x, at.y}, {x, at.y + high}, shade, 3 * scale);
     list.AddText({x + 5 * scale, at.y + high - line}, shade, name);
   };
-  mark(left_, left_shade, "left");
-  mark(right_, right_shade, "right");
+  mark(left_, left_shade, ui.tr("left"));
+  mark(right_, right_shade, ui.tr("right"));
   ImGui::InvisibleButton("ruler", {wide, high});
   ui.note("ruler");
   if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;

@@ -53,19 +53,19 @@ void draw_side(const Side& side, ImVec2 corner, ImVec2 size, const std::optional
 
 }  // namespace
 
-std::string distance_words(const Vec3& eyes, const ScreenPlace& screen) {
-  return fmt::format("{:.0f} mm from the camera, {:.0f} mm from the picture's middle",
-                     1e3 * (eyes - screen.camera).norm(), 1e3 * eyes.norm());
+std::string distance_words(const Catalogue& words, const Vec3& eyes, const ScreenPlace& screen) {
+  return words.tr("{:.0f} mm from the camera, {:.0f} mm from the picture's middle",
+                  1e3 * (eyes - screen.camera).norm(), 1e3 * eyes.norm());
 }
 
-std::string direction_words(const Vec3& eyes) {
+std::string direction_words(const Catalogue& words, const Vec3& eyes) {
   constexpr double degrees = 180 / std::numbers::pi;
-  const char* const aside = eyes.x() < 0 ? "to the left" : "to the right";
-  const char* const high = eyes.y() < 0 ? "below" : "above";
-  return fmt::format("From the middle: {:.0f} mm {} ({:.0f}°), {:.0f} mm {} ({:.0f}°), {:.0f} mm before it",
-                     1e3 * std::abs(eyes.x()), aside,
-                     degrees * std::abs(std::atan2(eyes.x(), std::abs(eyes.z()))), 1e3 * std::abs(eyes.y()),
-                     high, degrees * std::abs(std::atan2(eyes.y(), std::abs(eyes.z()))), 1e3 * eyes.z());
+  const char* const aside = eyes.x() < 0 ? words.tr("to the left") : words.tr("to the right");
+  const char* const high = eyes.y() < 0 ? words.tr("below") : words.tr("above");
+  return words.tr("From the middle: {:.0f} mm {} ({:.0f}°), {:.0f} mm {} ({:.0f}°), {:.0f} mm before it",
+                  1e3 * std::abs(eyes.x()), aside,
+                  degrees * std::abs(std::atan2(eyes.x(), std::abs(eyes.z()))), 1e3 * std::abs(eyes.y()),
+                  high, degrees * std::abs(std::atan2(eyes.y(), std::abs(eyes.z()))), 1e3 * eyes.z());
 }
 
 void draw_eyes_before(Interface& ui, const std::optional<Vec3>& eyes, const ScreenPlace& screen) {
@@ -73,8 +73,9 @@ void draw_eyes_before(Interface& ui, const std::optional<Vec3>& eyes, const Scre
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 at = ImGui::GetCursorScreenPos(),
                size = {(ImGui::GetContentRegionAvail().x - gap) / 2, 200 * scale};
-  const Side above = {"from above", Vec3::UnitX(), -Vec3::UnitZ(), Vec3(usual_aspect / 2, 0, 0), 0.5f, 0.14f};
-  const Side beside = {"from the right", -Vec3::UnitZ(), Vec3::UnitY(), Vec3(0, 0.5, 0), 0.9f, 0.5f};
+  const Side above = {ui.tr("from above"),          Vec3::UnitX(), -Vec3::UnitZ(),
+                      Vec3(usual_aspect / 2, 0, 0), 0.5f,          0.14f};
+  const Side beside = {ui.tr("from the right"), -Vec3::UnitZ(), Vec3::UnitY(), Vec3(0, 0.5, 0), 0.9f, 0.5f};
   draw_side(above, at, size, eyes, screen, scale);
   draw_side(beside, {at.x + size.x + gap, at.y}, size, eyes, screen, scale);
   ImGui::Dummy({2 * size.x + gap, size.y});

@@ -17,9 +17,9 @@ struct ScreenPlace {
 };
 
 /// Returns how far the eyes are from the camera and from the picture's middle.
-std::string distance_words(const Vec3& eyes, const ScreenPlace& screen);
+std::string distance_words(const Catalogue& words, const Vec3& eyes, const ScreenPlace& screen);
 /// Returns where they are from the picture's middle: aside, up or down, before it, and by which angles.
-std::string direction_words(const Vec3& eyes);
+std::string direction_words(const Catalogue& words, const Vec3& eyes);
 /// Draws the screen, its camera and the eyes, where they are known, from above and from the side.
 void draw_eyes_before(Interface& ui, const std::optional<Vec3>& eyes, const ScreenPlace& screen);
 

@@ -83,12 +83,12 @@ void draw_field_picture(Interface& ui, const FieldPicture& picture) {
   ImGui::Dummy({2 * wide, high});
   ui.note("field picture");
   const float left = ImGui::GetCursorPosX();
-  wrapped(fmt::format("before: {:.1f} mm RMS, {:.1f} at most", 1e3 * rms_of(picture.before),
-                      1e3 * most_of(picture.before)));
+  wrapped(ui.tr("before: {:.1f} mm RMS, {:.1f} at most", 1e3 * rms_of(picture.before),
+                1e3 * most_of(picture.before)));
   ImGui::SameLine(left + wide);
-  wrapped(fmt::format("after: {:.1f} mm RMS; {:.1f} between points", 1e3 * rms_of(picture.after),
-                      1e3 * picture.expected));
-  quiet(fmt::format("Arrows are {:.1f} times as long as what is off.", enlarged));
+  wrapped(ui.tr("after: {:.1f} mm RMS; {:.1f} between points", 1e3 * rms_of(picture.after),
+                1e3 * picture.expected));
+  quiet(ui.tr("Arrows are {:.1f} times as long as what is off.", enlarged));
 }
 
 }  // namespace prosector

@@ -11,11 +11,11 @@ struct RoleChoice {
   StationRole role;
   const char* name;
 };
-constexpr std::array<RoleChoice, 5> role_choices = {{{StationRole::right_hand, "right hand"},
-                                                     {StationRole::left_hand, "left hand"},
-                                                     {StationRole::head, "head"},
-                                                     {StationRole::instrument, "instrument"},
-                                                     {StationRole::tablet, "tablet"}}};
+constexpr std::array<RoleChoice, 5> role_choices = {{{StationRole::right_hand, msg("right hand")},
+                                                     {StationRole::left_hand, msg("left hand")},
+                                                     {StationRole::head, msg("head")},
+                                                     {StationRole::instrument, msg("instrument")},
+                                                     {StationRole::tablet, msg("tablet")}}};
 
 }  // namespace
 
@@ -30,9 +30,9 @@ bool edit_vector(const char* name, Vec3& v) {
 void edit_role(Interface& ui, StationRole& role) {
   std::size_t at = 0;
   while (role_choices[at].role != role) ++at;
-  if (ImGui::BeginCombo("whose receiver", role_choices[at].name)) {
+  if (ImGui::BeginCombo(ui.tr("whose receiver"), ui.tr(role_choices[at].name))) {
     for (const RoleChoice& choice : role_choices) {
-      if (ImGui::Selectable(choice.name, choice.role == role)) role = choice.role;
+      if (ImGui::Selectable(ui.tr(choice.name), choice.role == role)) role = choice.role;
       ui.note(choice.name);
     }
     ImGui::EndCombo();
@@ -41,10 +41,10 @@ void edit_role(Interface& ui, StationRole& role) {
 }
 
 void edit_hand(Interface& ui, std::size_t& hand) {
-  if (ImGui::RadioButton("right glove", hand == right_hand)) hand = right_hand;
+  if (ImGui::RadioButton(ui.tr("right glove"), hand == right_hand)) hand = right_hand;
   ui.note("right hand's");
   ImGui::SameLine();
-  if (ImGui::RadioButton("left glove", hand == left_hand)) hand = left_hand;
+  if (ImGui::RadioButton(ui.tr("left glove"), hand == left_hand)) hand = left_hand;
   ui.note("left hand's");
 }
 

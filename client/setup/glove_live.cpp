@@ -17,7 +17,7 @@ namespace prosector {
 namespace {
 
 constexpr double far_enough = 0.8;  // of the calibrated span
-constexpr std::array finger_words = {"thumb", "index", "middle", "ring", "little"};
+constexpr std::array finger_words = {msg("thumb"), msg("index"), msg("middle"), msg("ring"), msg("little")};
 
 /// A bone, or an edge of the palm, as it is drawn.
 struct Stroke {
@@ -90,7 +90,7 @@ void GloveLive::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_
   if (hand_ != before) close();
   const GloveSettings& glove = config.gloves[hand_];
   if (glove.address.empty()) {
-    quiet("No such glove is named yet: name it on the page of devices.");
+    quiet(ui.tr("No such glove is named yet: name it on the page of devices."));
     return;
   }
   if (!watch_) begin(config);
@@ -98,7 +98,7 @@ void GloveLive::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_
   const WatchedDevice& device = watch_->devices().front();
   if (!device.status.message.empty()) warning(device.status.message);
   if (device.stations.empty() || !device.stations.front().last.has_flexion) {
-    quiet("It tells nothing yet.");
+    quiet(ui.tr("It tells nothing yet."));
     return;
   }
   const DeviceSample& sample = device.stations.front().last;
@@ -147,7 +147,7 @@ void GloveLive::draw_bars(Interface& ui, const DeviceSample& sample, const Glove
   const float wide = 0.45f * ImGui::GetContentRegionAvail().x;
   for (std::size_t f = 0; f < fingers; ++f) {
     ImGui::ProgressBar(static_cast<float>(sample.flexion[f]), {wide, 0},
-                       fmt::format("{} {:.2f}", finger_words[f], sample.flexion[f]).c_str());
+                       fmt::format("{} {:.2f}", ui.tr(finger_words[f]), sample.flexion[f]).c_str());
     const bool counts =
         std::any_of(sample.raw_flexion.begin(), sample.raw_flexion.end(), [](auto c) { return c > 0; });
     if (!counts) continue;  // what it tells isn't counts
@@ -155,10 +155,10 @@ void GloveLive::draw_bars(Interface& ui, const DeviceSample& sample, const Glove
     const double span = spans_.span(f), share = spans_.share(f, glove.device.calibration);
     const bool enough = span >= least && share >= far_enough;
     const std::string words =
-        span < least ? fmt::format("{}: {:.0f} counts of {:.0f} at least", sample.raw_flexion[f], span, least)
+        span < least ? ui.tr("{}: {:.0f} counts of {:.0f} at least", sample.raw_flexion[f], span, least)
         : glove.device.calibration
-            ? fmt::format("{}: {:.0f} % of what was calibrated", sample.raw_flexion[f], 100 * share)
-            : fmt::format("{}: went {:.0f} counts", sample.raw_flexion[f], span);
+            ? ui.tr("{}: {:.0f} % of what was calibrated", sample.raw_flexion[f], 100 * share)
+            : ui.tr("{}: went {:.0f} counts", sample.raw_flexion[f], span);
     if (enough)
       wrapped(words);
     else
@@ -166,13 +166,13 @@ void GloveLive::draw_bars(Interface& ui, const DeviceSample& sample, const Glove
     ui.note(fmt::format("span {} {}", finger_words[f], enough ? "good" : "short"));
   }
   if (!glove.device.calibration)
-    quiet("It learns its range from what it sees, anew each time: calibrate what its counts mean.");
+    quiet(ui.tr("It learns its range from what it sees, anew each time: calibrate what its counts mean."));
 }
 
 void GloveLive::draw_gestures(Interface& ui, const DeviceSample& sample, const ClientConfig& config) const {
   const bool none = sample.gesture == Gesture::none;
   ImGui::SetWindowFontScale(1.35f);
-  title(none ? "no gesture" : gesture_name(sample.gesture));
+  title(none ? ui.tr("no gesture") : gesture_name(sample.gesture));
   ImGui::SetWindowFontScale(1);
   bool first = true;
   for (const GestureRow& row : gesture_table()) {

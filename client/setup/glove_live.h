@@ -26,9 +26,9 @@ class SeenSpans {
 
 class GloveLive final : public LivePanel {
  public:
-  const char* name() const override { return "Try it on"; }
+  const char* name() const override { return msg("Try it on"); }
   const char* about() const override {
-    return "Open and close the whole hand, bend each finger, and make each gesture.";
+    return msg("Open and close the whole hand, bend each finger, and make each gesture.");
   }
   void draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) override;
   void close() override;

@@ -1,7 +1,5 @@
 #include "client/setup/guided_calibration.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "common/error.h"
@@ -14,7 +12,8 @@
 namespace prosector {
 
 const std::string& tracker_of(const ClientConfig& config) {
-  if (config.tracker.empty()) throw InputError("No tracker is named yet: name it on the page of devices.");
+  if (config.tracker.empty())
+    throw InputError(msg("No tracker is named yet: name it on the page of devices."));
   return config.tracker;
 }
 
@@ -74,8 +73,9 @@ std::unique_ptr<GuidedCalibration> begin_phantom(const ClientConfig& config,
 std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes) {
   const GloveSettings& glove = config.gloves[wishes.hand];
   if (glove.address.empty())
-    throw InputError(fmt::format("No {} glove is named yet: name it on the page of devices.",
-                                 wishes.hand == left_hand ? "left" : "right"));
+    throw InputError(wishes.hand == left_hand
+                         ? msg("No left glove is named yet: name it on the page of devices.")
+                         : msg("No right glove is named yet: name it on the page of devices."));
   return std::make_unique<GuidedCalibration>(
       std::make_unique<GloveGuide>(wishes.hand, GloveGuide::least_span_of(glove.address)), glove.address,
       glove.device);
@@ -93,7 +93,7 @@ std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config,
                                                  const CalibrationWishes& wishes) {
   const ClientConfig seen = seen_for(config, wishes.role);
   const std::string& tracker = tracker_of(seen);
-  if (wishes.against.empty()) throw InputError("Name a second device, which moves along.");
+  if (wishes.against.empty()) throw InputError(msg("Name a second device, which moves along."));
   return std::make_unique<GuidedCalibration>(
       std::make_unique<DelayGuide>(station_with_role(seen, wishes.role), wishes.seconds), tracker,
       seen.tracker_device, wishes.against);

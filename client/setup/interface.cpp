@@ -68,8 +68,12 @@ std::uint32_t texture_id(void* shown) {
 
 }  // namespace
 
-Interface::Interface(GlContext& context, const std::filesystem::path& shaders, double scale)
-    : context_(context), painter_(context, shaders), scale_(scale), imgui_(ImGui::CreateContext()) {
+Interface::Interface(GlContext& context, const std::filesystem::path& shaders, double scale, Catalogue words)
+    : context_(context),
+      painter_(context, shaders),
+      scale_(scale),
+      words_(std::move(words)),
+      imgui_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // places of windows aren't anybody's to move

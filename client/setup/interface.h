@@ -7,8 +7,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/render/interface_painter.h"
 #include "client/render/window_context.h"
 
@@ -24,9 +26,9 @@ struct PlacedControl {
 
 class Interface {
  public:
-  /// Takes a `context` that outlives it. `scale`: of letters and controls. Throws InputError as the painter
-  /// does, and where there is no font.
-  Interface(GlContext& context, const std::filesystem::path& shaders, double scale);
+  /// Takes a `context` that outlives it. `scale`: of letters and controls; `words`: of what pages say. Throws
+  /// InputError as the painter does, and where there is no font.
+  Interface(GlContext& context, const std::filesystem::path& shaders, double scale, Catalogue words = {});
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
@@ -44,12 +46,21 @@ class Interface {
   /// Returns what ImGui shows a picture by. It may take the place of one that was shown before.
   void* texture_of(const Image& image, void* instead = nullptr);
   double scale() const { return scale_; }
+  /// Returns a text in the user's language (Catalogue).
+  const Catalogue& words() const { return words_; }
+  const char* tr(const char* english) const { return words_.tr(english); }
+  std::string tr(const std::string& english) const { return words_.tr(english); }
+  template <class First, class... More>
+  std::string tr(fmt::format_string<First, More...> english, First&& first, More&&... more) const {
+    return words_.tr(english, std::forward<First>(first), std::forward<More>(more)...);
+  }
   Image read_pixels() const { return painter_.read_pixels(); }
 
  private:
   GlContext& context_;
   InterfacePainter painter_;
   double scale_;
+  Catalogue words_;
   ImGuiContext* imgui_;
   std::deque<WindowEvent> events_;
   std::vector<PlacedControl> placed_;

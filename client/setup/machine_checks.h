@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
+
 namespace prosector {
 
 enum class CheckState : std::uint8_t { unknown, good, fair, bad };
@@ -15,18 +17,22 @@ struct MachineCheck {
   std::string words;
 };
 
+/// Where the system says how much a socket may keep, bytes.
+inline constexpr const char* network_buffer_limit = "/proc/sys/net/core/rmem_max";
+
 /// Judges the median time of a picture of a small scene, s, drawn at that quality by that OpenGL.
-MachineCheck check_pictures(double seconds, const std::string& opengl);
+MachineCheck check_pictures(double seconds, const std::string& opengl, const Catalogue& words = {});
 /// Asks for a real-time priority on a thread that ends at once: haptic arms want one.
-MachineCheck check_real_time();
+MachineCheck check_real_time(const Catalogue& words = {});
 /// Looks whether the system's clock is kept by a server of time: journals of several machines are compared
 /// by it.
-MachineCheck check_clock();
+MachineCheck check_clock(const Catalogue& words = {});
 /// Looks how much the system lets a socket keep, bytes, which bursts of a large scene need on a network.
-MachineCheck check_network_buffers(const std::filesystem::path& limit = "/proc/sys/net/core/rmem_max");
+MachineCheck check_network_buffers(const std::filesystem::path& limit = network_buffer_limit,
+                                   const Catalogue& words = {});
 /// Looks whether there are cores enough for a server and a client.
-MachineCheck check_cores(unsigned cores);
+MachineCheck check_cores(unsigned cores, const Catalogue& words = {});
 /// Looks for the anatomy that shipped scenes are made of.
-MachineCheck check_anatomy(const std::filesystem::path& data);
+MachineCheck check_anatomy(const std::filesystem::path& data, const Catalogue& words = {});
 
 }  // namespace prosector

@@ -1,5 +1,6 @@
 #include "client/setup/pages.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "client/setup/words.h"
@@ -21,7 +22,7 @@ void Pages::draw(Interface& ui) {
   if (has_tabs) {
     const auto page = [&](const char* name, const auto& draw) {
       ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
-      const bool open = ImGui::BeginTabItem(name);
+      const bool open = ImGui::BeginTabItem(fmt::format("{}###{}", ui.tr(name), name).c_str());
       ImGui::PopStyleVar();
       ui.note(name);
       if (open) {
@@ -30,38 +31,39 @@ void Pages::draw(Interface& ui) {
       }
       return open;
     };
-    page("Enter", [&] {
+    page(msg("Enter"), [&] {
       enter_.draw(ui, room_);
       said_ = &room_.said();
     });
-    const bool devices = page("Devices", [&] {
+    const bool devices = page(msg("Devices"), [&] {
       devices_.draw(ui, draft_, monotonic_ns());
       said_ = &devices_.said();
     });
     if (!devices) devices_.close();
-    for (const auto& [name, calibrate] : {std::pair{"Tracker", &tracker_}, std::pair{"Glove", &glove_}}) {
+    for (const auto& [name, calibrate] :
+         {std::pair{msg("Tracker"), &tracker_}, std::pair{msg("Glove"), &glove_}}) {
       const bool open = page(name, [&] {
         calibrate->draw(ui, draft_, monotonic_ns());
         said_ = &calibrate->said();
       });
       if (!open) calibrate->close();
     }
-    const bool camera = page("Camera", [&] {
+    const bool camera = page(msg("Camera"), [&] {
       camera_.draw(ui, draft_, monotonic_ns());
       said_ = &camera_.said();
     });
     if (!camera) camera_.close();
-    const bool window = page("Window", [&] {
+    const bool window = page(msg("Window"), [&] {
       window_.draw(ui, room_, draft_, monotonic_ns());
       said_ = &window_.said();
     });
     if (!window) window_.close();
-    const bool pictures = page("Pictures", [&] {
+    const bool pictures = page(msg("Pictures"), [&] {
       pictures_.draw(ui, room_, draft_);
       said_ = &pictures_.said();
     });
     if (!pictures) pictures_.close();
-    page("Checks", [&] {
+    page(msg("Checks"), [&] {
       checks_.draw(ui);
       said_ = &room_.said();
     });
@@ -69,9 +71,9 @@ void Pages::draw(Interface& ui) {
   }
   ImGui::EndChild();
   if (said().wrong)
-    warning(said().words);
+    warning(ui.tr(said().words));
   else
-    quiet(said().words);
+    quiet(ui.tr(said().words));
   ImGui::End();
 }
 

@@ -19,10 +19,10 @@ struct QualityChoice {
   const char* about;
 };
 constexpr std::array<QualityChoice, 4> qualities = {
-    {{"low", "for a machine without a graphics card"},
-     {"medium", "shadows, translucent tissue, reflections"},
-     {"high", "smoother edges and light in air, for a good card"},
-     {"", "by itself: so that a picture takes 33 ms at most"}}};
+    {{msg("low"), msg("for a machine without a graphics card")},
+     {msg("medium"), msg("shadows, translucent tissue, reflections")},
+     {msg("high"), msg("smoother edges and light in air, for a good card")},
+     {"", msg("by itself: so that a picture takes 33 ms at most")}}};
 
 }  // namespace
 
@@ -36,46 +36,47 @@ void PicturesPage::draw(Interface& ui, Anteroom& room, ConfigDraft& draft) {
 }
 
 void PicturesPage::draw_seen(Interface& ui, SeenAs& seen) {
-  title("How you see a session");
+  title(ui.tr("How you see a session"));
   const auto choice = [&](const char* label, const std::string& display) {
     if (ImGui::RadioButton(label, seen.display == display)) seen.display = display;
     ui.note(fmt::format("display {}", display));
   };
-  choice("in a window", "window");
+  choice(ui.tr("in a window"), "window");
   for (const std::string& profile : profiles_)
-    choice(fmt::format("side by side, for two eyes: {}", profile).c_str(), "stereo:" + profile);
-  choice("in a headset by OpenXR, with its own tracking", "openxr");
+    choice(ui.tr("side by side, for two eyes: {}", profile).c_str(), "stereo:" + profile);
+  choice(ui.tr("in a headset by OpenXR, with its own tracking"), "openxr");
   bool fills = seen.monitor >= 0;
-  if (ImGui::Checkbox("filling the screen", &fills)) seen.monitor = fills ? 0 : -1;
+  if (ImGui::Checkbox(ui.tr("filling the screen"), &fills)) seen.monitor = fills ? 0 : -1;
   ui.note("fills");
   if (fills) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(120 * static_cast<float>(ui.scale()));
-    ImGui::InputInt("screen, from 0", &seen.monitor);
+    ImGui::InputInt(ui.tr("screen, from 0"), &seen.monitor);
     ui.note("screen");
     seen.monitor = std::clamp(seen.monitor, 0, 15);
   }
   ImGui::Separator();
-  title("How it is drawn");
+  title(ui.tr("How it is drawn"));
   for (const QualityChoice& quality : qualities) {
-    if (ImGui::RadioButton(fmt::format("{}  ·  {}###{}", *quality.name != 0 ? quality.name : "automatic",
-                                       quality.about, quality.name)
-                               .c_str(),
-                           seen.quality == quality.name))
+    if (ImGui::RadioButton(
+            fmt::format("{}  ·  {}###{}", *quality.name != 0 ? ui.tr(quality.name) : ui.tr("automatic"),
+                        ui.tr(quality.about), quality.name)
+                .c_str(),
+            seen.quality == quality.name))
       seen.quality = quality.name;
     ui.note(fmt::format("quality {}", *quality.name != 0 ? quality.name : "automatic"));
   }
   ImGui::Separator();
   std::string words;
   for (const std::string& word : seen.words()) words += " " + word;
-  quiet(words.empty() ? "As the client does by itself." : "In a command line:" + words);
+  quiet(words.empty() ? ui.tr("As the client does by itself.") : ui.tr("In a command line:{}", words));
 }
 
 void PicturesPage::draw_eyes(Interface& ui, ConfigDraft& draft) {
-  title("Your eyes");
+  title(ui.tr("Your eyes"));
   const EyeSettings& eyes = draft.config().eyes;
-  quiet(eyes.distance ? fmt::format("They are {:.1f} mm apart, by the configuration.", 1e3 * *eyes.distance)
-                      : "How far they are apart isn't known: the display's profile says it.");
+  quiet(eyes.distance ? ui.tr("They are {:.1f} mm apart, by the configuration.", 1e3 * *eyes.distance)
+                      : ui.tr("How far they are apart isn't known: the display's profile says it."));
   const auto choice = [&](const char* label, const char* name, bool crosses) {
     if (ImGui::RadioButton(label, by_crosses_ == crosses)) {
       by_crosses_ = crosses;
@@ -83,9 +84,9 @@ void PicturesPage::draw_eyes(Interface& ui, ConfigDraft& draft) {
     }
     ui.note(name);
   };
-  choice("by a ruler on the screen", "by ruler", false);
+  choice(ui.tr("by a ruler on the screen"), "by ruler", false);
   ImGui::SameLine();
-  choice("by crosses in a worn display", "by crosses", true);
+  choice(ui.tr("by crosses in a worn display"), "by crosses", true);
   ImGui::Separator();
   if (outcome_.empty())
     measure(ui, draft);
@@ -111,7 +112,7 @@ void PicturesPage::measure(Interface& ui, ConfigDraft& draft) {
 /// Shows what came out in the place of what was asked, so that nobody must look for it.
 void PicturesPage::draw_outcome(Interface& ui) {
   for (const std::string& line : outcome_) wrapped(line);
-  if (ImGui::Button("Once more")) outcome_.clear();
+  if (ImGui::Button(ui.tr("Once more"))) outcome_.clear();
   ui.note("once more");
 }
 

@@ -1,32 +1,35 @@
 #include "client/setup/procedures.h"
 
+#include "client/language/catalogue.h"
+
 namespace prosector {
 
 std::span<const ProcedureRow> tracker_procedures() {
   static const std::vector<ProcedureRow> rows = {
-      {"Place in the room",
-       "Touch points whose place in the room is known: the tracker's own place follows.",
+      {msg("Place in the room"),
+       msg("Touch points whose place in the room is known: the tracker's own place follows."),
        begin_room,
        {Asked::role, Asked::points}},
-      {"Instrument's tip",
-       "Rest the tip in a dent and swing the instrument about it: where the tip is follows.",
+      {msg("Instrument's tip"),
+       msg("Rest the tip in a dent and swing the instrument about it: where the tip is follows."),
        begin_tip,
        {Asked::role}},
-      {"Bent field",
-       "Hold the receiver at the points of a grid: what metal bends is mapped and taken out.",
+      {msg("Bent field"),
+       msg("Hold the receiver at the points of a grid: what metal bends is mapped and taken out."),
        begin_field,
        {Asked::role, Asked::grid}},
-      {"Noise",
-       "Let a receiver rest: how much it trembles and drifts is told.",
+      {msg("Noise"),
+       msg("Let a receiver rest: how much it trembles and drifts is told."),
        begin_noise,
        {Asked::role, Asked::seconds}},
-      {"Latency",
-       "Move a receiver together with a second device: how much later this one tells it follows.",
+      {msg("Latency"),
+       msg("Move a receiver together with a second device: how much later this one tells it follows."),
        begin_latency,
        {Asked::role, Asked::seconds, Asked::against}},
-      {"Phantom",
-       "Touch points of a real body with an instrument's tip: where its shape is follows, on its board or in "
-       "the room.",
+      {msg("Phantom"),
+       msg("Touch points of a real body with an instrument's tip: where its shape is follows, on its board "
+           "or in "
+           "the room."),
        begin_phantom,
        {Asked::role, Asked::shape, Asked::landmarks}}};
   return rows;
@@ -34,8 +37,8 @@ std::span<const ProcedureRow> tracker_procedures() {
 
 std::span<const ProcedureRow> glove_procedures() {
   static const std::vector<ProcedureRow> rows = {
-      {"What counts mean",
-       "Hold the hand flat, as a fist, and with each finger bent: what counts mean follows.",
+      {msg("What counts mean"),
+       msg("Hold the hand flat, as a fist, and with each finger bent: what counts mean follows."),
        begin_glove,
        {Asked::hand}}};
   return rows;

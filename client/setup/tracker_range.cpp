@@ -19,40 +19,43 @@ constexpr double exact_within = 0.76, works_within = 3;  // m, of a FASTRAK
 constexpr double least_shown = 1;                        // m, from the transmitter to the picture's edge
 constexpr std::array<ImU32, 3> trust_shades = {
     {IM_COL32(90, 210, 120, 255), IM_COL32(245, 185, 65, 255), IM_COL32(245, 100, 85, 255)}};
-constexpr std::array trust_words = {"exact", "less exact", "out of range"};
+constexpr std::array trust_words = {msg("exact"), msg("less exact"), msg("out of range")};
 
 /// Sides of the transmitter, with the hemisphere's zenith: X forward, Y right, Z down.
 struct Side {
   const char* name;
   Vec3 zenith;
 };
-const std::array<Side, 6> sides = {{{"before it", {1, 0, 0}},
-                                    {"behind it", {-1, 0, 0}},
-                                    {"right of it", {0, 1, 0}},
-                                    {"left of it", {0, -1, 0}},
-                                    {"above it", {0, 0, -1}},
-                                    {"below it", {0, 0, 1}}}};
+const std::array<Side, 6> sides = {{{msg("before it"), {1, 0, 0}},
+                                    {msg("behind it"), {-1, 0, 0}},
+                                    {msg("right of it"), {0, 1, 0}},
+                                    {msg("left of it"), {0, -1, 0}},
+                                    {msg("above it"), {0, 0, -1}},
+                                    {msg("below it"), {0, 0, 1}}}};
 
 /// Returns a direction of the FASTRAK's own frame in ours.
 Vec3 ours(const Vec3& v) {
   return {v.y(), -v.z(), -v.x()};
 }
 
-std::string receiver_name(const ClientConfig& config, std::uint32_t station) {
-  constexpr std::array names = {"", ", head", ", left hand", ", right hand", ", instrument", ", tablet"};
-  return fmt::format("Receiver {}{}", station + 1,
-                     names.at(static_cast<std::size_t>(config.stations[station])));
+std::string receiver_name(const Interface& ui, const ClientConfig& config, std::uint32_t station) {
+  constexpr std::array names = {
+      "", msg("head"), msg("left hand"), msg("right hand"), msg("instrument"), msg("tablet")};
+  const char* const whose = names.at(static_cast<std::size_t>(config.stations[station]));
+  return *whose == 0 ? ui.tr("Receiver {}", station + 1)
+                     : ui.tr("Receiver {}, {}", station + 1, ui.tr(whose));
 }
 
 /// Says how something is turned: aside, up or down, and about its own axis.
-std::string turn_words(const Quat& q) {
+std::string turn_words(const Interface& ui, const Quat& q) {
   constexpr double degrees = 180 / std::numbers::pi;
   const Vec3 ahead = q * -Vec3::UnitZ();
   const double aside = degrees * std::atan2(ahead.x(), -ahead.z());
   const double up = degrees * std::asin(std::clamp(ahead.y(), -1., 1.));
   const double rolled = degrees * std::atan2((q * Vec3::UnitX()).y(), (q * Vec3::UnitY()).y());
-  return fmt::format("{:.0f}° {}, {:.0f}° {}, rolled {:.0f}°", std::abs(aside), aside < 0 ? "left" : "right",
-                     std::abs(up), up < 0 ? "down" : "up", rolled);
+  return ui.tr("{:.0f}° {}, {:.0f}° {}, rolled {:.0f}°", std::abs(aside),
+               aside < 0 ? ui.tr("left") : ui.tr("right"), std::abs(up), up < 0 ? ui.tr("down") : ui.tr("up"),
+               rolled);
 }
 
 /// Draws the half of a disk that lies against a direction.
@@ -95,7 +98,7 @@ void TrackerRange::begin(const ClientConfig& config) {
 
 void TrackerRange::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) {
   if (draft.config().tracker.empty()) {
-    quiet("No tracker is named yet: name it on the page of devices.");
+    quiet(ui.tr("No tracker is named yet: name it on the page of devices."));
     return;
   }
   if (!watch_) begin(draft.config());
@@ -106,7 +109,8 @@ void TrackerRange::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int6
   draw_receivers(ui, draft.config());
   ImGui::Separator();
   if (!knows_range_) {
-    quiet("How far this tracker reaches isn't known. Its side and straight ahead are its own program's.");
+    quiet(ui.tr(
+        "How far this tracker reaches isn't known. Its side and straight ahead are its own program's."));
     return;
   }
   draw_side(ui, draft, said);
@@ -133,7 +137,7 @@ void TrackerRange::draw_pictures(Interface& ui, const ClientConfig& config) cons
     draw_range(space, config.tracker_device.hemisphere, scale);
     draw_dots(space, scale);
     list.AddText({corner.x + 6 * scale, corner.y + 3 * scale}, IM_COL32(158, 166, 178, 255),
-                 right ? "from behind" : "from above, forward is up");
+                 right ? ui.tr("from behind") : ui.tr("from above, forward is up"));
     list.PopClipRect();
     list.AddRect(corner, {corner.x + wide, corner.y + high}, IM_COL32(255, 255, 255, 30), 4 * scale, 0,
                  scale);
@@ -190,14 +194,14 @@ void TrackerRange::draw_receivers(Interface& ui, const ClientConfig& config) con
     const double distance = s.last.pose.p.norm();
     const bool mapped = map_ && ((s.last.pose.p - map_->centre).cwiseAbs() - map_->half).maxCoeff() <= 0;
     const std::string trusted =
-        knows_range_ ? trust_words[static_cast<std::size_t>(trust_at(distance, s.last.error))] : "seen";
+        knows_range_ ? trust_words[static_cast<std::size_t>(trust_at(distance, s.last.error))] : msg("seen");
     ImGui::PushStyleColor(ImGuiCol_Text, shade_of(s.last));
-    wrapped(fmt::format("{}: {:.2f} m away, {}{}; {}", receiver_name(config, s.last.station), distance,
-                        trusted,
-                        !map_    ? ""
-                        : mapped ? ", in the mapped field"
-                                 : ", beside the mapped field",
-                        turn_words(s.last.pose.q)));
+    wrapped(ui.tr("{}: {:.2f} m away, {}{}; {}", receiver_name(ui, config, s.last.station), distance,
+                  ui.tr(trusted),
+                  !map_    ? ""
+                  : mapped ? ui.tr(", in the mapped field")
+                           : ui.tr(", beside the mapped field"),
+                  turn_words(ui, s.last.pose.q)));
     ImGui::PopStyleColor();
     ui.note(fmt::format("receiver {} {}", s.last.station + 1, trusted));
   }
@@ -211,32 +215,33 @@ void TrackerRange::change(ConfigDraft& draft, Said& said, const ConfigChange& wh
 
 void TrackerRange::draw_side(Interface& ui, ConfigDraft& draft, Said& said) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("The transmitter has receivers …");
+  ImGui::TextUnformatted(ui.tr("The transmitter has receivers …"));
   const Vec3 now = draft.config().tracker_device.hemisphere;
   for (const Side& side : sides) {
     ImGui::SameLine();
-    if (ImGui::RadioButton(side.name, (now.normalized() - side.zenith).norm() < 1e-3)) {
+    if (ImGui::RadioButton(ui.tr(side.name), (now.normalized() - side.zenith).norm() < 1e-3)) {
       const std::vector<double> zenith(side.zenith.data(), side.zenith.data() + 3);
       change(draft, said, {"tracker.hemisphere", zenith},
-             fmt::format("Receivers are taken to be {}.", side.name));
+             ui.tr("Receivers are taken to be {}.", ui.tr(side.name)));
     }
     ui.note(side.name);
   }
-  quiet("A receiver on the dark side is told as its mirror image: lift it, and see whether its dot goes up.");
+  quiet(ui.tr(
+      "A receiver on the dark side is told as its mirror image: lift it, and see whether its dot goes up."));
 }
 
 void TrackerRange::draw_ahead(Interface& ui, ConfigDraft& draft, Said& said) {
   bool boresight = draft.config().tracker_device.boresight;
-  if (ImGui::Checkbox("how receivers are turned at the start counts as straight ahead", &boresight))
+  if (ImGui::Checkbox(ui.tr("how receivers are turned at the start counts as straight ahead"), &boresight))
     change(draft, said, {"tracker.boresight", boresight},
-           boresight ? "Straight ahead is how receivers are turned at the start."
-                     : "Straight ahead is as the receivers are built.");
+           boresight ? msg("Straight ahead is how receivers are turned at the start.")
+                     : msg("Straight ahead is as the receivers are built."));
   ui.note("boresight");
   if (!boresight) return;
   ImGui::SameLine();
-  if (ImGui::Button("Take it anew")) {
+  if (ImGui::Button(ui.tr("Take it anew"))) {
     watch_.reset();
-    said = {"How receivers are turned now counts as straight ahead.", false};
+    said = {msg("How receivers are turned now counts as straight ahead."), false};
   }
   ui.note("boresight now");
 }

@@ -22,7 +22,7 @@ Trust trust_at(double distance, char error);
 
 class TrackerRange final : public LivePanel {
  public:
-  const char* name() const override { return "Range and side"; }
+  const char* name() const override { return msg("Range and side"); }
   const char* about() const override {
     return "Where receivers are about the transmitter: green is as exact as promised, amber less so, red is "
            "out of range.";

@@ -111,12 +111,12 @@ void WindowPage::name_camera(ConfigDraft& draft) {
 }
 
 void WindowPage::draw_settings(Interface& ui, ConfigDraft& draft) {
-  title("The screen as a window");
-  wrapped("A camera sees your eyes, and the view follows them.");
-  if (edit_address(ui, address_, found_, "No camera is plugged in.") &&
+  title(ui.tr("The screen as a window"));
+  wrapped(ui.tr("A camera sees your eyes, and the view follows them."));
+  if (edit_address(ui, address_, found_, ui.tr("No camera is plugged in.")) &&
       address_.text != draft.config().window.address)
     name_camera(draft);
-  quiet("face: and a camera's number, file, stream or synthetic:FILE");
+  quiet(ui.tr("face: and a camera's number, file, stream or synthetic:FILE"));
   if (!draft.problem().empty()) warning(draft.problem());
   if (draft.config().window.address.empty()) return;
   draw_camera(ui, draft);
@@ -130,29 +130,30 @@ void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
   const Pose& camera = config.window.device.room_device;
   std::vector<ConfigChange> changes;
   double height = mm * config.window.height, apart = mm * config.window.device.eye_distance;
-  if (edit_number(ui, "mm high, the picture on the screen", "height", height, "%.0f"))
+  if (edit_number(ui, ui.tr("mm high, the picture on the screen"), "height", height, "%.0f"))
     changes.push_back({"window.height", height / mm});
-  quiet("From the picture's middle to the camera's lens:");
-  constexpr std::array<std::array<const char*, 2>, 3> axes = {
-      {{"mm to the right", "camera right"}, {"mm up", "camera up"}, {"mm towards you", "camera near"}}};
+  quiet(ui.tr("From the picture's middle to the camera's lens:"));
+  constexpr std::array<std::array<const char*, 2>, 3> axes = {{{msg("mm to the right"), "camera right"},
+                                                               {msg("mm up"), "camera up"},
+                                                               {msg("mm towards you"), "camera near"}}};
   std::vector<double> place(camera.p.data(), camera.p.data() + 3);
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     double there = mm * place[axis];
-    if (!edit_number(ui, axes[axis][0], axes[axis][1], there, "%.0f")) continue;
+    if (!edit_number(ui, ui.tr(axes[axis][0]), axes[axis][1], there, "%.0f")) continue;
     place[axis] = there / mm;
     changes.push_back({"window.camera.position", place});
   }
   std::optional<double> down = looks_down(camera.q);
   if (!down)
-    quiet("How it is turned stands in the file: window.camera.orientation");
-  else if (edit_number(ui, "° that it looks down", "looks down", *down, "%.1f"))
+    quiet(ui.tr("How it is turned stands in the file: window.camera.orientation"));
+  else if (edit_number(ui, ui.tr("° that it looks down"), "looks down", *down, "%.1f"))
     changes.push_back({"window.camera.orientation", written(looking_down(*down))});
-  if (edit_number(ui, "mm between your pupils", "eyes apart", apart, "%.1f"))
+  if (edit_number(ui, ui.tr("mm between your pupils"), "eyes apart", apart, "%.1f"))
     changes.push_back({"eyes.distance", apart / mm});
   quiet(config.eyes.distance
-            ? "A per cent off is a per cent of your distance."
-            : "Nobody measured them: these are people's in the mean. The page of pictures finds "
-              "yours by a ruler.");
+            ? ui.tr("A per cent off is a per cent of your distance.")
+            : ui.tr("Nobody measured them: these are people's in the mean. The page of pictures finds "
+                    "yours by a ruler."));
   if (!changes.empty()) change(draft, changes);
 }
 
@@ -162,8 +163,8 @@ void WindowPage::draw_use(Interface& ui, ConfigDraft& draft) {
       change(draft, {{"window.mode", std::string(mode)}});
     ui.note(fmt::format("mode {}", mode));
   };
-  choice("what is drawn lies behind the screen", "window", false);
-  choice("your face turns the view", "pan", true);
+  choice(ui.tr("what is drawn lies behind the screen"), "window", false);
+  choice(ui.tr("your face turns the view"), "pan", true);
 }
 
 /// Returns where the eyes were seen last; none: not for a while.
@@ -175,26 +176,26 @@ std::optional<Vec3> WindowPage::eyes(std::int64_t now_ns) const {
 }
 
 void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int64_t now_ns) {
-  title("Your eyes");
+  title(ui.tr("Your eyes"));
   if (!watch_) {
-    quiet("Name a camera, and where it sees your eyes is shown here.");
+    quiet(ui.tr("Name a camera, and where it sees your eyes is shown here."));
     return;
   }
   const ScreenPlace screen = {window.height, window.device.room_device.p};
   const std::optional<Vec3> at = eyes(now_ns);
   const std::string& trouble = watch_->devices().front().status.message;
-  const std::string distance = at ? distance_words(*at, screen) : "No eyes are seen.";
+  const std::string distance = at ? distance_words(ui.words(), *at, screen) : ui.tr("No eyes are seen.");
   ImGui::SetWindowFontScale(1.35f);
   wrapped(distance);
   ImGui::SetWindowFontScale(1);
   if (at) ui.note("told: eyes " + distance);
-  wrapped(at ? direction_words(*at) : "");
-  if (ImGui::Button("Look anew")) is_old_ = true;
+  wrapped(at ? direction_words(ui.words(), *at) : "");
+  if (ImGui::Button(ui.tr("Look anew"))) is_old_ = true;
   ui.note("look anew");
   ImGui::SameLine();
   // Beside the button, trouble that comes and goes moves nothing below.
   if (trouble.empty())
-    quiet("Check it with a ruler: from the lens to between your eyes.");
+    quiet(ui.tr("Check it with a ruler: from the lens to between your eyes."));
   else
     warning(trouble);
   ui.note("window trouble: " + trouble);
@@ -206,10 +207,10 @@ void WindowPage::draw_display(Interface& ui, SeenAs& seen) {
   const SeenAs usual;
   if (seen.display == usual.display) return;
   warning(
-      fmt::format("You see sessions by {}: none is entered while a camera is named here. See them in a "
-                  "window, or name none.",
-                  seen.display));
-  if (ImGui::Button("See them in a window")) seen.display = usual.display;
+      ui.tr("You see sessions by {}: none is entered while a camera is named here. See them in a "
+            "window, or name none.",
+            seen.display));
+  if (ImGui::Button(ui.tr("See them in a window"))) seen.display = usual.display;
   ui.note("in a window");
 }
 

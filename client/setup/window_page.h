@@ -24,7 +24,7 @@ class WindowPage {
   const Said& said() const { return said_; }
 
  private:
-  AddressField address_{"window.address", "Seen by", {}};
+  AddressField address_{"window.address", msg("Seen by"), {}};
   std::vector<FoundDevice> found_;
   std::int64_t found_ns_ = 0;
   std::unique_ptr<DeviceWatch> watch_;

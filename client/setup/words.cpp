@@ -1,6 +1,5 @@
 #include "client/setup/words.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 namespace prosector {
@@ -30,10 +29,6 @@ void quiet(const std::string& words) {
 
 void warning(const std::string& words) {
   coloured({1, 0.62f, 0.4f, 1}, words);
-}
-
-std::string count_words(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 }  // namespace prosector

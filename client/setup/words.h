@@ -1,7 +1,6 @@
 #pragma once
 // How the set-up window's pages write: headings, what is beside the point, what is wrong.
 
-#include <cstddef>
 #include <string>
 
 namespace prosector {
@@ -16,7 +15,5 @@ void title(const std::string& words);
 void wrapped(const std::string& words);
 void quiet(const std::string& words);
 void warning(const std::string& words);
-/// Returns "1 person", "3 people".
-std::string count_words(std::size_t count, const char* one, const char* many);
 
 }  // namespace prosector

@@ -1,27 +1,27 @@
 #include "client/view/body_figures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "common/counted.h"
 #include "common/percent_text.h"
 
 namespace prosector {
 
-std::string body_figures(const SceneBody& body, const BodyStatus& status) {
+std::string body_figures(const SceneBody& body, const BodyStatus& status, const Catalogue& words) {
   std::string text = body.name;
-  text += fmt::format("\n{} of {:.3g} ms", counted(std::max(1u, status.substeps), "step"), 1e3 * status.step);
-  if (status.asleep) text += "\nat rest";
-  if (!status.asleep && !status.converged) text += "\nnot converged";
+  const auto line = [&](const std::string& what) { text += '\n' + what; };
+  const unsigned steps = std::max(1u, status.substeps);
+  const double ms = 1e3 * status.step;
+  line(steps == 1 ? words.tr("1 step of {:.3g} ms", ms) : words.tr("{} steps of {:.3g} ms", steps, ms));
+  if (status.asleep) line(words.tr("at rest"));
+  if (!status.asleep && !status.converged) line(words.tr("not converged"));
   if (status.error >= 0)
-    text += is_known_error(status.error) ? fmt::format("\n{} off", percent_text(status.error))
-                                         : "\nerror not known";
+    line(is_known_error(status.error) ? words.tr("{} off", percent_text(status.error))
+                                      : words.tr("error not known"));
   if (status.press_error >= 0)
-    text += is_known_error(status.press_error)
-                ? fmt::format("\npressed: force within {}", percent_text(status.press_error))
-                : "\npressed: error not known";
-  if (status.stepped_down > 0) text += fmt::format("\nstepped down {}", status.stepped_down);
+    line(is_known_error(status.press_error)
+             ? words.tr("pressed: force within {}", percent_text(status.press_error))
+             : words.tr("pressed: error not known"));
+  if (status.stepped_down > 0) line(words.tr("stepped down {}", status.stepped_down));
   return text;
 }
 

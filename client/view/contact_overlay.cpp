@@ -21,23 +21,25 @@ std::string in_words(const Vec3& v, int digits) {
 
 }  // namespace
 
-std::string contact_figures(const ContactSample& contact, const std::string& body, double error) {
+std::string contact_figures(const ContactSample& contact, const std::string& body, double error,
+                            const Catalogue& words) {
   const double force = contact.force.norm();
-  std::string text = fmt::format("touching {}\n", body);
-  text += fmt::format("depth\t{:.2f} mm\n", 1e3 * contact.depth);
-  text += fmt::format("point\t{} m\n", in_words(contact.point, 3));
-  text += fmt::format("normal\t{}\n", in_words(contact.normal, 2));
-  text += fmt::format("impulse\t{:.4f} N s\n", contact.impulse);
-  text += fmt::format("force\t{:.2f} N", force);
+  std::string text = words.tr("touching {}", body);
+  const auto line = [&](const std::string& what) { text += '\n' + what; };
+  line(words.tr("depth\t{:.2f} mm", 1e3 * contact.depth));
+  line(words.tr("point\t{} m", in_words(contact.point, 3)));
+  line(words.tr("normal\t{}", in_words(contact.normal, 2)));
+  line(words.tr("impulse\t{:.4f} N s", contact.impulse));
+  line(words.tr("force\t{:.2f} N", force));
   if (error >= 0)
-    text += is_known_error(error) ? fmt::format("\nwithin\t{}", percent_text(error)) : "\nerror\tnot known";
-  if (force > 0) text += fmt::format("\nalong\t{}", in_words(contact.force / force, 2));
+    line(is_known_error(error) ? words.tr("within\t{}", percent_text(error)) : words.tr("error\tnot known"));
+  if (force > 0) line(words.tr("along\t{}", in_words(contact.force / force, 2)));
   return text;
 }
 
 void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body,
                          double error) {
-  const std::string text = contact_figures(contact, body, error);
+  const std::string text = contact_figures(contact, body, error, list.words);
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
   const double top = OverlayFrame(list).lowest - bottom - padding - text_height * height_of_lines(lines);
   list.texts.push_back({.text = text,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/view/detail.h"
 #include "common/image.h"
 #include "common/math.h"
@@ -147,7 +148,8 @@ struct DrawList {
   Vec3 background = {0.05, 0.06, 0.07};
   /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
   double scale = 1;
-  double strip = 0;  // points at the lower border that other overlays leave free
+  double strip = 0;      // points at the lower border that other overlays leave free
+  Catalogue words = {};  // language of the texts that overlays add
 };
 
 /// Tells whether the list's section takes a part of the item away, if it reaches it.

@@ -1,7 +1,5 @@
 #include "client/view/effort_strip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,11 +22,10 @@ std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel) {
   return static_cast<std::uint32_t>(std::lround(share * max_steps_down));
 }
 
-std::string in_words(const ShownEffort& effort) {
-  std::string out = fmt::format("{:.1f} ms a tick now", effort.tick_ms);
-  out += is_known_error(effort.error) ? fmt::format(", about {} off", percent_text(effort.error))
-                                      : ", error not known";
-  return out;
+std::string in_words(const ShownEffort& effort, const Catalogue& words) {
+  return is_known_error(effort.error)
+             ? words.tr("{:.1f} ms a tick now, about {} off", effort.tick_ms, percent_text(effort.error))
+             : words.tr("{:.1f} ms a tick now, error not known", effort.tick_ms);
 }
 
 }  // namespace prosector

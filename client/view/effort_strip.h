@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/view/pick.h"
 
 namespace prosector {
@@ -34,6 +35,6 @@ std::optional<Vec3> meet_front(const Ray& ray, const Panel& panel);
 /// Returns the steps down of the notch that a ray is nearest to; nullopt: it meets no strip.
 std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel);
 /// Returns cost and error in words.
-std::string in_words(const ShownEffort& effort);
+std::string in_words(const ShownEffort& effort, const Catalogue& words = {});
 
 }  // namespace prosector

@@ -1,7 +1,5 @@
 #include "client/view/message_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -29,13 +27,13 @@ std::vector<std::string> MessageLines::shown(double now) {
   std::vector<std::string> out;
   for (const Lane* lane : {&news_, &own_})
     for (const Line& line : lane->shown)
-      out.push_back(line.times > 1 ? fmt::format("{} ({} times)", line.text, line.times) : line.text);
+      out.push_back(line.times > 1 ? words_.tr("{} ({} times)", line.text, line.times) : line.text);
   return out;
 }
 
 void MessageLines::fill(double now) {
-  own_.fill(now, 1);
-  news_.fill(now, lines - own_.shown.size());
+  own_.fill(now, 1, words_);
+  news_.fill(now, lines - own_.shown.size(), words_);
 }
 
 void MessageLines::Lane::say(std::string text, double now) {
@@ -55,7 +53,7 @@ void MessageLines::Lane::say(std::string text, double now) {
 
 /// Takes away what has been read, and puts what waits in its place. Where the room became less, the oldest
 /// line waits again unless it was there for long enough.
-void MessageLines::Lane::fill(double now, std::size_t room) {
+void MessageLines::Lane::fill(double now, std::size_t room, const Catalogue& words) {
   std::erase_if(shown, [&](const Line& line) { return line.until <= now; });
   for (; shown.size() > room; shown.erase(shown.begin()))
     if (shown.front().since + least_stay > now) waiting.push_front(shown.front().text);
@@ -64,7 +62,7 @@ void MessageLines::Lane::fill(double now, std::size_t room) {
     if (shown.size() == room) shown.erase(shown.begin());
     std::string text = std::move(waiting.front());
     waiting.pop_front();
-    if (left_out > 0) text = fmt::format("{} (and {} before it)", text, std::exchange(left_out, 0));
+    if (left_out > 0) text = words.tr("{} (and {} before it)", text, std::exchange(left_out, 0));
     shown.push_back({text, 1, now, now + reading_time(text)});
   }
 }

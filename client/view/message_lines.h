@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "client/language/catalogue.h"
 
 namespace prosector {
 
@@ -18,6 +21,8 @@ enum class MessageKind : std::uint8_t { own, news };
 /// is in seconds of any clock that never goes back.
 class MessageLines {
  public:
+  explicit MessageLines(Catalogue words = {}) : words_(std::move(words)) {}
+
   /// Takes a message. One that is shown already is counted there, and stays for longer.
   void say(std::string text, double now, MessageKind kind = MessageKind::news);
   /// Returns the lines to draw, news first, of each kind the oldest first: "hand: tracked again (3 times)".
@@ -41,9 +46,10 @@ class MessageLines {
     std::size_t left_out = 0;
 
     void say(std::string text, double now);
-    void fill(double now, std::size_t room);
+    void fill(double now, std::size_t room, const Catalogue& words);
   };
   Lane own_, news_;
+  Catalogue words_;
 
   void fill(double now);
 };

@@ -113,12 +113,13 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
   put(notches_, {0, notches_y, 0.0005}, rail_color);
   put(knob_, effort_notch(effort.steps_down) + Vec3(0, 0, 0.003), cap_color);
   const double beside = notches_width / 2 + 0.012 + word_width / 2;
-  for (const auto& [x, word] : {std::pair{-beside, "exact"}, std::pair{beside, "coarse"}})
+  for (const auto& [x, word] :
+       {std::pair{-beside, list.words.tr("exact")}, std::pair{beside, list.words.tr("coarse")}})
     list.texts.push_back(
         write_centred(panel, {{x, notches_y, 0}, word_width, strip_height}, word, mark_height, dim_writing));
   list.texts.push_back(write_centred(
       panel, {{0, strip_y + figures_above, 0}, panel_width - 2 * panel_margin, strip_height / 2},
-      in_words(effort), mark_height, writing));
+      in_words(effort, list.words), mark_height, writing));
 }
 
 /// Adds what the part can have, or the question for it where nobody asked.
@@ -132,7 +133,7 @@ void PanelView::add_prices(DrawList& list, const Pose& panel, const std::vector<
   if (prices.empty())
     list.texts.push_back(write_centred(panel,
                                        {middle, panel_width - 2 * panel_margin, price_strip_height / 2},
-                                       price_question, mark_height, writing));
+                                       list.words.tr(price_question), mark_height, writing));
   const std::vector<Vec3> curve = price_curve(prices);
   const double cell =
       (panel_width - 2 * panel_margin) / static_cast<double>(std::max<std::size_t>(1, prices.size()));
@@ -197,16 +198,17 @@ void PanelView::add_controls(DrawList& list, const Panel& panel) const {
                           .appearance = look,
                           .casts_shadow = false});
     if (button)
-      list.texts.push_back(write_centred(panel.pose, label_place(control, face),
-                                         std::string(state.on ? control.label_on : control.label),
-                                         label_height, changed || state.touched ? dark_writing : writing));
+      list.texts.push_back(
+          write_centred(panel.pose, label_place(control, face),
+                        list.words.tr(std::string(state.on ? control.label_on : control.label)), label_height,
+                        changed || state.touched ? dark_writing : writing));
   }
   const ControlDesc& slider = describe(PanelControl::stiffness);
   const double stiffness = stiffness_at(panel.controls[static_cast<std::size_t>(slider.control)].position);
   const Place stiffness_place{{0.071, -0.052, 0}, 0.134, 0.032};
-  list.texts.push_back(write_centred(panel.pose, stiffness_place,
-                                     fmt::format("{} x{:.2f}", slider.label, stiffness), label_height,
-                                     writing));
+  list.texts.push_back(write_centred(
+      panel.pose, stiffness_place,
+      fmt::format("{} x{:.2f}", list.words.tr(std::string(slider.label)), stiffness), label_height, writing));
   constexpr std::array<const char*, 5> marks = {"1/4", "1/2", "1", "2", "4"};
   for (std::size_t k = 0; k < marks.size(); ++k) {
     const Vec3 at = control_face(slider, static_cast<double>(k) / 4);

@@ -130,6 +130,7 @@ Eigen::Vector2d board_point(const Vec3& place) {
 
 void PartsBoardView::add(DrawList& out, const PlacedPartsList& placed) {
   DrawList flat;
+  flat.words = out.words;
   add_parts_list(flat, *placed.list);
   PlatesMesh plates(flat.plates.front());
   for (std::size_t k = 1; k < flat.plates.size(); ++k) plates.add(flat.plates[k]);

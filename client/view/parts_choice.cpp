@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "client/language/catalogue.h"
+
 namespace prosector {
 
 std::vector<NamedColor> part_colors() {
-  return {{"orange", {0.791, 0.347, 0.000}}, {"sky blue", {0.093, 0.456, 0.815}},
-          {"green", {0.000, 0.342, 0.171}},  {"yellow", {0.871, 0.768, 0.054}},
-          {"blue", {0.000, 0.168, 0.445}},   {"red", {0.665, 0.112, 0.000}},
-          {"pink", {0.604, 0.191, 0.386}},   {"grey", {0.503, 0.503, 0.503}}};
+  return {{msg("orange"), {0.791, 0.347, 0.000}}, {msg("sky blue"), {0.093, 0.456, 0.815}},
+          {msg("green"), {0.000, 0.342, 0.171}},  {msg("yellow"), {0.871, 0.768, 0.054}},
+          {msg("blue"), {0.000, 0.168, 0.445}},   {msg("red"), {0.665, 0.112, 0.000}},
+          {msg("pink"), {0.604, 0.191, 0.386}},   {msg("grey"), {0.503, 0.503, 0.503}}};
 }
 
 void PartsChoice::obey(const PartsOrder& order) {

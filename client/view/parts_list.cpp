@@ -1,7 +1,5 @@
 #include "client/view/parts_list.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "client/view/overlay_frame.h"
@@ -96,22 +94,27 @@ void scroll_to(PartsListState& state, const PartsList& list, std::size_t row) {
   if (line >= state.first + capacity) state.first = line + 1 - capacity;
 }
 
-std::string told_spot(const PartsList& list, const PartsSpot& spot) {
+std::string told_spot(const PartsList& list, const PartsSpot& spot, const Catalogue& words) {
   using Kind = PartsSpot::Kind;
-  if (spot.kind == Kind::search) return list.state.in_room ? "" : "find by name or number, in any language";
-  if (spot.kind == Kind::reset) return "everything as the scene has it";
+  if (spot.kind == Kind::search)
+    return list.state.in_room ? "" : words.tr("find by name or number, in any language");
+  if (spot.kind == Kind::reset) return words.tr("everything as the scene has it");
   if (spot.kind == Kind::board || spot.row >= list.rows.size()) return "";
   const PartRow& row = list.rows[spot.row];
-  const std::string_view what = row.is_head ? "all of them" : "it";
-  if (spot.kind == Kind::name && list.state.in_room) return "draw along the names to scroll";
-  if (spot.kind == Kind::name) return row.is_head ? "" : "brings it into the picture";
-  if (spot.kind == Kind::eye) return fmt::format("{} {}", row.look.hidden ? "shows" : "hides", what);
+  if (spot.kind == Kind::name && list.state.in_room) return words.tr("draw along the names to scroll");
+  if (spot.kind == Kind::name) return row.is_head ? "" : words.tr("brings it into the picture");
+  if (spot.kind == Kind::eye && row.is_head)
+    return row.look.hidden ? words.tr("shows all of them") : words.tr("hides all of them");
+  if (spot.kind == Kind::eye) return row.look.hidden ? words.tr("shows it") : words.tr("hides it");
   if (spot.kind == Kind::isolate)
-    return row.isolated ? "hides the others, or brings them back" : "makes the others faint";
-  if (spot.kind == Kind::slider) return fmt::format("opacity: {:.0f} %", 100 * row.look.opacity);
-  if (spot.kind == Kind::swatch) return fmt::format("gives {} a colour", what);
+    return row.isolated ? words.tr("hides the others, or brings them back")
+                        : words.tr("makes the others faint");
+  if (spot.kind == Kind::slider) return words.tr("opacity: {:.0f} %", 100 * row.look.opacity);
+  if (spot.kind == Kind::swatch)
+    return row.is_head ? words.tr("gives all of them a colour") : words.tr("gives it a colour");
   const auto colors = part_colors();
-  return spot.color < colors.size() ? std::string(colors[spot.color].name) : "its own colour";
+  return spot.color < colors.size() ? words.tr(std::string(colors[spot.color].name))
+                                    : words.tr("its own colour");
 }
 
 }  // namespace prosector

@@ -62,7 +62,7 @@ double slider_opacity(const PartsList& list, const Eigen::Vector2d& point);
 void scroll_to(PartsListState& state, const PartsList& list, std::size_t row);
 
 /// Returns, in words, what a click there does; empty: nothing.
-std::string told_spot(const PartsList& list, const PartsSpot& spot);
+std::string told_spot(const PartsList& list, const PartsSpot& spot, const Catalogue& words = {});
 
 /// Adds the list to a picture.
 void add_parts_list(DrawList& out, const PartsList& list);

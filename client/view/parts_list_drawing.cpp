@@ -25,14 +25,15 @@ class PartsListDrawing {
                            .rim_width = 1,
                            .rim_color = rim_color});
     const double head_y = list_.search.min().y() + (search_height - height_of_lines(1) * text_height) / 2;
-    list_.state.in_room ? write("parts", left() + pad, head_y, list_.search.sizes().x(), dim_writing)
-                        : add_search(head_y);
+    list_.state.in_room
+        ? write(out_.words.tr("parts"), left() + pad, head_y, list_.search.sizes().x(), dim_writing)
+        : add_search(head_y);
     add_reset(head_y);
     for (const PartsList::Line& line : list_.lines)
       line.is_palette ? add_palette(line) : add_row(line, list_.rows[line.row]);
     add_scroll_mark();
     if (list_.state.hovered)
-      write(told_spot(list_, *list_.state.hovered), left() + pad, list_.lines_area.max().y() + 4,
+      write(told_spot(list_, *list_.state.hovered, out_.words), left() + pad, list_.lines_area.max().y() + 4,
             list_.board.sizes().x() - 2 * pad, dim_writing);
   }
 
@@ -82,7 +83,8 @@ class PartsListDrawing {
                            .rim_width = 1,
                            .rim_color = state.typing ? accent : rim_color});
     const bool empty = state.search.empty();
-    const std::string shown = empty && !state.typing ? "search" : state.search + (state.typing ? "|" : "");
+    const std::string shown =
+        empty && !state.typing ? out_.words.tr("search") : state.search + (state.typing ? "|" : "");
     write(shown, list_.search.min().x() + 6, y, list_.search.sizes().x() - 12,
           empty && !state.typing ? dim_writing : writing);
   }
@@ -95,7 +97,8 @@ class PartsListDrawing {
                            .radius = corner,
                            .rim_width = 1,
                            .rim_color = hovered ? writing : rim_color});
-    write("reset all", list_.reset.min().x() + 4, y, reset_width - 8, hovered ? writing : dim_writing);
+    write(out_.words.tr("reset all"), list_.reset.min().x() + 4, y, reset_width - 8,
+          hovered ? writing : dim_writing);
   }
 
   void add_row(const PartsList::Line& line, const PartRow& row) {

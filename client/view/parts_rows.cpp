@@ -12,8 +12,8 @@ namespace prosector {
 namespace {
 
 enum class Group : std::uint8_t { anatomy, bones, things, room };
-constexpr std::array<std::string_view, 4> group_names = {"Anatomy", "Bones", "Instruments and things",
-                                                         "Room"};
+constexpr std::array<const char*, 4> group_names = {msg("Anatomy"), msg("Bones"),
+                                                    msg("Instruments and things"), msg("Room")};
 
 Group group_of(const SceneBody& body) {
   if (body.appearance.surface == Surface::bone) return Group::bones;  // also those that lie about, unattached
@@ -56,10 +56,11 @@ PartRow row_of(const PartsKnown& known, const PartsChoice& choice, BodyId organ)
 }
 
 /// Returns a head that does to all rows what each one's controls do to it.
-PartRow head_of(Group group, const std::vector<PartRow>& rows) {
-  PartRow head{.is_head = true,
-               .text = fmt::format("{} · {}", group_names[static_cast<std::size_t>(group)], rows.size()),
-               .color = rows.front().color};
+PartRow head_of(Group group, const std::vector<PartRow>& rows, const Catalogue& words) {
+  PartRow head{
+      .is_head = true,
+      .text = fmt::format("{} · {}", words.tr(group_names[static_cast<std::size_t>(group)]), rows.size()),
+      .color = rows.front().color};
   head.look.hidden = head.isolated = true;
   for (const PartRow& row : rows) {
     head.parts.insert(head.parts.end(), row.parts.begin(), row.parts.end());
@@ -98,7 +99,8 @@ PartsKnown parts_known(const Replica& replica) {
   return known;
 }
 
-std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search) {
+std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search,
+                               const Catalogue& words) {
   const std::u32string searched = search_key(search);
   std::array<std::vector<PartRow>, group_names.size()> groups;
   for (BodyId body = 0; body < known.scene.bodies.size(); ++body)
@@ -108,7 +110,7 @@ std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choic
   std::vector<PartRow> out;
   for (std::size_t group = 0; group < groups.size(); ++group) {
     if (groups[group].empty()) continue;
-    out.push_back(head_of(static_cast<Group>(group), groups[group]));
+    out.push_back(head_of(static_cast<Group>(group), groups[group], words));
     std::ranges::move(groups[group], std::back_inserter(out));
   }
   return out;

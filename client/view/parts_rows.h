@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/replica/replica.h"
 #include "client/view/parts_choice.h"
 
@@ -41,7 +42,8 @@ struct PartRow {
 
 /// Returns the rows that the search finds: by name in any language, and by id of Terminologia Anatomica.
 /// Letters match as search_key() says. Groups without rows are left out.
-std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search);
+std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search,
+                               const Catalogue& words = {});
 
 /// Returns the author's names of parts that `name` means: the one that is called so, or else all that the
 /// search finds.

@@ -31,6 +31,6 @@ std::string in_words(const Price& price);
 /// Returns what to ask for so that a choice meets this price again, %.
 double accuracy_of(const Price& price);
 
-inline constexpr const char* price_question = "what can it have, at what price?";
+inline constexpr const char* price_question = msg("what can it have, at what price?");
 
 }  // namespace prosector

@@ -55,6 +55,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   parts_.clear();
   list_.scale = settings.scale;
   list_.strip = 0;
+  list_.words = settings.words;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo && !settings.eyes && !settings.through) add_insets(replica, tick, settings);
@@ -165,7 +166,7 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
     const auto user = entry != nullptr ? replica.user(entry->participant, tick) : std::nullopt;
     const bool seen = user && user->head_tracked;
     const int left = settings.width - width - gap, top = settings.height - below - height;
-    list_.texts.push_back({.text = seen ? name : name + " is not here",
+    list_.texts.push_back({.text = seen ? name : settings.words.tr("{} is not here", name),
                            .at = Vec3(left + gap, top + gap, 0) / settings.scale,
                            .height = 11});
     if (!seen) continue;
@@ -431,11 +432,11 @@ void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self
                                    const ViewSettings& settings) {
   constexpr double right = 16, below = 14, height = 13;  // points from the pointer
   const StrokeFigures* stroke = strokes_.of(self.participant);
-  std::string text = stroke != nullptr ? in_words(*stroke) : std::string();
+  std::string text = stroke != nullptr ? in_words(*stroke, settings.words) : std::string();
   if (self.at_desk) {
     if (settings.cut_depth) {
       if (!text.empty()) text += '\n';
-      text += depth_in_words(*settings.cut_depth);
+      text += depth_in_words(*settings.cut_depth, settings.words);
     }
     const Eigen::Vector2d at = settings.pointer / list_.scale + Eigen::Vector2d(right, below);
     if (!text.empty())
@@ -591,8 +592,10 @@ void SceneView::add_body_figures(const Replica& replica) {
       if (const Vec3 x = into_eye * Vec3(vertex.cast<double>()); x.z() < 0)
         slope = std::max(slope, x.y() / -x.z());
     const Vec3 above(middle.x(), slope * -middle.z() + clearance, middle.z());
-    list_.texts.push_back(
-        {.text = body_figures(bodies[id], *status), .at = eye * above, .overlay = false, .height = 11});
+    list_.texts.push_back({.text = body_figures(bodies[id], *status, list_.words),
+                           .at = eye * above,
+                           .overlay = false,
+                           .height = 11});
   }
 }
 

@@ -9,7 +9,6 @@
 #include "client/view/contact_overlay.h"
 #include "client/view/corner_axes.h"
 #include "client/view/overlay_frame.h"
-#include "common/counted.h"
 
 namespace prosector {
 namespace {
@@ -33,8 +32,9 @@ void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings
   constexpr double right = 16, above = 30, height = 13;  // points from the pointer
   if (!settings.pointed || *settings.pointed >= replica.scene()->bodies.size()) return;
   const Eigen::Vector2d at = settings.pointer / list.scale + Eigen::Vector2d(right, -above);
-  list.texts.push_back(
-      {.text = named_with_holders(replica, *settings.pointed), .at = {at.x(), at.y(), 0}, .height = height});
+  list.texts.push_back({.text = named_with_holders(replica, *settings.pointed, settings.words),
+                        .at = {at.x(), at.y(), 0},
+                        .height = height});
 }
 
 /// Adds lines at the lower border, beside the axes.
@@ -59,14 +59,14 @@ const RosterEntry* find_by_name(const Replica& replica, const std::string& name)
   return found;
 }
 
-std::string named_with_holders(const Replica& replica, BodyId body) {
+std::string named_with_holders(const Replica& replica, BodyId body, const Catalogue& words) {
   std::string out = replica.scene()->bodies[body].name;
   std::set<std::string> holders;
   if (const PartState* part = replica.part(body))
     for (const HandRef& hand : part->holders)
       if (const auto who = replica.roster().find(hand.participant); who != replica.roster().end())
         holders.insert(who->second.name);
-  if (!holders.empty()) out += fmt::format(", held by {}", fmt::join(holders, ", "));
+  if (!holders.empty()) out += words.tr(", held by {}", fmt::format("{}", fmt::join(holders, ", ")));
   return out;
 }
 
@@ -81,23 +81,26 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
     list.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
   };
   const SessionInfo& session = *replica.session();
+  const Catalogue& words = settings.words;
   line(0, fmt::format("{} - {}", session.session, session.scene));
   if (const auto& status = replica.status())
-    line(1,
-         fmt::format("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
-                     counted(status->participants, "participant"), counted(status->observers, "observer")));
+    line(1, words.tr("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
+                     status->participants == 1 ? std::string(words.tr("1 participant"))
+                                               : words.tr("{} participants", status->participants),
+                     status->observers == 1 ? std::string(words.tr("1 observer"))
+                                            : words.tr("{} observers", status->observers)));
   if (replica.server_gone())
-    line(2, "the server is gone; waiting for it");
+    line(2, words.tr("the server is gone; waiting for it"));
   else if (replica.recording())
-    line(2, "a recording");
+    line(2, words.tr("a recording"));
   else if (replica.pace() == 0)
-    line(2, "time stands still");
+    line(2, words.tr("time stands still"));
   else if (replica.pace() < 1)
-    line(2, fmt::format("slow motion, {:g} of real time", replica.pace()));
+    line(2, words.tr("slow motion, {:g} of real time", replica.pace()));
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr
-                ? fmt::format("through the eyes of {}", settings.follow)
-                : fmt::format("{} is not here; own view", settings.follow));
+                ? words.tr("through the eyes of {}", settings.follow)
+                : words.tr("{} is not here; own view", settings.follow));
   add_messages(list, settings.messages);
   add_pointed_name(list, replica, settings);
   if (const RosterEntry* followed = find_by_name(replica, settings.follow))

@@ -11,7 +11,7 @@ namespace prosector {
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
 
 /// Returns what a body of the scene is called, and who holds it: "scalpel, held by Ann".
-std::string named_with_holders(const Replica& replica, BodyId body);
+std::string named_with_holders(const Replica& replica, BodyId body, const Catalogue& words = {});
 
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,
                          const ViewSettings& settings);

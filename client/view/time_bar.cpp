@@ -35,11 +35,11 @@ const RecordingMark* mark_at(const TimeBar& bar, const WatchedTime& time) {
   return nearest;
 }
 
-std::string figures(const WatchedTime& time) {
+std::string figures(const WatchedTime& time, const Catalogue& words) {
   std::string out = fmt::format("{} / {}", clock_time(time.tick, time.tick_rate),
                                 clock_time(static_cast<double>(time.recording.last_tick), time.tick_rate));
   if (time.pace == 0)
-    out += "  stopped";
+    out += fmt::format("  {}", words.tr("stopped"));
   else if (time.pace != 1)
     out += fmt::format("  {:.3g}×", time.pace);
   return out;
@@ -50,7 +50,7 @@ void add_pointed(DrawList& list, const TimeBar& bar, const WatchedTime& time) {
   const RecordingMark* mark = mark_at(bar, time);
   const auto tick = static_cast<double>(mark != nullptr ? mark->tick : bar.tick_at(time.pointer.x()));
   std::string text = clock_time(tick, time.tick_rate);
-  if (mark != nullptr) text += "  " + in_words(*mark);
+  if (mark != nullptr) text += "  " + in_words(*mark, list.words);
   list.texts.push_back({.text = std::move(text),
                         .at = {time.pointer.x() + beside, bar.middle() - text_above, 0},
                         .height = text_height});
@@ -85,11 +85,21 @@ std::string clock_time(double tick, double tick_rate) {
   return fmt::format("{}:{:04.1f}", minutes, seconds);
 }
 
-std::string in_words(const RecordingMark& mark) {
-  constexpr std::array<std::string_view, 5> did = {"joined", "left", "cut", "took back a cut",
-                                                   "reset something"};
-  return fmt::format("{} {}", mark.who.empty() ? "somebody" : mark.who,
-                     did[static_cast<std::size_t>(mark.kind)]);
+std::string in_words(const RecordingMark& mark, const Catalogue& words) {
+  const std::string who = mark.who.empty() ? words.tr("somebody") : mark.who;
+  switch (mark.kind) {
+    case MarkKind::joined:
+      return words.tr("{} joined", who);
+    case MarkKind::left:
+      return words.tr("{} left", who);
+    case MarkKind::cut:
+      return words.tr("{} cut", who);
+    case MarkKind::taken_back:
+      return words.tr("{} took back a cut", who);
+    case MarkKind::reset:
+      return words.tr("{} reset something", who);
+  }
+  return who;
 }
 
 void add_time_bar(DrawList& list, const WatchedTime& time) {
@@ -108,8 +118,9 @@ void add_time_bar(DrawList& list, const WatchedTime& time) {
     across(bar.place_of(static_cast<double>(mark.tick)), mark_height, color_of(mark.kind), mark_width);
   if (time.wish) across(bar.place_of(static_cast<double>(*time.wish)), time_knob_height, wished, mark_width);
   across(bar.place_of(time.tick), time_knob_height, knob, knob_width);
-  list.texts.push_back(
-      {.text = figures(time), .at = {bar.right() + beside, y - 0.6 * text_height, 0}, .height = text_height});
+  list.texts.push_back({.text = figures(time, list.words),
+                        .at = {bar.right() + beside, y - 0.6 * text_height, 0},
+                        .height = text_height});
   add_pointed(list, bar, time);
 }
 

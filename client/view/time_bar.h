@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "client/language/catalogue.h"
 #include "client/view/draw_list.h"
 #include "client/view/overlay_frame.h"
 
@@ -48,7 +49,7 @@ struct WatchedTime {
 /// Returns a time of a recording for people: "1:02.5".
 std::string clock_time(double tick, double tick_rate);
 /// Returns what happened at a mark, in words.
-std::string in_words(const RecordingMark& mark);
+std::string in_words(const RecordingMark& mark, const Catalogue& words = {});
 
 /// Adds the bar. What is at the pointer is told above it.
 void add_time_bar(DrawList& list, const WatchedTime& time);

@@ -126,13 +126,15 @@ void add_legend(DrawList& list, const ValueScale& scale) {
                           color_at(1 - (y + row / 2) / height), row, true});
   for (int k = 0; k <= numbers; ++k) {
     const double share = static_cast<double>(k) / numbers;
-    list.texts.push_back({.text = fmt::format("{:.3g}{}", scale.factor * value_at(scale, share),
-                                              k == numbers ? " and more" : ""),
-                          .at = {left + bar + 8, top + (1 - share) * height - text_height / 2, 0},
-                          .height = text_height});
+    const double number = scale.factor * value_at(scale, share);
+    list.texts.push_back(
+        {.text = k == numbers ? list.words.tr("{:.3g} and more", number) : fmt::format("{:.3g}", number),
+         .at = {left + bar + 8, top + (1 - share) * height - text_height / 2, 0},
+         .height = text_height});
   }
-  list.texts.push_back(
-      {.text = std::string(scale.about), .at = {left, top + height + text_height, 0}, .height = text_height});
+  list.texts.push_back({.text = list.words.tr(std::string(scale.about)),
+                        .at = {left, top + height + text_height, 0},
+                        .height = text_height});
 }
 
 }  // namespace prosector

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/view/draw_list.h"
 #include "common/messages.h"
 
@@ -28,9 +29,9 @@ struct ValueScale {
 };
 inline constexpr std::array<ValueScale, 4> value_scales = {
     {{"none", ""},
-     {"strain", "strain, %", 0, 0.3, 100, false},  // its end follows what is shown: AutoRange
-     {"residual", "worst residual of\nthe last second\n(gray: not known)", 1e-8, 1, 1, true},
-     {"error", "estimated error, %,\nby where it comes from\n(gray: not known)", 0, 0.2, 100, false}}};
+     {"strain", msg("strain, %"), 0, 0.3, 100, false},  // its end follows what is shown: AutoRange
+     {"residual", msg("worst residual of\nthe last second\n(gray: not known)"), 1e-8, 1, 1, true},
+     {"error", msg("estimated error, %,\nby where it comes from\n(gray: not known)"), 0, 0.2, 100, false}}};
 constexpr const ValueScale& scale_of(Shown shown) {
   return value_scales[static_cast<std::size_t>(shown)];
 }

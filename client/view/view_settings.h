@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "client/language/catalogue.h"
 #include "client/view/draw_list.h"
 #include "client/view/parts_board_view.h"
 #include "client/view/parts_list.h"
@@ -24,6 +25,7 @@ struct PanelLook {
 };
 
 struct ViewSettings {
+  Catalogue words = {};                                // language of what is laid over the picture
   int width = 800, height = 600;                       // pixels
   double scale = 1;                                    // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;                 // nullopt: one picture

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/language/catalogue.h"
 #include "common/clock.h"
 #include "common/error.h"
 
@@ -72,7 +73,7 @@ void XrRun::make_stage() {
   if (std::ranges::find(kinds, XR_REFERENCE_SPACE_TYPE_STAGE) == kinds.end()) {
     info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
     info.poseInReferenceSpace.position.y = -standing_eyes;
-    tell_("headset: it doesn't know its room's floor; you are taken to stand");
+    tell_(msg("headset: it doesn't know its room's floor; you are taken to stand"));
   }
   PROSECTOR_XR_CHECK(xr_, CreateReferenceSpace, session_, &info, &stage_);
 }
@@ -113,7 +114,7 @@ void XrRun::follow_events() {
     else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       throw XrFailure("event", XR_ERROR_INSTANCE_LOST);
     else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
-      tell_("headset: its room was centred anew");
+      tell_(msg("headset: its room was centred anew"));
   }
 }
 
@@ -130,7 +131,7 @@ void XrRun::enter(XrSessionState state) {
     case XR_SESSION_STATE_STOPPING:
       PROSECTOR_XR_CHECK(xr_, EndSession, session_);
       running_ = false;
-      tell_("headset: it is put away");
+      tell_(msg("headset: it is put away"));
       break;
     case XR_SESSION_STATE_EXITING:
       over_ = true;
@@ -145,8 +146,8 @@ void XrRun::enter(XrSessionState state) {
 
 void XrRun::follow_focus(bool focused) {
   if (focused_ && !focused && state_ == XR_SESSION_STATE_VISIBLE)
-    tell_("headset: another program has your hands");
-  if (!focused_ && focused && had_focus_) tell_("headset: your hands are back");
+    tell_(msg("headset: another program has your hands"));
+  if (!focused_ && focused && had_focus_) tell_(msg("headset: your hands are back"));
   focused_ = focused;
   had_focus_ = had_focus_ || focused;
 }

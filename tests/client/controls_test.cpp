@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -72,23 +73,47 @@ TEST(Controls, HaveOneRowForEachInputOfADeviceAndShortLines) {
 TEST(Controls, AreAllOnTheBoardOfHelpInASmallWindowAndAtTwiceTheScale) {
   constexpr std::array devices = {ControlDevice::hand, ControlDevice::view, ControlDevice::gamepad};
   Typesetter typesetter;
-  for (const double scale : {1.0, 2.0})
-    for (const Eigen::Vector2i& size : {Eigen::Vector2i(640, 480), Eigen::Vector2i(1600, 900)}) {
-      DrawList list;
-      list.scale = scale;
-      list.cameras.emplace_back();
-      list.cameras[0].width = size.x();
-      list.cameras[0].height = size.y();
-      add_help(list, help_text(Role::host, devices, HelpColumns::tabs));
-      ASSERT_EQ(list.texts.size(), 2u);
-      for (const DrawText& text : list.texts) {
-        const SetText set = set_text(typesetter, text, scale);
-        EXPECT_FALSE(set.block->cut) << text.text;
-        EXPECT_GE(set.size, 7) << "pixels";
-        EXPECT_LE(scale * text.at.x() + set.width(), size.x());
-        EXPECT_LE(scale * text.at.y() + set.height(), size.y());
+  for (const char* language : {"en", "de", "tr"})
+    for (const double scale : {1.0, 2.0})
+      for (const Eigen::Vector2i& size : {Eigen::Vector2i(640, 480), Eigen::Vector2i(1600, 900)}) {
+        DrawList list;
+        list.scale = scale;
+        list.cameras.emplace_back();
+        list.cameras[0].width = size.x();
+        list.cameras[0].height = size.y();
+        add_help(list, help_text(Role::host, devices, HelpColumns::tabs, catalogue_for(language)));
+        ASSERT_EQ(list.texts.size(), 2u);
+        for (const DrawText& text : list.texts) {
+          const SetText set = set_text(typesetter, text, scale);
+          EXPECT_FALSE(set.block->cut) << language << text.text;
+          EXPECT_GE(set.size, 7) << "pixels, " << language;
+          EXPECT_LE(scale * text.at.x() + set.width(), size.x());
+          EXPECT_LE(scale * text.at.y() + set.height(), size.y());
+        }
       }
-    }
+}
+
+TEST(Controls, AreToldInTheUsersLanguageButCommandsAsTheyAreTyped) {
+  const Catalogue german = catalogue_for("de");
+  const std::string help = help_text(Role::host, at_the_desk, HelpColumns::tabs, german);
+  EXPECT_NE(help.find("Rad\twie hoch sie schwebt, bis zum Eindrücken"), std::string::npos) << help;
+  EXPECT_EQ(help.find("hovers"), std::string::npos);
+  constexpr std::array terminal = {ControlDevice::terminal};
+  EXPECT_EQ(help_text(Role::host, terminal, HelpColumns::tabs, german),
+            help_text(Role::host, terminal, HelpColumns::tabs));
+}
+
+TEST(Controls, StandInOneColumnWhateverLettersALanguageHas) {
+  std::istringstream lines(help_text(Role::host, at_the_desk, HelpColumns::blanks, catalogue_for("tr")));
+  std::set<std::size_t> columns;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ")) continue;
+    const std::size_t does = line.find_first_not_of(' ', line.find("  ", 2));
+    columns.insert(
+        static_cast<std::size_t>(std::count_if(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(does),
+                                               [](char c) { return (c & 0xc0) != 0x80; })));
+  }
+  EXPECT_EQ(columns.size(), 1u);
 }
 
 TEST(Controls, AreInTheDocumentationAsTheyAreHere) {

@@ -96,9 +96,12 @@ TEST(LoadingPicture, IsFullAsFarAsThingsAreHere) {
 /// A session of two bodies of which a client is told.
 class Told : public testing::Test {
  protected:
+  explicit Told(Catalogue language = {}) : words(std::move(language)) {}
+
   static constexpr ParticipantId self = 7, ada = 9;
   Replica replica;
-  Happenings happenings{self};
+  Catalogue words;
+  Happenings happenings{self, words};
   SceneInfo scene;
   TriangleMesh surface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   SparseMap map{{{{0, 1, 2, 3}, {1, 0, 0, 0}}, {{0, 1, 2, 3}, {0, 1, 0, 0}}, {{0, 1, 2, 3}, {0, 0, 1, 0}}}};
@@ -322,6 +325,34 @@ TEST_F(Told, ProgressGrowsToOneAsThingsArrive) {
   EXPECT_EQ(steps.front(), 0);
   EXPECT_LT(steps[steps.size() - 2], 1);
   EXPECT_EQ(steps.back(), 1) << fresh.missing();
+}
+
+class ToldInGerman : public Told {
+ protected:
+  ToldInGerman() : Told(catalogue_for("de")) {}
+  std::string told(double now) {
+    std::string out;
+    for (const Happening& happening : happenings.look(replica, now)) out += happening.text + "\n";
+    return out;
+  }
+};
+
+TEST_F(ToldInGerman, HappeningsAreGerman) {
+  told(0);
+  join(ada, "Ada", Role::observer);
+  EXPECT_EQ(told(1), "Ada ist dabei als Zuschauer\n");
+  join(ada, "Ada", Role::dissector);
+  EXPECT_EQ(told(2), "Ada ist jetzt Präparator\n");
+  say(revision(0, 1, TopologyCause::cut, ada));
+  EXPECT_EQ(told(3), "Ada hat geschnitten: liver\n");
+  say(revision(0, 2, TopologyCause::undo, self));
+  EXPECT_EQ(told(30), "eigener Schnitt zurückgenommen: liver\n");
+}
+
+TEST(MessageLines, CountInTheUsersLanguage) {
+  MessageLines messages{catalogue_for("tr")};
+  for (int k = 0; k < 3; ++k) messages.say("el: yeniden izleniyor", 0);
+  EXPECT_EQ(messages.shown(0), Lines{"el: yeniden izleniyor (3 kez)"});
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ class PagesRoom {
  public:
   PagesRoom(const std::string& config, double scale, double wide = 1)
       : PagesRoom(config, scale, static_cast<int>(1280 * wide), static_cast<int>(720 * wide)) {}
-  /// Takes the window's size, pixels.
-  PagesRoom(const std::string& config, double scale, int wide, int high)
+  /// Takes the window's size, pixels, and its language.
+  PagesRoom(const std::string& config, double scale, int wide, int high, const std::string& language = "")
       : folder_("pages"),
         file_(folder_.path / "client.toml"),
         draft_((write_file(file_, config), file_)),
@@ -37,9 +37,11 @@ class PagesRoom {
                .scenes = folder_.path,
                .cache = folder_.path,
                .memory = folder_.path / "m.toml",
-               .config = file_}),
+               .config = file_,
+               .language = language,
+               .words = catalogue_for(language)}),
         context_(make_offscreen_context(wide, high)),
-        ui_(*context_, default_shader_dir(), scale),
+        ui_(*context_, default_shader_dir(), scale, catalogue_for(language)),
         pages_(room_, draft_,
                [] {
                  return MachineCheck{"Pictures", CheckState::good, "8 ms"};

@@ -39,17 +39,20 @@ TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
   const struct {
     double scale;
     int wide, high;
-  } windows[] = {{2, 1280, 720}, {1, 1024, 600}, {2, 1920, 1080}, {1.5, 1366, 768}};
+  } windows[] = {{2, 1280, 720}, {1, 1280, 720}, {1, 1024, 600}, {2, 1920, 1080}, {1.5, 1366, 768}};
   for (const auto& [scale, wide, high] : windows) {
-    PagesRoom room(no_devices, scale, wide, high);
-    for (const char* page :
-         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
-      room.click(page);
-      room.picture(fmt::format("{}-{}x{}-at-{}", page, wide, high, scale));
-      for (const PlacedControl& c : room.placed()) {
-        EXPECT_LE(c.right, wide - 8 * scale)
-            << page << " " << c.name << " at " << wide << ", scale " << scale;
-        EXPECT_GT(c.right - c.left, 2 * scale) << page << " " << c.name << " at " << wide;
+    for (const char* language : {"en", "de", "tr"}) {
+      PagesRoom room(no_devices, scale, wide, high, language);
+      for (const char* page :
+           {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
+        room.click(page);
+        room.picture(fmt::format("{}-{}x{}-at-{}-{}", page, wide, high, scale, language));
+        for (const PlacedControl& c : room.placed()) {
+          EXPECT_LE(c.right, wide - 8 * scale)
+              << language << " " << page << " " << c.name << " at " << wide << ", scale " << scale;
+          EXPECT_GT(c.right - c.left, 2 * scale)
+              << language << " " << page << " " << c.name << " at " << wide;
+        }
       }
     }
   }
