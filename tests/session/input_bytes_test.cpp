@@ -36,8 +36,8 @@ ConsumedInput one_of_each() {
 
 TEST(InputBytes, StayAsJournalsHaveThem) {
   const std::vector<std::uint8_t> bytes = encode_input(one_of_each());
-  EXPECT_EQ(bytes.size(), 574u);
-  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "27f0a13093d4b6ea7fe1a3e133ecd568");
+  EXPECT_EQ(bytes.size(), 598u);
+  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "efb1a68b7642a75fba62dcf262525915");
 }
 
 TEST(InputBytes, AGraspOfWhatIsWantedComesBack) {
