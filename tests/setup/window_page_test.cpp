@@ -44,11 +44,11 @@ bool is_seen(const PagesRoom& room) {
 
 TEST(EyesShown, AreSaidAsARulerTellsThem) {
   const ScreenPlace screen = {0.3, {0, 0.2, 0}};
-  EXPECT_EQ(distance_words({0, -0.1, 0.4}, screen),
+  EXPECT_EQ(distance_words({}, {0, -0.1, 0.4}, screen),
             "500 mm from the camera, 412 mm from the picture's middle");
-  EXPECT_EQ(direction_words({0.05, -0.02, 0.5}),
+  EXPECT_EQ(direction_words({}, {0.05, -0.02, 0.5}),
             "From the middle: 50 mm to the right (6°), 20 mm below (2°), 500 mm before it");
-  EXPECT_EQ(direction_words({-0.5, 0.5, 0.5}),
+  EXPECT_EQ(direction_words({}, {-0.5, 0.5, 0.5}),
             "From the middle: 500 mm to the left (45°), 500 mm above (45°), 500 mm before it");
 }
 
