@@ -227,10 +227,11 @@ class View:
         act("mousemove", *self.pixel(place))
 
     def draw(self, start, end, steps):
-        """Moves the pointer from one place in the room to another, a tenth of a second a step."""
+        """Moves the pointer from one place in the room to another, a tenth of a second a step, or slower where pictures come
+        more slowly: the hand goes straight between the places that the pointer has at pictures."""
         for k in range(1, steps + 1):
             self.point_at(plus(start, times(k / steps, minus(end, start))))
-            time.sleep(0.1)
+            time.sleep(min(max(0.1, self.pause_of_pictures()), 0.5))
 
     def picture(self):
         box = (self.left, self.top, self.left + self.width, self.top + self.height)
