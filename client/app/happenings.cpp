@@ -38,10 +38,20 @@ std::vector<std::string> entries_of(const std::string& list) {
   return out;
 }
 
+// How the server says at what share of real time it simulates.
+constexpr std::string_view slowed = "simulated time slowed to ", of_real_time = " of real time";
+
+/// Returns a trouble of the server's in the user's language, where it has one.
+std::string told_in(const Catalogue& words, const std::string& trouble) {
+  if (!trouble.starts_with(slowed) || !trouble.ends_with(of_real_time)) return words.tr(trouble);
+  const std::size_t digits = trouble.size() - slowed.size() - of_real_time.size();
+  return words.tr("simulated time slowed to {} of real time", trouble.substr(slowed.size(), digits));
+}
+
 /// Tells whether a trouble is everyday where somebody touches, and stands among the figures: a solve that
 /// stopped early, and time that is hardly slower than real time.
 bool is_everyday(const std::string& part) {
-  constexpr std::string_view early = " not converged", slowed = "simulated time slowed to ";
+  constexpr std::string_view early = " not converged";
   if (part.starts_with(slowed)) return std::strtod(part.c_str() + slowed.size(), nullptr) >= hardly_slower;
   return part.ends_with(early) || part == "…";
 }
@@ -153,7 +163,7 @@ void Happenings::look_at_troubles(const Replica& replica, double now, std::vecto
     Trouble& t = known->second;
     const bool is_back = now - t.last > trouble_seconds && now - t.told > trouble_interval;
     if (is_new || is_back) {
-      out.push_back({words_.tr(trouble)});
+      out.push_back({told_in(words_, trouble)});
       t.told = now;
       told_of_trouble_ = true;
     }

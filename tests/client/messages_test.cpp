@@ -349,6 +349,14 @@ TEST_F(ToldInGerman, HappeningsAreGerman) {
   EXPECT_EQ(told(30), "eigener Schnitt zurückgenommen: liver\n");
 }
 
+TEST_F(ToldInGerman, SlowedTimeIsGermanAndOtherTroublesAreTheServers) {
+  told(0);
+  ServerStatus status;
+  status.degraded = "simulated time slowed to 0.75 of real time; liver reset: unfolded";
+  say(status);
+  EXPECT_EQ(told(1), "simulierte Zeit auf 0.75 der Echtzeit verlangsamt\nliver reset: unfolded\n");
+}
+
 TEST(MessageLines, CountInTheUsersLanguage) {
   MessageLines messages{catalogue_for("tr")};
   for (int k = 0; k < 3; ++k) messages.say("el: yeniden izleniyor", 0);
