@@ -61,7 +61,7 @@ def desk(lesson):
     window = lesson.window()
     client.waits_for("everything is here")
     person = newcomer.Newcomer(lesson.folder, client.shell, window.window, client.log, newcomer.LEISURELY)
-    onlooker = lesson.watch("abdomen")
+    onlooker = lesson.watch("prosector")
     try:
         newcomer.reads_the_help(person)
         newcomer.touches_the_liver(person)
@@ -181,6 +181,7 @@ def observer(lesson):
     cem = lesson.start("--language tr", "cem.log")
     window = lesson.window()
     cem.waits_for("everything is here")
+    window.picture()
     window.point(0.5, 0.45)
     time.sleep(1.5)
     lesson.keep(window.picture(), "names")

@@ -64,8 +64,12 @@ class Window:
         return *corner(self.window), int(size["WIDTH"]), int(size["HEIGHT"])
 
     def picture(self):
-        left, top, width, height = self.box()
-        return ImageGrab.grab(xdisplay="").crop((left, top, left + width, top + height)).convert("RGB")
+        """What the window shows, once it shows anything."""
+        def shown():
+            left, top, width, height = self.box()
+            image = ImageGrab.grab(xdisplay="").crop((left, top, left + width, top + height)).convert("RGB")
+            return image if image.getbbox() else None  # None: all of it is black
+        return wait_until("a picture in the window", shown, 60)
 
 
 class Terminal:
