@@ -123,7 +123,7 @@ struct DeskLesson : testing::Test {
     command.control = control;
     command.value = value;
     desk.ask(command);
-    desk.wait(0.3);  // a second later the detached liver is too far from its place to be attached
+    desk.wait(1.5);  // a person's pace: a detached liver has sunk by then
   }
   std::string told() const { return desk.told().empty() ? "" : desk.told().back(); }
 };
