@@ -149,7 +149,7 @@ void Connection::run(std::stop_token stop) {
         if (r.writer == followed) on_received_(r);
     take(received);
     if (!is_unheard(received)) continue;
-    connect_anew();
+    reconnect();
     next_check = Clock::now() + leave_time;
   }
 }
@@ -191,7 +191,7 @@ bool Connection::is_unheard(const std::vector<Received>& received) {
 }
 
 /// Leaves the session and comes back as another process would: with writers of its own.
-void Connection::connect_anew() {
+void Connection::reconnect() {
   std::shared_ptr<Bus> other;
   try {
     other = make_cyclone_bus(config_);
@@ -211,8 +211,7 @@ void Connection::connect_anew() {
   std::get<RosterEntry>(end.message).participant = old.participant;
   std::lock_guard lock(mutex_);
   servers_.apply(end);
-  words_.push_back(
-      catalogue_.tr("the server did not receive your hands any more: the connection was made anew"));
+  words_.push_back(catalogue_.tr("the server no longer received your hands: reconnected"));
 }
 
 // Where what this client has of a body does not fit what the server says of it.

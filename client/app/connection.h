@@ -33,7 +33,7 @@ class Connection {
   Connection(const BusConfig& config, const JoinRequest& request);
   ~Connection();
 
-  /// Returns this user's id in the session. A connection that is made anew gets another one.
+  /// Returns this user's id in the session. Reconnecting changes it.
   ParticipantId participant() const { return participant_; }
   const std::string& name() const { return presence_.name; }
 
@@ -82,7 +82,7 @@ class Connection {
   std::vector<const CommandResult*> apply(const std::vector<Received>& received);
   void rejoin_if_forgotten();
   bool is_unheard(const std::vector<Received>& received);
-  void connect_anew();
+  void reconnect();
   void ask_for_keyframes();
 };
 

@@ -22,7 +22,7 @@ std::string_view whose(Role least) {
   return names[static_cast<std::size_t>(least)];
 }
 
-/// Returns the letters of a text as they stand beside each other: code points.
+/// Returns the code points of a text, in order.
 std::size_t letters(std::string_view utf8) {
   return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xc0) != 0x80; }));
 }

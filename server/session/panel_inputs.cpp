@@ -13,7 +13,8 @@ namespace {
 constexpr double head_step = 0.01;  // m that a head moves before it is worth telling
 constexpr double head_turn = 0.05;  // the same of the change of the direction that it faces
 
-/// Returns the level unit vector whither a head faces, however steeply it looks; zero if it lies on its side.
+/// Returns the level unit vector of the direction that a head faces, however steeply it looks; zero if it
+/// lies on its side.
 Vec3 direction_ahead(const Pose& head) {
   const Vec3 level = Vec3::UnitY().cross(head.q * Vec3::UnitX());
   return level.norm() > 0.1 ? Vec3(level.normalized()) : Vec3::Zero();

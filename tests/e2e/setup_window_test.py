@@ -30,7 +30,7 @@ with Processes(OUT) as processes:
     guest.sees("session anatomy")
     guest.click("session anatomy")
     guest.click("watch")
-    wait_until("the scenes' pictures", lambda: len(list((OUT / "cache").rglob("*-scene.png"))) == 2, 120)
+    wait_until("the scenes' pictures", lambda: len(list((OUT / "cache").rglob("*-scene.png"))) == 2, 60)
     guest.picture("setup-enter.png")
     guest.click("enter")
     wait_until("the guest", lambda: processes.says("Bea.log", "observing session 'anatomy' as Bea"), 30)

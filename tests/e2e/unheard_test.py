@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""unheard_test.py BIN OUT: a damaged datagram makes the server's DDS reader drop all that a client's hand sends from then on: a copy of
-one of its datagrams with a sequence number far ahead. The client has to see that it is not heard any more, say so, and come back.
+"""unheard_test.py BIN OUT: a damaged datagram makes the server's DDS reader drop all later samples of a client's hand: a copy of
+one of its datagrams with a sequence number far ahead. The client has to notice that it is no longer heard, say so, and reconnect.
 Runs in a network namespace of its own, which it makes; ends as skipped (77) where it can't."""
 import atexit
 import collections
@@ -114,7 +114,7 @@ socket.socket(socket.AF_INET, socket.SOCK_DGRAM).sendto(damaged, ("127.0.0.1", U
 check("a damaged datagram makes it deaf to the client", LOG.wait(lambda: not moves(1), 10))
 
 began = time.monotonic()
-client.wait("the connection was made anew", seconds=30)
+client.wait("reconnected", seconds=30)
 said = time.monotonic() - began
 check("it is heard again", LOG.wait(lambda: moves(1), 20))
 print(f"the client said so {said:.1f} s later, and was heard again after {time.monotonic() - began:.1f} s")

@@ -26,7 +26,7 @@ inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::put_back;
 struct HeadPlace {
   ParticipantId participant = 0;
   Vec3 at = Vec3::Zero();     // m, world frame
-  Vec3 ahead = Vec3::Zero();  // level unit vector: whither they face, however steeply they look; 0: unknown
+  Vec3 ahead = Vec3::Zero();  // level unit vector: which way they face, however steeply they look; 0: unknown
 };
 
 /// Where somebody's tablet or stylus is. Who isn't told of anew is still there.

@@ -16,7 +16,7 @@ constexpr double around_head = 0.05;  // m from the head, within which a hand ta
 constexpr double steepest = 0.94;     // sine of the panel's inclination
 
 // Sines of the inclination of a reader's gaze at a place.
-constexpr double steep = 0.7;        // above, it counts more and more whither the reader faces
+constexpr double steep = 0.7;        // above, the direction that the reader faces counts more
 constexpr double from_above = 0.85;  // above, only that counts: the reader looks down on the place
 
 double inclination_of_gaze(const Vec3& place, const PanelReader& reader) {

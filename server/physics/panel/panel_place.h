@@ -8,7 +8,7 @@ namespace prosector {
 /// The eyes that a panel faces; world frame.
 struct PanelReader {
   Vec3 eyes = Vec3::Zero();   // m
-  Vec3 ahead = Vec3::Zero();  // level unit vector: whither they face, however steeply they look; 0: unknown
+  Vec3 ahead = Vec3::Zero();  // level unit vector: which way they face, however steeply they look; 0: unknown
 };
 
 struct PanelSite {
