@@ -175,7 +175,10 @@ void DeviceRig::press_tablet() {
   const HeldPose& tablet = input_.held[static_cast<std::size_t>(HeldThing::tablet)];
   for (std::size_t hand : {left_hand, right_hand}) {
     HandPose& mine = input_.hands[hand];
-    if (!mine.tracked) continue;
+    if (!mine.tracked) {
+      press_.lose(hand);
+      continue;
+    }
     mine.pose = seen_wrists_[hand];
     if (tablet.tracked) mine = press_.follow(hand, mine, tablet.pose, eye_, hand_life_[hand].seen_ns());
   }

@@ -15,8 +15,7 @@ constexpr double farthest = 0.12;    // m that a fingertip may seem to be before
 constexpr double hover = 0.03;       // m over the board that a finger is held which presses nothing
 constexpr double beside = 0.01;      // m that one that presses may leave its control
 constexpr double off_the_rail = 0.03;
-constexpr double still = 0.012;                    // m within which a finger stays
-constexpr std::int64_t longest_gap = 200'000'000;  // ns without it, after which it comes anew
+constexpr double still = 0.012;  // m within which a finger stays
 
 /// Returns how far an aim is outside a control's cap; 0: on it.
 double off(const ControlDesc& control, const Vec3& at, double middle) {
@@ -67,8 +66,6 @@ std::optional<PanelControl> control_at(const Vec3& at) {
 
 /// Follows where a finger is on the board, and presses what it has stayed at for long enough.
 void TabletPress::aim(Finger& finger, const Vec3& at, std::int64_t time_ns) {
-  if (time_ns - finger.seen_ns > longest_gap) finger = {};
-  finger.seen_ns = time_ns;
   if (finger.presses && keeps(describe(*finger.control), at)) return;
   const auto control = control_at(at);
   const bool stays = !finger.presses && control == finger.control && (at - finger.first).norm() < still;

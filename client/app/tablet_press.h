@@ -19,6 +19,8 @@ class TabletPress {
   /// seen.
   HandPose follow(std::size_t hand, const HandPose& seen, const Pose& tablet, const Vec3& eye,
                   std::int64_t time_ns);
+  /// Notes that this hand is out of sight: what its finger pressed is let go.
+  void lose(std::size_t hand) { fingers_[hand] = {}; }
 
   static constexpr double dwell = 0.5;  // s that a finger stays at a control until it presses
 
@@ -26,7 +28,7 @@ class TabletPress {
   /// A finger before the board.
   struct Finger {
     std::optional<PanelControl> control;  // that it is at
-    std::int64_t since_ns = 0, seen_ns = 0;
+    std::int64_t since_ns = 0;
     Vec3 first = Vec3::Zero();  // m, on the board: where it came to rest
     bool presses = false;
   };

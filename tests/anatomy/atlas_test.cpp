@@ -11,6 +11,7 @@
 #include "common/error.h"
 #include "common/scene/load_scene.h"
 #include "tests/anatomy/files.h"
+#include "tests/folders.h"
 #include "tests/real_data.h"
 
 namespace prosector {
@@ -185,7 +186,7 @@ TEST(Atlas, ATableOfNamesIsForTheScenesBodies) {
 
 TEST(Atlas, TheBrainHas116Parts) {
   if (find_in_data("aal.nii.gz").empty()) GTEST_SKIP() << "no aal.nii.gz: deploy/fetch_anatomy.sh";
-  const std::filesystem::path file = PROSECTOR_SOURCE_DIR "/deploy/scenes/brain.toml";
+  const std::filesystem::path file = source_path("deploy/scenes/brain.toml");
   const SceneDesc s = completed(load_scene(file), {file.parent_path(), {default_data_dir()}, {}}, {});
   EXPECT_EQ(s.soft.size(), 116u);
   EXPECT_EQ(s.soft[0].name, "left precentral gyrus");

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "tests/bench/report.h"
+#include "tests/folders.h"
 #include "tests/real_data.h"
 
 namespace prosector {
@@ -29,8 +30,8 @@ class Json : public testing::TestWithParam<Subject> {
     const auto folder = std::filesystem::temp_directory_path();
     const std::string file =
         folder / ("prosector-bench." + std::to_string(getpid()) + "." + subject.name + ".json");
-    const std::string command = std::string(PROSECTOR_BENCH) + " " + subject.name + " " + subject.smallest +
-                                " --json " + file + " > /dev/null";
+    const std::string command = "cd " + source_path("") + " && " + build_path("bin/prosector-bench") + " " +
+                                subject.name + " " + subject.smallest + " --json " + file + " > /dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream in(file);
     nlohmann::json out = nlohmann::json::parse(in, nullptr, false);
@@ -87,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"seen", "right_points", "right_side", "sure", "points_median", "lateral_mm", "depth_mm",
                  "turn_deg", "flexion_median", "find_ms", "fit_ms"}},
         Subject{"crowd",
-                PROSECTOR_SCENES "/minimal.toml --users 2 --ticks 3 --threads 1",
+                "deploy/scenes/minimal.toml --users 2 --ticks 3 --threads 1",
                 {"scene", "organ", "tets", "threads", "seed", "dt", "users", "hands", "depth"},
                 {"contacts", "awake", "islands", "newton_iterations", "solver_iterations", "unconverged",
                  "force", "ms_p50", "ms_p95", "cpu_ms_p50", "ms_narrow", "ms_coupled"}},

@@ -5,6 +5,7 @@
 #include "drivers/fitting/rigid_fit.h"
 #include "tests/camera/tag_cases.h"
 #include "tests/camera/tag_errors.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr double distance = 0.6;  // m
 
 Board phantom() {
-  return load_board(std::filesystem::path(PROSECTOR_SOURCE_DIR) / "deploy/cameras/phantom.toml");
+  return load_board(source_path("deploy/cameras/phantom.toml"));
 }
 
 /// Points 50 mm from the cube's middle, inside and behind it as the camera sees it.

@@ -10,14 +10,18 @@
 #include "drivers/camera/tags/board_tracker.h"
 #include "drivers/device.h"
 #include "tests/camera/tag_errors.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
 
+const std::string printed_picture = source_path("docs/pictures/parts-labelled.png");
+
 /// A page of an atlas, 200 mm wide.
 Board atlas_page() {
-  const auto file = std::filesystem::path(PROSECTOR_SOURCE_DIR) / "docs/pictures/parts-labelled.png";
-  return {"atlas", {}, std::make_shared<const PrintedPicture>(PrintedPicture{read_picture(file), 0.2})};
+  return {"atlas",
+          {},
+          std::make_shared<const PrintedPicture>(PrintedPicture{read_picture(printed_picture), 0.2})};
 }
 
 struct PictureRow {
@@ -66,8 +70,7 @@ std::filesystem::path written_file(const std::string& name, const std::string& t
 }
 
 std::filesystem::path atlas_file() {
-  return written_file("atlas.toml", "[picture]\nfile = \"" PROSECTOR_SOURCE_DIR
-                                    "/docs/pictures/parts-labelled.png\"\nwidth = 0.2\n");
+  return written_file("atlas.toml", "[picture]\nfile = \"" + printed_picture + "\"\nwidth = 0.2\n");
 }
 
 std::string refusal_of(const std::string& board) {
@@ -92,12 +95,11 @@ TEST(PictureBoards, BadOnesAreRefusedInWords) {
   const Row rows[] = {
       {"[picture]\nfile = \"nowhere.png\"\nwidth = 0.2\n", "nowhere.png: is no picture"},
       {"[picture]\nfile = \"bad.toml\"\nwidth = 0.2\n", "bad.toml: is no picture"},
-      {"[picture]\nfile = \"" PROSECTOR_SOURCE_DIR "/docs/pictures/parts-labelled.png\"\n", "width: "},
-      {"[picture]\nfile = \"" PROSECTOR_SOURCE_DIR "/docs/pictures/parts-labelled.png\"\nwidth = 0\n",
-       "width: must be a number from 0.02"},
+      {"[picture]\nfile = \"" + printed_picture + "\"\n", "width: "},
+      {"[picture]\nfile = \"" + printed_picture + "\"\nwidth = 0\n", "width: must be a number from 0.02"},
       {"[picture]\nwidth = 0.2\n", "file: "},
-      {"[grid]\ncolumns = 1\nrows = 1\nsize = 0.1\nfirst = 0\n[picture]\nfile = \"" PROSECTOR_SOURCE_DIR
-       "/docs/pictures/parts-labelled.png\"\nwidth = 0.2\n",
+      {"[grid]\ncolumns = 1\nrows = 1\nsize = 0.1\nfirst = 0\n[picture]\nfile = \"" + printed_picture +
+           "\"\nwidth = 0.2\n",
        "tags or one picture"},
       {grey_map("plain.pgm", [](int, int) { return 200; }), "places that can be told apart"},
       {grey_map("chess.pgm", [](int x, int y) { return (x / 10 + y / 10) % 2 == 0 ? 20 : 230; }),

@@ -12,6 +12,7 @@
 
 #include "client/view/help_board.h"
 #include "client/view/set_text.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -119,7 +120,7 @@ TEST(Controls, StandInOneColumnWhateverLettersALanguageHas) {
 TEST(Controls, AreInTheDocumentationAsTheyAreHere) {
   std::stringstream page;
   for (const char* name : {"join.md", "watch-recordings.md"})
-    page << std::ifstream(std::string(PROSECTOR_DO_PAGES) + "/" + name).rdbuf();
+    page << std::ifstream(source_path("docs/do/") + name).rdbuf();
   constexpr std::array<std::pair<std::string_view, ControlDevice>, 6> tables = {
       {{"hand", ControlDevice::hand},
        {"view", ControlDevice::view},

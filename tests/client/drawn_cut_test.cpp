@@ -13,6 +13,7 @@
 #include "common/scene/load_scene.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/client/acted_desk.h"
+#include "tests/folders.h"
 #include "tests/real_data.h"
 
 namespace prosector::test {
@@ -42,7 +43,7 @@ TEST_P(DrawnCutUnderTension, IsAsLongAsTheWayGapesAndIsTakenBack) {
   CompileOptions options;
   options.threads = 1;
   options.data_dirs = {default_data_dir()};
-  Simulation simulation(load_scene(PROSECTOR_SCENES "/cut.toml"), options);
+  Simulation simulation(load_scene(source_path("deploy/scenes/cut.toml")), options);
   const BodyId knife = body_named(simulation, "knife"), liver = body_named(simulation, "liver");
   const std::uint64_t whole = simulation.soft(liver).content_hash();
   ActedDesk desk(simulation, GetParam());

@@ -15,6 +15,7 @@
 #include "common/scene/load_scene.h"
 #include "tests/client/picture.h"
 #include "tests/client/seated_user.h"
+#include "tests/folders.h"
 
 namespace prosector::test {
 namespace {
@@ -43,7 +44,7 @@ constexpr std::array<double, 1> usual_place = {0.3};
 
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> out;
-  for (const auto& entry : std::filesystem::directory_iterator(PROSECTOR_SCENES))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("deploy/scenes")))
     if (entry.path().extension() == ".toml") out.push_back(entry.path().stem().string());
   std::ranges::sort(out);
   return out;
@@ -112,8 +113,7 @@ class FirstView : public testing::TestWithParam<std::string> {
     options.threads = 1;
     options.data_dirs = {default_data_dir()};
     options.cache_dir = default_cache_dir();
-    Simulation simulation(load_scene(std::filesystem::path(PROSECTOR_SCENES) / (GetParam() + ".toml")),
-                          options);
+    Simulation simulation(load_scene(source_path("deploy/scenes/" + GetParam() + ".toml")), options);
     JudgedUser user(simulation, longest);
     for (const Size& size : sizes) user.judge(size, places);
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tests/client/picture.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -23,7 +24,8 @@ class Gallery : public testing::TestWithParam<std::string> {};
 
 TEST_P(Gallery, LooksAsItDid) {
   const GalleryPicture picture = gallery_picture(GetParam());
-  const std::filesystem::path golden = std::filesystem::path(PROSECTOR_TEST_GOLDEN) / (picture.name + ".png");
+  const std::filesystem::path golden =
+      source_path("tests/client/golden/" + std::string(picture.name) + ".png");
   const Image expected = read_png(golden);
   const Image drawn = picture_of(picture.list, picture.width, picture.height);
   ASSERT_EQ(drawn.rgb.size(), expected.rgb.size());

@@ -10,6 +10,7 @@
 
 #include "client/xr/headset.h"
 #include "common/clock.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -37,13 +38,13 @@ struct Seen {
 };
 
 TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
-  setenv("XR_RUNTIME_JSON", PROSECTOR_TWINS "/openxr_double.json", 1);
-  setenv("PROSECTOR_OPENXR",
-         "--held --script " PROSECTOR_RING_FINGER
-         " --rate 200 --width 32 --height 24 --unfocused 0.2 0.4 --garbage 0.5 0.7 --centred-anew 0.75 "
-         "--session-lost 0.8 "
-         "--frame-refused 1.1 --instance-lost 1.4 --away 1.4 2.2 --left 3.2",
-         1);
+  setenv("XR_RUNTIME_JSON", build_path("lib/twins/openxr_double.json").c_str(), 1);
+  const std::string runtime =
+      "--held --script " + source_path("tests/client/ring_finger.csv") +
+      " --rate 200 --width 32 --height 24 --unfocused 0.2 0.4 --garbage 0.5 0.7 "
+      "--centred-anew 0.75 --session-lost 0.8 --frame-refused 1.1 --instance-lost 1.4 "
+      "--away 1.4 2.2 --left 3.2";
+  setenv("PROSECTOR_OPENXR", runtime.c_str(), 1);
   const auto context = make_egl_context(64, 64);
   Seen seen, told;
   std::mutex telling;

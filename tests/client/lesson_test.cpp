@@ -14,6 +14,7 @@
 #include "common/scene/load_scene.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/client/acted_desk.h"
+#include "tests/folders.h"
 
 namespace prosector::test {
 namespace {
@@ -28,7 +29,7 @@ std::string text_of(const Path& file) {
 /// The lessons, by the name of their page.
 std::map<std::string, std::string> lessons() {
   std::map<std::string, std::string> out;
-  for (const auto& entry : std::filesystem::directory_iterator(PROSECTOR_LEARN_PAGES))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("docs/learn")))
     if (entry.path().stem() != "README") out[entry.path().stem().string()] = text_of(entry.path());
   return out;
 }
@@ -84,7 +85,7 @@ TEST(Lessons, PressOnlyKeysThatDoSomething) {
 SceneDesc scene_of(const std::string& lesson) {
   const auto named = found_in(lessons().at(lesson), "prosector-server deploy/scenes/([a-z_]+[.]toml)");
   EXPECT_FALSE(named.empty()) << lesson << " opens no scene";
-  SceneDesc scene = load_scene(Path(PROSECTOR_SCENES) / named.at(0));
+  SceneDesc scene = load_scene(source_path("deploy/scenes/" + named.at(0)));
   for (SoftDesc& soft : scene.soft) {
     soft.cell *= 1.5;
     soft.surface_cell *= 1.5;

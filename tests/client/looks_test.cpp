@@ -10,6 +10,7 @@
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "tests/client/picture.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -23,7 +24,7 @@ constexpr double darkest_median = 55, brightest_median = 190;  // of 255: of the
 
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> out;
-  for (const auto& entry : std::filesystem::directory_iterator(PROSECTOR_SCENES))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("deploy/scenes")))
     if (entry.path().extension() == ".toml") out.push_back(entry.path().stem().string());
   std::sort(out.begin(), out.end());
   return out;
@@ -68,7 +69,7 @@ double median_luminance(const Image& image, const Image& mask) {
 class Looks : public testing::TestWithParam<std::string> {};
 
 TEST_P(Looks, OfAShippedSceneAreNeitherBurntNorDark) {
-  const SceneDesc scene = load_scene(std::filesystem::path(PROSECTOR_SCENES) / (GetParam() + ".toml"));
+  const SceneDesc scene = load_scene(source_path("deploy/scenes/" + GetParam() + ".toml"));
   const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
   const DrawList still = still_scene(scene, paths, [](const std::string&) {});
   const DrawList list = tour_of(scene, still, width, height).front().list;

@@ -15,6 +15,7 @@
 #include "client/render/shader_source.h"
 #include "common/error.h"
 #include "tests/client/picture.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -333,7 +334,7 @@ TEST(Renderer, CullsOnlyWhatNoCameraSees) {
   EXPECT_FALSE(frustum.may_see({{0, 0, -40}, 0.1})) << "beyond the far plane";
 }
 
-const std::filesystem::path source_shaders = PROSECTOR_SOURCE_SHADERS;
+const std::filesystem::path source_shaders = source_path("shaders");
 
 TEST(Renderer, CarriesItsShadersAndReadsAFolderInTheirPlace) {
   std::size_t read = 0;

@@ -19,6 +19,7 @@
 #include "drivers/camera/synthetic/synthetic_scene.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "picture.h"
+#include "tests/folders.h"
 #include "tests/random.h"
 
 namespace prosector {
@@ -240,7 +241,7 @@ TEST(Phantoms, ThatTheSceneDoesntHaveAreToldWithThoseThatItHas) {
 /// Two people look at one table, each through a camera of their own.
 TEST(CameraSight, TwoWhoLookAtOneBoardAgreeWhereItAndAPhantomAre) {
   const std::filesystem::path folder = testing::TempDir();
-  const std::string cube = std::filesystem::path(PROSECTOR_SOURCE_DIR) / "deploy/cameras/phantom.toml";
+  const std::string cube = source_path("deploy/cameras/phantom.toml");
   const Pose phantom = {{0.2, 0.93, 0.03}, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
   const SightBoard fixed = {cube,
                             {{0.01, 0.02, -0.03}, Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()))}};

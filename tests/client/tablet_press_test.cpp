@@ -12,7 +12,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::int64_t picture_ns = 33'000'000;
+constexpr std::int64_t film_ns = 33'000'000, slow_ns = 400'000'000;  // from picture to picture
 const std::array<double, fingers> pointing = {0.6, 0.1, 0.8, 0.85, 0.8}, flat = {0.1, 0.1, 0.1, 0.1, 0.1},
                                   fist = {0.8, 0.9, 0.9, 0.9, 0.9};
 
@@ -20,7 +20,8 @@ const std::array<double, fingers> pointing = {0.6, 0.1, 0.8, 0.85, 0.8}, flat = 
 /// to some centimetres, which drift.
 class SeenHand {
  public:
-  explicit SeenHand(std::uint32_t seed) : random_(seed) {}
+  explicit SeenHand(std::uint32_t seed, std::int64_t picture_ns = film_ns)
+      : random_(seed), picture_ns_(picture_ns) {}
 
   const Pose tablet{{0.1, 1.2, -0.2}, Quat(Eigen::AngleAxisd(-0.5, Vec3::UnitX()))};
   const Vec3 eye{0.15, 1.5, 0.35};
@@ -38,7 +39,7 @@ class SeenHand {
     const Vec3 seen = truly + drift_ * along + 0.001 * Vec3(noise(random_), noise(random_), noise(random_));
     hand.pose.q = tablet.q * Quat(Eigen::AngleAxisd(-0.8, Vec3::UnitX()));
     hand.pose.p += seen - index_tip(right_hand, hand);
-    now_ += picture_ns;
+    now_ += picture_ns_;
     worked_ = press_.follow(right_hand, hand, tablet, eye, now_);
     moved_ = (worked_.pose.p - hand.pose.p).norm();
     return tablet.inverse() * index_tip(right_hand, worked_);
@@ -47,6 +48,7 @@ class SeenHand {
   static bool presses(const Vec3& tip) {
     return tip.z() - hand_segments(right_hand)[index_end].radius < button_height - 0.8 * button_travel;
   }
+  void vanish() { press_.lose(right_hand); }
   double moved() const { return moved_; }  // m, against what is seen
   /// Returns the height of the lowest fingertip over the controls, m.
   double lowest_tip() const {
@@ -67,7 +69,7 @@ class SeenHand {
   TabletPress press_;
   HandPose worked_;
   double drift_ = 0, moved_ = 0;
-  std::int64_t now_ = 1'000'000'000;
+  std::int64_t picture_ns_, now_ = 1'000'000'000;
 };
 
 Vec3 over_middle(std::size_t control, double height) {
@@ -91,6 +93,25 @@ TEST(TabletPress, AFingerThatStaysAtAButtonPressesItAndNoOther) {
         if (SeenHand::presses(hand.show({0, 0.1, 0.02}, pointing))) ++after;
       EXPECT_EQ(after, 0);
     }
+}
+
+TEST(TabletPress, AFingerPressesWherePicturesComeSlowly) {
+  for (std::size_t k = 0; k < 5; ++k)
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+      SeenHand hand(seed, slow_ns);
+      int pictures = 1;
+      while (!SeenHand::presses(hand.show(over_middle(k, 0.008), pointing)) && pictures < 20) ++pictures;
+      EXPECT_LE(pictures, 4) << panel_controls[k].label << ", " << seed;
+    }
+}
+
+TEST(TabletPress, AFingerThatWasOutOfSightStaysForLongEnoughAgain) {
+  SeenHand hand(5);
+  const Vec3 at = over_middle(3, 0.008);
+  for (int i = 0; i < 25; ++i) hand.show(at, pointing);
+  EXPECT_TRUE(SeenHand::presses(hand.show(at, pointing)));
+  hand.vanish();
+  for (int i = 0; i < 14; ++i) EXPECT_FALSE(SeenHand::presses(hand.show(at, pointing))) << i;
 }
 
 TEST(TabletPress, WhatDoesNotPointIsKeptOffTheBoard) {

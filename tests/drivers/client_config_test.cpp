@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "common/error.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
 
 TEST(ClientConfig, TheSampleSaysTheDefaults) {
-  const ClientConfig sample = load_client_config(PROSECTOR_SOURCE_DIR "/deploy/client.toml");
+  const ClientConfig sample = load_client_config(source_path("deploy/client.toml"));
   const ClientConfig defaults;
   EXPECT_EQ(sample.tracker, "fastrak:/dev/ttyS0");
   EXPECT_EQ(sample.tracker_device.binary, defaults.tracker_device.binary);

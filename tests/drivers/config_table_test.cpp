@@ -11,6 +11,7 @@
 #include "common/error.h"
 #include "drivers/client_config_table.h"
 #include "drivers/client_config_write.h"
+#include "tests/folders.h"
 #include "tests/random.h"
 
 namespace prosector {
@@ -117,13 +118,13 @@ TEST(ConfigTable, EachKeyIsOneOfATableAndHasHelp) {
 }
 
 TEST(ConfigTable, TheSampleNamesEachKey) {
-  const std::string sample = read_file(PROSECTOR_SOURCE_DIR "/deploy/client.toml");
+  const std::string sample = read_file(source_path("deploy/client.toml"));
   for (const ConfigKey& key : client_config_keys())
     EXPECT_NE(sample.find(key.name.substr(key.name.rfind('.') + 1)), std::string::npos) << key.name;
 }
 
 TEST(ConfigTable, ThePageOfTheDocumentationIsTheTables) {
-  const std::filesystem::path page = PROSECTOR_SOURCE_DIR "/docs/look-up/client-configuration.md";
+  const std::filesystem::path page = source_path("docs/look-up/client-configuration.md");
   EXPECT_EQ(read_file(page), client_config_page())
       << "renew it: prosector-client config --manual > docs/look-up/client-configuration.md";
 }
@@ -143,7 +144,7 @@ TEST(ConfigWrite, EachKeyComesBackFromEachText) {
       "'5dt:/y'\n",
       "[tracker.room]\nposition = [0, 0, 0]\n[tracker]\naddress = "
       "'fastrak:/x'\n[tracker.stations]\nright.station = 1\n",
-      read_file(PROSECTOR_SOURCE_DIR "/deploy/client.toml"),
+      read_file(source_path("deploy/client.toml")),
   };
   Random random(22);
   int written = 0;
@@ -195,7 +196,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 // Whatever is changed, each line that doesn't hold a changed key is there as before, in its order.
 TEST(ConfigWrite, AllOtherLinesStayByteForByte) {
-  const std::string text = read_file(PROSECTOR_SOURCE_DIR "/deploy/client.toml");
+  const std::string text = read_file(source_path("deploy/client.toml"));
   Random random(23);
   const auto keys = client_config_keys();
   for (int k = 0; k < 400; ++k) {
@@ -232,7 +233,7 @@ TEST(ConfigWrite, AllOtherLinesStayByteForByte) {
 // Texts that were damaged at random are refused in words or changed into what can be read: nothing else
 // happens.
 TEST(ConfigWrite, DamagedTextsAreRefusedOrChangedCorrectly) {
-  const std::string text = read_file(PROSECTOR_SOURCE_DIR "/deploy/client.toml");
+  const std::string text = read_file(source_path("deploy/client.toml"));
   constexpr std::string_view bytes = "[]{}\"'=.,#\n\r\t \\a1";
   Random random(24);
   int changed = 0;

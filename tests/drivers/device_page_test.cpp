@@ -6,6 +6,7 @@
 
 #include "drivers/arm.h"
 #include "drivers/device.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -24,7 +25,7 @@ std::string section_of(const std::string& page, const std::string& driver) {
 
 TEST(DevicePage, SaysOfEachDriverWhereItIsFromAndWhatIsNotTried) {
   std::stringstream page;
-  page << std::ifstream(PROSECTOR_SOURCE_DIR "/docs/look-up/devices.md").rdbuf();
+  page << std::ifstream(source_path("docs/look-up/devices.md")).rdbuf();
   std::vector<std::string> names;
   for (const DriverRow& row : drivers()) names.emplace_back(row.name);
   for (const ArmRow& row : arm_drivers()) names.emplace_back(row.name);

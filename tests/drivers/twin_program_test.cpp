@@ -12,6 +12,7 @@
 #include "common/clock.h"
 #include "drivers/device.h"
 #include "drivers/twins/twin.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -38,14 +39,14 @@ class TwinProgram : public testing::Test {
   }
 
   void start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), PROSECTOR_5DT_TWIN);
+    arguments.insert(arguments.begin(), build_path("bin/prosector-5dt-twin"));
     pid_ = fork();
     if (pid_ != 0) return;
     if (freopen((folder_ / "output").c_str(), "w", stdout) == nullptr || dup2(1, 2) < 0) _exit(99);
     std::vector<char*> argv;
     for (std::string& a : arguments) argv.push_back(a.data());
     argv.push_back(nullptr);
-    execv(PROSECTOR_5DT_TWIN, argv.data());
+    execv(argv[0], argv.data());
     _exit(98);
   }
   /// The exit status, −1 when a signal ended it.

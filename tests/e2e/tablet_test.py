@@ -41,13 +41,13 @@ press = wrist_for(TOP, flat, 0.1)
 pointing = looking(numpy.array([0.28, 1.3, 0.5]), scene.on_tablet(*AT_BUTTON, 0.01))
 point = wrist_for(scene.on_tablet(*AT_BUTTON, 0.009), pointing, 0.05)
 way = [(0, press + (0, 0.07, 0), flat, OPEN), (4, press + (0, 0.07, 0), flat, OPEN), (5, press - (0, DEEP, 0), flat, OPEN),
-       (7, press - (0, DEEP, 0), flat, OPEN), (7.5, press - (0, DEEP, 0), flat, FIST), (8.5, press + (0, 0.01, 0), flat, FIST),
-       (9.5, press + (0, 0.01, 0), flat, FIST), (10, press + (0, 0.03, 0), flat, OPEN), (10.7, press + (0, 0.1, 0), flat, OPEN),
-       (12, point + pointing @ (0, 0, 0.03), pointing, POINT), (12.5, point, pointing, POINT), (16, point, pointing, POINT),
-       (17, point + pointing @ (0, 0, 0.1), pointing, POINT)]
+       (7, press - (0, DEEP, 0), flat, OPEN), (7.5, press - (0, DEEP, 0), flat, FIST), (9.5, press + (0, 0.01, 0), flat, FIST),
+       (12, press + (0, 0.01, 0), flat, FIST), (12.5, press + (0, 0.03, 0), flat, OPEN), (13.2, press + (0, 0.1, 0), flat, OPEN),
+       (14.5, point + pointing @ (0, 0, 0.03), pointing, POINT), (15, point, pointing, POINT), (20, point, pointing, POINT),
+       (21, point + pointing @ (0, 0, 0.1), pointing, POINT)]  # a person waits where few pictures come a second
 for key in way:
     scene.hold(*key)
-config = scene.write(60, 0.04)
+config = scene.write(120, 0.04)
 
 LOG = SessionLog(OUT / "observer.jsonl")
 session = f"tablet{os.getpid()}"

@@ -6,13 +6,14 @@
 
 #include "common/error.h"
 #include "drivers/arm.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
 
 TEST(ArmTable, EachDriverIsInTheDocumentation) {
   std::stringstream page;
-  page << std::ifstream(SOURCE_DIR "/docs/do/arms.md").rdbuf();
+  page << std::ifstream(source_path("docs/do/arms.md")).rdbuf();
   for (const ArmRow& row : arm_drivers())
     EXPECT_NE(page.str().find("| `" + std::string(row.name) + ":"), std::string::npos) << row.name;
 }

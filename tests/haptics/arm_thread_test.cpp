@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "client/haptics/servo_thread.h"
+#include "tests/folders.h"
 #include "tests/haptics/arm_line_case.h"
 
 namespace prosector {
@@ -36,7 +37,7 @@ bool comes_to_press(ServoThread& servo, const std::vector<ContactPlane>& planes)
   return false;
 }
 
-class ArmInServo : public testing::TestWithParam<const char*> {};
+class ArmInServo : public testing::TestWithParam<std::string> {};
 
 TEST_P(ArmInServo, PressesAndEnds) {
   const auto words = "--script " + script().string();
@@ -45,14 +46,14 @@ TEST_P(ArmInServo, PressesAndEnds) {
   plane.id = 1;
   plane.stiffness = plane.tangential = stiffness;
   for (int k = 0; k < 2; ++k) {  // the second time, what was closed is opened again
-    ServoThread servo(open_arm(std::string(GetParam()), {}), Pose{});
+    ServoThread servo(open_arm(GetParam(), {}), Pose{});
     EXPECT_TRUE(comes_to_press(servo, {plane}));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Libraries, ArmInServo,
-                         testing::Values("hdapi:default@" TWIN_LIBRARIES "/libHD.so",
-                                         "dhd:default@" TWIN_LIBRARIES "/libdhd.so"));
+                         testing::Values("hdapi:default@" + build_path("lib/twins/libHD.so"),
+                                         "dhd:default@" + build_path("lib/twins/libdhd.so")));
 
 }  // namespace
 }  // namespace prosector

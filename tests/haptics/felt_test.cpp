@@ -10,6 +10,7 @@
 #include "server/accuracy/static_body.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/soft_matter.h"
+#include "tests/folders.h"
 #include "tests/haptics/felt_case.h"
 #include "tests/physics/scalpel.h"
 #include "tests/real_data.h"
@@ -185,7 +186,7 @@ TEST(FeltTable, IsAHardSurfaceWhereItIs) {
 TEST(FeltLiver, IsWhereAStaticSolutionUnderTheTouchesHasIt) {
   if (find_in_data("liver.inr.gz").empty())
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
-  const SceneDesc scene = load_scene(PROSECTOR_SCENES "/cut.toml");
+  const SceneDesc scene = load_scene(source_path("deploy/scenes/cut.toml"));
   CompileOptions compile;
   compile.threads = 1;
   compile.data_dirs = {default_data_dir()};

@@ -10,12 +10,13 @@
 #include "drivers/arm.h"
 #include "drivers/shared_library.h"
 #include "drivers/twins/library_twin.h"
+#include "tests/folders.h"
 #include "tests/haptics/press_case.h"
 
 namespace prosector {
 
 inline std::string twin_library(const std::string& name) {
-  return std::string(TWIN_LIBRARIES) + "/" + name;
+  return build_path("lib/twins/" + name);
 }
 
 /// The twin of one library, and the driver `DriverArm` of what it plays.

@@ -19,6 +19,7 @@
 #include "idl/session_watch.h"
 #include "idl/topics.h"
 #include "tests/dds_domains.h"
+#include "tests/folders.h"
 #include "tests/idl/samples.h"
 
 namespace prosector {
@@ -172,7 +173,8 @@ TEST(CycloneBus, AKilledProcessIsNoticed) {
   const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 7);
   const pid_t child = fork();
   if (child == 0) {
-    execl(PROSECTOR_PEER, PROSECTOR_PEER, "announce", "5",
+    const std::string peer = build_path("bin/idl_peer");
+    execl(peer.c_str(), peer.c_str(), "announce", "5",
           std::to_string(test::dds_domain::cyclone_bus + 7).c_str(), nullptr);
     _exit(127);
   }

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "common/hash.h"
+#include "tests/folders.h"
 #include "tests/ledger/sessions.h"
 #include "tests/physics/scenes.h"
 #include "tests/save_check.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr const char* compiler = "12.2.0";  // others may round otherwise
 constexpr int ticks_between = 10;
-const char* const ledger = PROSECTOR_LEDGER "/hashes.txt";
+const std::string ledger = source_path("tests/ledger/hashes.txt");
 
 /// One a line: the session's name, a colon, and what it came to.
 using Hashes = std::map<std::string, std::string>;

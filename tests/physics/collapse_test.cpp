@@ -9,6 +9,7 @@
 #include "common/scene/load_scene.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/unfold.h"
+#include "tests/folders.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"
 
@@ -48,7 +49,7 @@ TEST(Collapse, TouchedBarHangsAgainWhereItHungUnderItsOwnLaw) {
 
 /// The hand of a mouse at a desk: thrown into the kidney from above, then through kidney and liver.
 TEST(Collapse, OrgansThatAHandSweptIntoEachOtherComeApart) {
-  SceneDesc scene = load_scene(PROSECTOR_SCENES "/touch.toml");
+  SceneDesc scene = load_scene(source_path("deploy/scenes/touch.toml"));
   CompileOptions compiled;
   compiled.threads = 1;
   compiled.data_dirs = {default_data_dir()};

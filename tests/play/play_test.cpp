@@ -4,6 +4,7 @@
 
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
+#include "tests/folders.h"
 #include "tests/play/play.h"
 #include "tests/random.h"
 #include "tests/real_data.h"
@@ -21,7 +22,7 @@ class ShippedScene : public testing::TestWithParam<const char*> {};
 
 // With the shapes that scenes fall back to, which are the same everywhere.
 TEST_P(ShippedScene, PeopleLeaveOrgansWholeAndApart) {
-  Simulation simulation(load_scene(std::string(PROSECTOR_SCENES "/") + GetParam() + ".toml"), alone());
+  Simulation simulation(load_scene(source_path("deploy/scenes/") + GetParam() + ".toml"), alone());
   const PlayFigures figures = play(simulation, {.seed = 20261123, .bout = 4, .rest = 3, .bounds = {}});
   EXPECT_GT(figures.acts, 0);
   EXPECT_EQ(figures.bouts, 1);
@@ -35,7 +36,7 @@ class AnyScene : public testing::TestWithParam<const char*> {};
 
 // The server restores its own checkpoints while it runs: each state that play leads to must be restorable.
 TEST_P(AnyScene, RestoresWhatItSavesAfterEveryTick) {
-  const SceneDesc scene = load_scene(std::string(PROSECTOR_SCENES "/") + GetParam() + ".toml");
+  const SceneDesc scene = load_scene(source_path("deploy/scenes/") + GetParam() + ".toml");
   Simulation simulation(scene, alone());
   SaveCheck saves(scene, alone());
   const PlayFigures figures =
@@ -55,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AnyScene,
 TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
   if (find_in_data("liver.inr.gz").empty())
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
-  SceneDesc scene = load_scene(PROSECTOR_SCENES "/touch.toml");
+  SceneDesc scene = load_scene(source_path("deploy/scenes/touch.toml"));
   for (SoftDesc& soft : scene.soft) {
     soft.model = "fem_neo_hookean";
     soft.tension = {};  // the scene had none when it was found

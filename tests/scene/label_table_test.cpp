@@ -13,6 +13,7 @@
 #include "common/messages.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -120,7 +121,7 @@ TEST(LabelTable, MutatedTablesAreReadOrRefused) {
 
 // Every named part of what ships has a name in each language that ships.
 TEST(ShippedLabels, NameEveryBodyInGermanAndTurkish) {
-  const std::filesystem::path folder = PROSECTOR_SOURCE_DIR "/deploy/scenes";
+  const std::filesystem::path folder = source_path("deploy/scenes");
   const LabelTable table = load_labels(folder / "labels.csv");
   const auto is_whole = [](const Label& label) {
     std::vector<std::string> languages;

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/folders.h"
 #include "tests/scene/scene_texts.h"
 
 namespace prosector {
@@ -130,7 +131,7 @@ TEST(SceneFields, KeysDifferAndShareNoStorage) {
 TEST(SceneFields, ManualIsTheOneCommitted) {
   std::ostringstream generated;
   write_scene_manual(generated);
-  std::ifstream file(PROSECTOR_SOURCE_DIR "/docs/look-up/scene.md");
+  std::ifstream file(source_path("docs/look-up/scene.md"));
   const std::string committed{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(generated.str(), committed) << "mend it with: prosector-scene --manual > docs/look-up/scene.md";
 }

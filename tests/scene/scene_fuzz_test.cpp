@@ -8,6 +8,7 @@
 #include <iterator>
 #include <random>
 
+#include "tests/folders.h"
 #include "tests/scene/scene_texts.h"
 
 namespace prosector {
@@ -15,7 +16,7 @@ namespace {
 
 std::vector<std::filesystem::path> shipped() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(PROSECTOR_SOURCE_DIR "/deploy/scenes"))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("deploy/scenes")))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;

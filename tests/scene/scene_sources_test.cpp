@@ -9,6 +9,7 @@
 #include "common/anatomy/sources.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/scene_fields.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -20,7 +21,7 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh, const Pose& pose) {
 }
 
 SceneDesc abdomen() {
-  return load_scene(PROSECTOR_SOURCE_DIR "/deploy/scenes/abdomen.toml");
+  return load_scene(source_path("deploy/scenes/abdomen.toml"));
 }
 
 TEST(SceneSources, WordsAreTheShapesThatAnatomyMakes) {

@@ -12,12 +12,13 @@
 #include <sstream>
 
 #include "common/scene/load_scene.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
 
 using Path = std::filesystem::path;
-const Path root = PROSECTOR_SOURCE_DIR;
+const Path root = source_path(".");
 constexpr std::size_t most_names = 6;  // in a cell of the table
 
 std::string text_of(const Path& file) {

@@ -18,6 +18,7 @@
 #include "client/replica/server_choice.h"
 #include "common/clock.h"
 #include "idl/cyclone_bus.h"
+#include "tests/folders.h"
 
 namespace prosector::test {
 
@@ -62,7 +63,7 @@ class Server {
  public:
   Server(const Folder& folder, std::vector<std::string> arguments)
       : output_(folder.path / ("output" + std::to_string(++count_))) {
-    arguments.insert(arguments.begin(), PROSECTOR_SERVER);
+    arguments.insert(arguments.begin(), build_path("bin/prosector-server"));
     arguments.insert(arguments.end(),
                      {"--domain", std::to_string(folder.domain), "--cache", folder.path / "cache"});
     pid_ = fork();
@@ -71,7 +72,7 @@ class Server {
     std::vector<char*> argv;
     for (std::string& a : arguments) argv.push_back(a.data());
     argv.push_back(nullptr);
-    execv(PROSECTOR_SERVER, argv.data());
+    execv(argv[0], argv.data());
     _exit(98);
   }
   ~Server() {

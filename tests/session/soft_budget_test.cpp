@@ -16,6 +16,7 @@
 #include "server/physics/soft/soft_body.h"
 #include "server/session/scene_content.h"
 #include "server/session/soft_sender.h"
+#include "tests/folders.h"
 
 namespace prosector {
 namespace {
@@ -116,7 +117,7 @@ Simulation abdomen() {
   CompileOptions compile;
   compile.data_dirs = {default_data_dir()};
   compile.cache_dir = default_cache_dir();
-  return {load_scene(PROSECTOR_SCENES "/abdomen.toml"), compile};
+  return {load_scene(source_path("deploy/scenes/abdomen.toml")), compile};
 }
 
 TEST(SoftBudget, APressedAbdomenStaysBelowTwoMegabitsAndATenthOfAMillimetre) {

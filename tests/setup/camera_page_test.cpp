@@ -6,12 +6,13 @@
 #include <algorithm>
 
 #include "drivers/camera/camera_calibration.h"
+#include "tests/folders.h"
 #include "tests/setup/pages_room.h"
 
 namespace prosector::test {
 namespace {
 
-constexpr const char* shipped_camera = "synthetic:" SHIPPED_CAMERAS "/calibrate.toml";
+const std::string shipped_camera = "synthetic:" + source_path("deploy/cameras/calibrate.toml");
 constexpr double true_focal = 612;  // px, as that scene has it
 constexpr int views_that_do = 7;
 
@@ -102,7 +103,7 @@ TEST(CameraPage, NothingIsCutOffWhereLettersAreLarge) {
 
 // Tabs are gone through by arrows, fields by Tab, and buttons pressed by Space.
 TEST(CameraPage, TheKeyboardAloneSuffices) {
-  PagesRoom room(std::string("[tracker]\naddress = \"tags:") + shipped_camera + "\"\n", 1);
+  PagesRoom room("[tracker]\naddress = \"tags:" + shipped_camera + "\"\n", 1);
   room.click("Camera");
   room.press(640, 700);  // nothing is there
   for (int k = 0; k < 8 && room.find("camera picture") == nullptr; ++k) {

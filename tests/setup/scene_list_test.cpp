@@ -7,15 +7,16 @@
 #include <fstream>
 
 #include "common/error.h"
+#include "tests/folders.h"
 #include "tests/session/temporary_file.h"
 
 namespace prosector::test {
 namespace {
 
 TEST(SceneList, HasEachShippedSceneWithWordsAboutIt) {
-  const SceneList list(SHIPPED_SCENES, "/nowhere");
+  const SceneList list(source_path("deploy/scenes"), "/nowhere");
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SHIPPED_SCENES))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("deploy/scenes")))
     files += entry.path().extension() == ".toml" ? 1 : 0;
   EXPECT_EQ(list.scenes().size(), files);
   EXPECT_GE(files, 10u);
@@ -30,7 +31,7 @@ TEST(SceneList, HasEachShippedSceneWithWordsAboutIt) {
 TEST(SceneList, AnOwnFileIsAddedOnce) {
   SceneList list("/nowhere", "/nowhere");
   EXPECT_TRUE(list.scenes().empty());
-  const std::filesystem::path own = std::filesystem::path(SHIPPED_SCENES) / "minimal.toml";
+  const std::filesystem::path own = source_path("deploy/scenes/minimal.toml");
   EXPECT_EQ(list.add(own), 0u);
   EXPECT_EQ(list.add(own), 0u);
   EXPECT_EQ(list.scenes().size(), 1u);
