@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numbers>
 
 #include "server/physics/collision/primitives/triangle_crossing.h"
@@ -82,6 +83,44 @@ TEST(Surface, WindsOnceAroundWhatIsInside) {
   EXPECT_TRUE(folded.is_inside(beside, *folded.nearest(beside)));
   EXPECT_NEAR(folded.winding_number(beside), 0, 1e-9);
   EXPECT_NEAR(folded.winding_number(0.5 * tip.unitOrthogonal()), 1, 1e-9);
+}
+
+/// Returns the solid angle that the surface has from x, in 4 π (Van Oosterom and Strackee 1983).
+double solid_angle_share(const TriangleSurface& s, const Vec3& x) {
+  double half = 0;
+  for (std::uint32_t t = 0; t < s.topology().triangles().size(); ++t) {
+    const Triangle corners = s.triangle(t);
+    const Vec3 a = corners[0] - x, b = corners[1] - x, c = corners[2] - x;
+    half += std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                              b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return half / (2 * std::numbers::pi);
+}
+
+TEST(Surface, WindsAsItsSolidAngleSaysHoweverItIsCrumpled) {
+  Random random(7);
+  std::map<int, int> found;
+  for (const double crumpled : {0.0, 0.1, 0.5}) {
+    TriangleMesh mesh = organ_mesh(3, {1, 2, 3});
+    for (Vec3& x : mesh.positions) x += crumpled * random_point(random, 1);
+    const TriangleSurface s(mesh);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 middle = (s.box().lo + s.box().hi) / 2;
+      const Vec3 x = middle + random_point(random, 1).cwiseProduct(s.box().hi - s.box().lo) / 2;
+      const double turns = s.winding_number(x);
+      ASSERT_NEAR(turns, solid_angle_share(s, x), 1e-9) << crumpled << ": " << x.transpose();
+      ++found[static_cast<int>(std::lround(turns))];
+    }
+  }
+  for (const int turns : {-1, 0, 1, 2}) EXPECT_GT(found[turns], 0) << turns;
+  // A ray that meets corners and edges.
+  const TriangleSurface ball(ball_mesh(3));
+  for (const Vec3& x : ball.positions())
+    EXPECT_NEAR(ball.winding_number(Vec3(-0.1, x.y() / 2, x.z() / 2)), 1, 1e-9);
+  for (const Vec3& x : ball.positions()) {
+    const Vec3 before(x.x() - 3, x.y(), x.z());
+    EXPECT_NEAR(ball.winding_number(before), 0, 1e-9);
+  }
 }
 
 TEST(Surface, FarthestVertexAsBruteForceHasIt) {

@@ -11,6 +11,8 @@
 namespace prosector {
 namespace {
 
+constexpr double relative_doubt = 1e-10;  // of a triangle's squared distance: rounding is far below
+
 bool all_finite(std::span<const Vec3> positions) {
   return std::all_of(positions.begin(), positions.end(), [](const Vec3& x) { return is_finite(x); });
 }
@@ -116,7 +118,39 @@ bool TriangleSurface::is_inside(const Vec3& x, const NearestPoint& nearest) cons
   return topology_->closed() && (x - nearest.point).dot(normal_at(nearest.triangle, nearest.weights)) < 0;
 }
 
+/// Returns how often the ray from x along +x leaves a closed surface, less how often it enters. Empty where
+/// it passes an edge too closely to tell on which side.
+std::optional<int> TriangleSurface::crossings(const Vec3& x) const {
+  int count = 0;
+  bool sure = true;
+  const auto add = [&](const Triangle& corners) {
+    const Vec3 a = corners[0] - x, b = corners[1] - x, c = corners[2] - x;
+    // Twice the areas that the edges span with the ray's foot, as seen along +x.
+    const Vec3 areas(b.y() * c.z() - b.z() * c.y(), c.y() * a.z() - c.z() * a.y(),
+                     a.y() * b.z() - a.z() * b.y());
+    const double reach = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
+    const double doubt = relative_doubt * reach;
+    if (areas.maxCoeff() > doubt && areas.minCoeff() < -doubt) return;  // it passes by
+    const double area = areas.sum();
+    const double ahead = areas.dot(Vec3(a.x(), b.x(), c.x())) * (area > 0 ? 1 : -1);
+    const bool crosses = areas.minCoeff() > doubt || areas.maxCoeff() < -doubt;
+    sure = sure && crosses && std::abs(ahead) > doubt * std::sqrt(reach);
+    if (ahead > 0) count += area > 0 ? 1 : -1;
+  };
+  tree_.visit(
+      [&](const Aabb& box) {
+        return sure && box.hi.x() >= x.x() && box.lo.y() <= x.y() && box.hi.y() >= x.y() &&
+               box.lo.z() <= x.z() && box.hi.z() >= x.z();
+      },
+      [&](const SurfaceTree::Node& node) {
+        for (std::uint32_t i = node.begin; i < node.end; ++i) add(triangle(tree_.order()[i]));
+      });
+  return sure ? std::optional(count) : std::nullopt;
+}
+
 double TriangleSurface::winding_number(const Vec3& x) const {
+  if (topology_->closed())
+    if (const auto count = crossings(x)) return *count;
   double angle = 0;  // half the solid one, of all triangles (Van Oosterom and Strackee 1983)
   for (const Corners& t : topology_->triangles()) {
     const Vec3 a = positions_[t[0]] - x, b = positions_[t[1]] - x, c = positions_[t[2]] - x;

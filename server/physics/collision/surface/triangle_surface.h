@@ -60,12 +60,14 @@ class TriangleSurface {
   bool is_inside(const Vec3& x, const NearestPoint& nearest) const;
   /// Returns how often a closed surface winds around x: 1 inside, 0 outside. It also tells of one that is
   /// folded through itself, where the nearest point tells nothing (Jacobson et al. 2013, "Robust
-  /// inside-outside segmentation using generalized winding numbers"). O(triangles).
+  /// inside-outside segmentation using generalized winding numbers"). O(log triangles) for a closed surface;
+  /// O(triangles) for an open one, and where the ray along +x meets an edge.
   double winding_number(const Vec3& x) const;
   /// Returns the vertex that lies farthest that way, the first of equals.
   std::uint32_t farthest(const Vec3& direction) const;
 
  private:
+  std::optional<int> crossings(const Vec3& x) const;
   Vec3 face_normal(std::uint32_t triangle) const;
 
   std::shared_ptr<const SurfaceTopology> topology_;
