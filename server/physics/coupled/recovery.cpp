@@ -14,6 +14,7 @@ namespace prosector {
 namespace {
 
 constexpr double ruined_share = 0.05;        // of the volume: at once
+constexpr double slivers_share = 1e-3;       // of the volume: what may stay flat beside a cut that gapes
 constexpr double ruined_seconds = 0.25;      // however little of it
 constexpr double whole = 0.3;                // of its rest volume each element has, in a body that is whole
 constexpr double calm_energy = 0.05;         // times E and the volume: stored, at most, in such a body
@@ -108,7 +109,7 @@ bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibriu
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
   if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
-  if (share > (about.company && !about.blind ? ruined_share : 0)) return ruined_for_seconds;
+  if (share > (about.company && !about.blind ? ruined_share : slivers_share)) return ruined_for_seconds;
   if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
   if (about.company || about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))
     return std::numeric_limits<double>::infinity();
@@ -155,7 +156,8 @@ void choose_law(SoftMember& member, double h) {
 
 bool may_sleep(const SoftMember& member) {
   const bool leaves_recovery = member.state->recovering && member.state->law_seconds > 0;
-  return member.state->tangled_ticks == 0 && !leaves_recovery && ruined(*member.body, member) == 0;
+  return member.state->tangled_ticks == 0 && !leaves_recovery &&
+         ruined(*member.body, member) <= slivers_share;
 }
 
 void count_quiet_ticks(SoftMember& s) {

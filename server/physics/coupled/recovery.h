@@ -34,10 +34,11 @@ struct Surroundings {
 };
 
 /// Puts a body into its rest shape where it is, and says so; called after ticks of h s, once every `ticks`.
-/// Unfolds one that for most of a second was partly inside out, much smaller or larger than in `equilibrium`
-/// (3n, m), or quiet and untouched in another shape. A body without any volume, or with three times its own,
-/// waits less; a crumpled sheet or rope longer. In company it unfolds only what is ruined beyond what a press
-/// does or blind, and what is of another volume only while nothing crushes it. Returns true when it did.
+/// Unfolds one that for most of a second was much smaller or larger than in `equilibrium` (3n, m), or quiet
+/// and untouched in another shape. It also unfolds one that had more than a thousandth of its volume inside
+/// out or flat for so long. A body without any volume, or with three times its own, waits less; a crumpled
+/// sheet or rope longer. In company it unfolds only what is ruined beyond what a press does or blind, and
+/// what is of another volume only while nothing crushes it. Returns true when it did.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 
