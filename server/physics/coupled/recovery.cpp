@@ -109,7 +109,7 @@ bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibriu
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
   if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
-  if (share > (about.company && !about.blind ? ruined_share : slivers_share)) return ruined_for_seconds;
+  if (share > (about.blind ? 0 : about.company ? ruined_share : slivers_share)) return ruined_for_seconds;
   if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
   if (about.company || about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))
     return std::numeric_limits<double>::infinity();
