@@ -36,7 +36,7 @@ AT_BUTTON = (0.071, -0.012)
 
 shutil.rmtree(OUT, ignore_errors=True)
 scene = Scene(OUT / "scene")
-flat = about((1, 0, 0), 0.3)  # fingers ahead and a little up: from above a fist is told best so (docs/do/bare-hands.md)
+flat = about((1, 0, 0), 0.3)  # fingers ahead and a little up: from above, a fist is recognised best this way (docs/do/bare-hands.md)
 press = wrist_for(TOP, flat, 0.1)
 pointing = looking(numpy.array([0.28, 1.3, 0.5]), scene.on_tablet(*AT_BUTTON, 0.01))
 point = wrist_for(scene.on_tablet(*AT_BUTTON, 0.009), pointing, 0.05)

@@ -52,8 +52,8 @@ bool unfolds(int cells, double& share) {
   return false;
 }
 
-// An organ with a cut that gapes was put into its rest shape every second, because a sliver beside the cut
-// was flat.
+// An organ with an open cut was reset to its rest shape every second, because a sliver beside the cut was
+// flat.
 TEST(Recovery, SliversStayAsTheyAreAndWhatIsMoreIsUnfolded) {
   double share = 0;
   EXPECT_FALSE(unfolds(12, share)) << share;

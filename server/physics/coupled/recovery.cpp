@@ -14,7 +14,7 @@ namespace prosector {
 namespace {
 
 constexpr double ruined_share = 0.05;        // of the volume: at once
-constexpr double slivers_share = 1e-3;       // of the volume: what may stay flat beside a cut that gapes
+constexpr double slivers_share = 1e-3;       // of the volume: slivers beside an open cut stay flat
 constexpr double ruined_seconds = 0.25;      // however little of it
 constexpr double whole = 0.3;                // of its rest volume each element has, in a body that is whole
 constexpr double calm_energy = 0.05;         // times E and the volume: stored, at most, in such a body
