@@ -55,10 +55,17 @@ build_the_rest() {
 bin=${PROSECTOR_BIN:-$root/build/release/bin}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
-rm -f "$out"/*.png "$out"/*.avi "$out/film.toml" "$out/camera_user.toml" "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
+rm -f "$out"/*.png "$out"/*.avi "$out/film.toml" "$out/camera_user.toml" "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/*.jsonl "$out"/*.terminal "$out"/journal.sqlite*
 session=demo-$$
 
+. "$root/deploy/demo_session.sh"
 . "$root/deploy/demo_lib.sh"
+
+# press: lets the hand go on.
+press() {
+  echo > "$out/tracker.terminal"
+  echo > "$out/glove.terminal"
+}
 
 # A camera's film is made while the server compiles its scene; without the networks that find hands there is no camera user.
 film=
@@ -74,7 +81,8 @@ fi
 host "$scene" "$session"
 
 say "A headset user joins through the simulated tracker and glove"
-twins "" "$root/deploy/demo/hand.csv" "$root/deploy/demo/glove.csv"
+above=7.5  # s of the scripts: the hand is above the liver, and waits there for somebody to see the press
+twins "" "$root/deploy/demo/hand.csv" "$root/deploy/demo/glove.csv" $above
 "$bin/prosector-client" join --session "$session" --name "headset user" --config "$root/deploy/demo/headset.toml" \
   --tracker "fastrak:$out/tracker" --glove "5dt:$out/glove" --display offscreen --size 640x480 --fps 5 \
   --screenshot "$out/headset.png@10" --latency-log "$out/headset.csv" --summary "$out/headset.json" \
@@ -82,6 +90,7 @@ twins "" "$root/deploy/demo/hand.csv" "$root/deploy/demo/glove.csv"
 headset=$!
 pids+=("$headset")
 wait_for "$out/headset.log" "everything is here" 20 "the headset user"
+joined=$SECONDS
 
 camera=
 if [ -n "$film" ]; then
@@ -98,6 +107,7 @@ fi
 
 if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
   say "You join at the desk: close the window to end"
+  press
   "$bin/prosector-client" join --session "$session" --name "${USER:-desk}" || true
   stop
   film_it
@@ -105,21 +115,29 @@ if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
   exit 0
 fi
 
-sleep 5
+until [ "$SECONDS" -ge "$((joined + 5))" ]; do sleep 0.1; done
 say "5 s later an observer joins and records"
-LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name "observer" --display offscreen --size 800x600 \
-  --fps 8 --record "$out/session.avi" --screenshot "$out/press.png@5" --screenshot "$out/before.png@0.2" \
-  --screenshot "$out/after.png" --latency-log "$out/observer.csv" --summary "$out/observer.json" \
-  --seconds "$((seconds - 5))" > "$out/observer.log" 2>&1 &
-observer=$!
-pids+=("$observer")
+size=800x600
+watch observer 7 --fps 8 --record "$out/session.avi" --screenshot "$out/before.png@0.2" --screenshot "$out/after.png" \
+  --session-log "$out/log.jsonl" --latency-log "$out/observer.csv" --summary "$out/observer.json" --seconds "$((seconds - 5))"
+observer=${pids[-1]}
+tail -n 0 -f "$out/server.log" &
+pids+=("$!")
+press
+# The demo's own hand presses the liver; in a scene of yours it may reach nothing.
+if [ "$scene" = "$root/deploy/scenes/abdomen.toml" ]; then
+  until_is 60 "the headset user presses the liver" "now['touches'].get('headset user, right', {}).get('body') == 'liver'"
+  sleep 1
+else
+  sleep 5
+fi
+echo "picture $out/press.png" >&7
 waited=0
 while kill -0 "$observer" 2>/dev/null; do
   kill -0 "$server" 2>/dev/null || fail "the server ended early" "$out/server.log"
-  tail -n 1 "$out/server.log"
-  sleep 2
-  waited=$((waited + 2))
-  [ "$waited" -lt "$((seconds + 60))" ] || fail "the observer did not end" "$out/observer.log"
+  sleep 0.5
+  waited=$((waited + 1))
+  [ "$waited" -lt "$((2 * seconds + 120))" ] || fail "the observer did not end" "$out/observer.log"
 done
 wait "$observer" || fail "the observer failed" "$out/observer.log"
 
@@ -129,6 +147,7 @@ if [ -n "$camera" ]; then
 fi
 kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
 stop
+rm -f "$out"/*.terminal
 
 say "Figures"
 python3 "$root/deploy/demo_report.py" "$out"

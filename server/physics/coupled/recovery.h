@@ -27,7 +27,7 @@ void count_quiet_ticks(SoftMember& member);
 
 /// What is about a body that may be unfolded.
 struct Surroundings {
-  bool crushed = false;  // by a hand or between rigid things: it may have another volume for good
+  bool crushed = false;  // by a hand, tissue in a hand, or rigid things: it may have another volume for good
   bool blind = false;    // deep in tissue that it can't be led out of, because what is inside out is there
   bool company = false;  // crushed, or another body that its own shape would strike
   bool touched = false;  // by anything, the room too: it may be kept from its own shape for good

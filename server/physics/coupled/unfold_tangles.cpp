@@ -37,6 +37,15 @@ bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t 
   return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
 }
 
+/// Returns whether the body touches tissue that is in a hand, which may squeeze it for as long as the hand
+/// likes.
+bool touches_held_tissue(const State& state, const SoftContacts& touching, std::size_t body) {
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+    if ((pair.a != body && pair.b != body) || pair.a == pair.b) return false;
+    return is_in_a_hand(state, touching, pair.a + pair.b - body);
+  });
+}
+
 /// Returns whether rigid things press the body against each other or what it is tied to, harder than its
 /// weight and other tissue do. It then has no room for its own shape. What tissue presses has room, because
 /// tissue gives way.
@@ -67,15 +76,16 @@ bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
   });
 }
 
-/// Returns what the body would strike if it took its own shape: a hand, what squeezes it, or, unless it has
-/// its own place, a rigid thing. Other tissue gives way, and is led out of it.
+/// Returns what the body would strike if it took its own shape: a hand, tissue in a hand, what squeezes it,
+/// or, unless it has its own place, a rigid thing. Other tissue gives way, and is led out of it.
 Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
   const std::vector<Contact>& touches = touching.with_rigid[body];
   const bool borne = std::any_of(touches.begin(), touches.end(),
                                  [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
   const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
-  const bool crushed = is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
+  const bool crushed = is_in_a_hand(state, touching, body) || touches_held_tissue(state, touching, body) ||
+                       is_squeezed(state.bodies, body);
   return {crushed, is_blind(state, touching, body),
           crushed || (borne && !state.bodies.soft[body].solver->attached()), met || !touches.empty()};
 }
