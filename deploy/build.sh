@@ -16,7 +16,7 @@ steps=$(ninja -C "build/$preset" -n "$@" | tail -n 1 | sed -n 's|^\[[0-9]*/\([0-
 if [ -n "$steps" ]; then
   # Measured: docs/look-up/gate-costs.md. Most steps compile twelve files; some take a minute.
   echo "build: $preset: $steps steps, $jobs at a time; at most some $(((steps * 10 / jobs + 59) / 60)) min, less where ccache" \
-    "knows them; each compiler takes up to about 1.5 GB of memory"
+    "knows them; each compiler takes up to about 2 GB of memory"
 fi
 NINJA_STATUS="[%f of %t, %p, %e s] " ninja -C "build/$preset" -j "$jobs" "$@" || {
   echo "build: compiling failed; the first error stands above (memory short? PROSECTOR_JOBS=1 deploy/build.sh $preset)" >&2

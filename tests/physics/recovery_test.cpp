@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/soft/soft_body.h"
@@ -61,6 +62,46 @@ TEST(Recovery, SliversStayAsTheyAreAndWhatIsMoreIsUnfolded) {
   EXPECT_LT(share, 1e-3);
   EXPECT_TRUE(unfolds(3, share)) << share;
   EXPECT_GT(share, 1e-3);
+}
+
+/// A soft block that is tied at its floor, and a stiff one that rests on it.
+SceneDesc soft_under_stiff() {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {block("under"), block("over")};
+  for (SoftDesc& soft : scene.soft) soft.gravity = false;
+  scene.soft[0].pose.p.y() += 0.05;
+  scene.soft[0].poisson_ratio = 0.3;
+  scene.soft[0].youngs_modulus = 2000;
+  scene.soft[0].attach = {{{0, 0.05 - 1000, 0}, std::hypot(1000, 0.08), 1e8}};  // the nodes of its floor
+  scene.soft[1].pose.p.y() += 0.112;
+  scene.soft[1].youngs_modulus = 1e5;
+  return scene;
+}
+
+// A held liver squeezed the kidney below it to less than 0.7 of its volume. The kidney was put into its rest
+// shape every second, though the hand left no room for that shape.
+TEST(Recovery, TissueUnderHeldTissueStaysSqueezedAndGetsItsVolumeBackWhenTheHandLeaves) {
+  Simulation simulation(soft_under_stiff(), options());
+  const auto palm_over = [](double gap) { return Vec3(0, 0.172 + gap, 0.06); };
+  int resets = 0;
+  double least = 1;
+  const auto step = [&](const TickInput& input) {
+    for (const BodyReport& body : simulation.step(input).bodies) resets += body.reset;
+    const SoftBody& under = simulation.soft(1);
+    const double volume = volume_share(under.linear_tets(), simulation.soft_state(1).motion.x);
+    least = std::min(least, volume);
+    return volume;
+  };
+  step(appear(palm_over(0.05)));
+  for (int i = 0; i < 90; ++i) step(target(palm_over(0.05 - 0.1 * i / 90)));
+  double pressed = 1;
+  for (int i = 0; i < 120; ++i) pressed = step(target(palm_over(-0.05)));
+  EXPECT_LT(pressed, 0.7);
+  EXPECT_EQ(resets, 0);
+  double free = 0;
+  for (int i = 0; i < 180; ++i) free = step(target(palm_over(0.2)));
+  EXPECT_NEAR(free, 1, 0.02);
 }
 
 }  // namespace

@@ -108,7 +108,9 @@ bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibriu
 /// Returns how long the body may stay as it is, s; infinite: for good.
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
-  if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
+  if (volume > absurd_volume) return absurd_seconds;
+  if (about.held) return std::numeric_limits<double>::infinity();
+  if (volume <= 0) return absurd_seconds;
   if (share > (about.blind ? 0 : about.company ? ruined_share : slivers_share)) return ruined_for_seconds;
   if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
   if (about.company || about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))

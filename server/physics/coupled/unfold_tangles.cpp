@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "server/physics/contact/parting.h"
 #include "server/physics/coupled/recovery.h"
@@ -37,13 +38,14 @@ bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t 
   return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
 }
 
-/// Returns whether the body touches tissue that is in a hand, which may squeeze it for as long as the hand
-/// likes.
-bool touches_held_tissue(const State& state, const SoftContacts& touching, std::size_t body) {
-  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
-    if ((pair.a != body && pair.b != body) || pair.a == pair.b) return false;
-    return is_in_a_hand(state, touching, pair.a + pair.b - body);
-  });
+/// Returns whether the body is in a hand, or touches tissue that is. A hand may squeeze either for as long as
+/// it likes.
+bool is_held(const State& state, const SoftContacts& touching, std::size_t body) {
+  return is_in_a_hand(state, touching, body) ||
+         std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+           return (pair.a == body || pair.b == body) && pair.a != pair.b &&
+                  is_in_a_hand(state, touching, pair.a + pair.b - body);
+         });
 }
 
 /// Returns whether rigid things press the body against each other or what it is tied to, harder than its
@@ -84,15 +86,19 @@ Surroundings surroundings_of(State& state, const SoftContacts& touching, std::si
                                  [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
   const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
-  const bool crushed = is_in_a_hand(state, touching, body) || touches_held_tissue(state, touching, body) ||
-                       is_squeezed(state.bodies, body);
-  return {crushed, is_blind(state, touching, body),
-          crushed || (borne && !state.bodies.soft[body].solver->attached()), met || !touches.empty()};
+  const bool held = is_held(state, touching, body);
+  const bool crushed = held || is_squeezed(state.bodies, body);
+  return {.held = held,
+          .crushed = crushed,
+          .blind = is_blind(state, touching, body),
+          .company = crushed || (borne && !state.bodies.soft[body].solver->attached()),
+          .touched = met || !touches.empty()};
 }
 
 void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
 void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
-void make_room_for(Bodies& bodies, std::size_t body);
+void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+                   std::vector<std::size_t>& unfolded, StepReport& report);
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report);
 
 }  // namespace
@@ -112,7 +118,8 @@ void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContac
       tell_reset(state.bodies, s.index, s.note, report);
       unfolded.push_back(s.index);
     }
-  for (const std::size_t body : unfolded) make_room_for(state.bodies, body);
+  for (std::size_t k = 0; k < unfolded.size(); ++k)
+    make_room_for(state, touching, unfolded[k], unfolded, report);
   for (const auto& [pair, how] : state.entangled)
     if (how.seconds > entangled_seconds && !is_in_a_hand(state, touching, pair.first) &&
         !is_in_a_hand(state, touching, pair.second))
@@ -121,7 +128,15 @@ void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContac
 
 namespace {
 
+/// How two bodies are in each other, seen from each.
+struct Overlap {
+  Immersion own, other;
+  double deepest() const { return std::max(own.deepest, other.deepest); }
+};
+
+std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other);
 bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b);
+bool put_where_it_rests(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report);
 void put_beside(Bodies& bodies, std::size_t body, std::size_t other);
 
 void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
@@ -143,13 +158,22 @@ void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
   bodies.soft[body].follow_nodes();
 }
 
+bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
+  return bodies.may_meet(a, b) && bodies.soft[a].outer_box().overlaps(bodies.soft[b].outer_box());
+}
+
 /// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
-/// again.
-void make_room_for(Bodies& bodies, std::size_t body) {
-  for (std::size_t other = 0; other < bodies.soft.size(); ++other)
-    if (other != body && bodies.may_meet(body, other) &&
-        bodies.soft[body].outer_box().overlaps(bodies.soft[other].outer_box()))
-      part_at_once(bodies, body, other);
+/// again. So would tissue that has its own place too, and was pushed from there into this one: it is put
+/// where it rests and added to `unfolded`, unless a hand holds it.
+void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+                   std::vector<std::size_t>& unfolded, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
+    if (other == body || !may_overlap(bodies, body, other) || part_at_once(bodies, body, other) ||
+        !overlap_of(bodies, body, other) || is_held(state, touching, other))
+      continue;
+    if (put_where_it_rests(bodies, other, body, report)) unfolded.push_back(other);
+  }
 }
 
 /// Puts one body beside the other, as a whole: a free one, the lighter one of two. False: neither is free.
@@ -170,37 +194,61 @@ void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& repor
                fmt::format("stayed in {}: one was put beside the other", bodies.soft[b].desc().name), report);
     return;
   }
-  for (const std::size_t body : {a, b}) {
-    const double moved =
-        (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
-    if (moved < bodies.soft[body].desc().surface_cell) continue;  // so the scene has it
-    unfold(*bodies.soft[body].solver, bodies.soft[body].state);
-    place_unfolded(bodies, body, 0);
-    tell_reset(bodies, body,
-               fmt::format("stayed in {}: put where it rests", bodies.soft[body == a ? b : a].desc().name),
-               report);
-  }
+  put_where_it_rests(bodies, a, b, report);
+  put_where_it_rests(bodies, b, a, report);
 }
 
-/// Moves a solid out of another along the way in which they part, but never down: something bears it.
-void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
+/// Puts a body that can't leave the other one into its own place and shape. False: it is there, as the scene
+/// has it.
+bool put_where_it_rests(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report) {
+  const double moved =
+      (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
+  if (moved < bodies.soft[body].desc().surface_cell) return false;
+  unfold(*bodies.soft[body].solver, bodies.soft[body].state);
+  place_unfolded(bodies, body, 0);
+  tell_reset(bodies, body, fmt::format("stayed in {}: put where it rests", bodies.soft[other].desc().name),
+             report);
+  return true;
+}
+
+/// Returns nothing where either is no closed solid, or where contacts press out by themselves what there is.
+std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other) {
+  const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
+  if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return std::nullopt;
+  const auto &ruined = bodies.soft[body].inside_out(), &other_ruined = bodies.soft[other].inside_out();
+  const Overlap overlap = {find_immersion(own, others, ruined, other_ruined),
+                           find_immersion(others, own, other_ruined, ruined)};
   const double cell = std::min(bodies.soft[body].desc().surface_cell, bodies.soft[other].desc().surface_cell);
+  return overlap.deepest() < left_inside * cell ? std::nullopt : std::optional(overlap);
+}
+
+/// Returns how deep the body and other tissue that it may meet are in each other, m.
+double deepest_in_tissue(Bodies& bodies, std::size_t body) {
+  double deepest = 0;
+  for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
+    if (other == body || !may_overlap(bodies, body, other)) continue;
+    if (const auto overlap = overlap_of(bodies, body, other)) deepest = std::max(deepest, overlap->deepest());
+  }
+  return deepest;
+}
+
+/// Returns the direction in which the body leaves the other one; never down, because something bears it.
+Vec3 way_out(const Bodies& bodies, std::size_t body, std::size_t other, const Overlap& overlap) {
   const Vec3 up = -bodies.model.scene.gravity.normalized();
-  Vec3 way = Vec3::Zero();
+  Vec3 way = way_apart(overlap.own, overlap.other, bodies.soft[body].middle() - bodies.soft[other].middle());
+  way -= std::min(0.0, way.dot(up)) * up;
+  return way.norm() > 0 ? Vec3(way.normalized()) : up;
+}
+
+/// Moves a solid out of another, and on in that direction until it is in no other tissue either. In a heap
+/// of pieces it would else be crushed again by the next one.
+void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
+  const auto overlap = overlap_of(bodies, body, other);
+  if (!overlap) return;
+  const Vec3 way = way_out(bodies, body, other, *overlap);
   for (int moves = 0; moves < most_moves; ++moves) {
-    const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
-    if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return;
-    const Immersion in =
-        find_immersion(own, others, bodies.soft[body].inside_out(), bodies.soft[other].inside_out());
-    const Immersion around =
-        find_immersion(others, own, bodies.soft[other].inside_out(), bodies.soft[body].inside_out());
-    const double deepest = std::max(in.deepest, around.deepest);
-    if (deepest < left_inside * cell) return;
-    if (moves == 0) {
-      way = way_apart(in, around, bodies.soft[body].middle() - bodies.soft[other].middle());
-      way -= std::min(0.0, way.dot(up)) * up;
-      way = way.norm() > 0 ? Vec3(way.normalized()) : up;
-    }
+    const double deepest = deepest_in_tissue(bodies, body);
+    if (deepest == 0) return;
     bodies.soft[body].state.motion.x += (deepest * way).replicate(bodies.soft[body].solver->nodes(), 1);
     bodies.soft[body].state.motion.has_history = false;
     bodies.soft[body].state.asleep = false;
