@@ -78,8 +78,8 @@ bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
   });
 }
 
-/// Returns what the body would strike if it took its own shape: a hand, tissue in a hand, what squeezes it,
-/// or, unless it has its own place, a rigid thing. Other tissue gives way, and is led out of it.
+/// Returns what the body would strike if it took its own shape. That is a hand, tissue in a hand, what
+/// squeezes it, or, unless it has its own place, a rigid thing. Other tissue gives way, and is led out.
 Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
   const std::vector<Contact>& touches = touching.with_rigid[body];
   const bool borne = std::any_of(touches.begin(), touches.end(),
@@ -163,8 +163,8 @@ bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
 }
 
 /// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
-/// again. So would tissue that has its own place too, and was pushed from there into this one: it is put
-/// where it rests and added to `unfolded`, unless a hand holds it.
+/// again. Attached tissue that was pushed into the body's place would crush it, too. Unless a hand holds that
+/// tissue, it is put where it rests, and added to `unfolded`.
 void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report) {
   Bodies& bodies = state.bodies;
