@@ -109,7 +109,7 @@ bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibriu
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
   if (volume > absurd_volume) return absurd_seconds;
-  if (about.held) return std::numeric_limits<double>::infinity();
+  if (about.jammed) return std::numeric_limits<double>::infinity();
   if (volume <= 0) return absurd_seconds;
   if (share > (about.blind ? 0 : about.company ? ruined_share : slivers_share)) return ruined_for_seconds;
   if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;

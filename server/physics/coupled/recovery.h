@@ -27,8 +27,8 @@ void count_quiet_ticks(SoftMember& member);
 
 /// What is about a body that may be unfolded.
 struct Surroundings {
-  bool held = false;     // in a hand, or against tissue in one
-  bool crushed = false;  // held, or between rigid things: it may have another volume for good
+  bool jammed = false;   // between a hand, or tissue in a hand, and other tissue
+  bool crushed = false;  // jammed, in a hand or between rigid things: it may have another volume for good
   bool blind = false;    // deep in tissue that it can't be led out of, because what is inside out is there
   bool company = false;  // crushed, or another body that its own shape would strike
   bool touched = false;  // by anything, the room too: it may be kept from its own shape for good
@@ -39,8 +39,8 @@ struct Surroundings {
 /// and untouched in another shape. It also unfolds one that had more than a thousandth of its volume inside
 /// out or flat for so long. A body without any volume, or with three times its own, waits less; a crumpled
 /// sheet or rope longer. In company it unfolds only what is ruined beyond what a press does or blind, and
-/// what is of another volume only while nothing crushes it. What is held stays as the hand has it, unless it
-/// has three times its volume: a hand's work is not lost. Returns true when it did.
+/// what is of another volume only while nothing crushes it. What is jammed stays so until the hand leaves,
+/// unless it has three times its volume. Returns true when it did.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 

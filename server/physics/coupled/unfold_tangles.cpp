@@ -38,14 +38,14 @@ bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t 
   return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
 }
 
-/// Returns whether the body is in a hand, or touches tissue that is. A hand may squeeze either for as long as
-/// it likes.
-bool is_held(const State& state, const SoftContacts& touching, std::size_t body) {
-  return is_in_a_hand(state, touching, body) ||
-         std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
-           return (pair.a == body || pair.b == body) && pair.a != pair.b &&
-                  is_in_a_hand(state, touching, pair.a + pair.b - body);
-         });
+/// Returns whether the body is between a hand and other tissue, or between tissue in a hand and anything. The
+/// hand leaves it no room for its own shape.
+bool is_jammed(const State& state, const SoftContacts& touching, std::size_t body) {
+  const bool in_hand = is_in_a_hand(state, touching, body);
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+    return (pair.a == body || pair.b == body) && pair.a != pair.b &&
+           (in_hand || is_in_a_hand(state, touching, pair.a + pair.b - body));
+  });
 }
 
 /// Returns whether rigid things press the body against each other or what it is tied to, harder than its
@@ -86,9 +86,9 @@ Surroundings surroundings_of(State& state, const SoftContacts& touching, std::si
                                  [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
   const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
-  const bool held = is_held(state, touching, body);
-  const bool crushed = held || is_squeezed(state.bodies, body);
-  return {.held = held,
+  const bool jammed = is_jammed(state, touching, body);
+  const bool crushed = jammed || is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
+  return {.jammed = jammed,
           .crushed = crushed,
           .blind = is_blind(state, touching, body),
           .company = crushed || (borne && !state.bodies.soft[body].solver->attached()),
@@ -163,14 +163,15 @@ bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
 }
 
 /// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
-/// again. Attached tissue that was pushed into the body's place would crush it, too. Unless a hand holds that
+/// again. Attached tissue that was pushed into the body's place would crush it, too. Unless a hand is at that
 /// tissue, it is put where it rests, and added to `unfolded`.
 void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
     if (other == body || !may_overlap(bodies, body, other) || part_at_once(bodies, body, other) ||
-        !overlap_of(bodies, body, other) || is_held(state, touching, other))
+        !overlap_of(bodies, body, other) || is_jammed(state, touching, other) ||
+        is_in_a_hand(state, touching, other))
       continue;
     if (put_where_it_rests(bodies, other, body, report)) unfolded.push_back(other);
   }
