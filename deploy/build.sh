@@ -15,7 +15,7 @@ cmake --preset "$preset" ${PROSECTOR_WERROR:+-DPROSECTOR_WERROR="$PROSECTOR_WERR
 steps=$(ninja -C "build/$preset" -n "$@" | tail -n 1 | sed -n 's|^\[[0-9]*/\([0-9]*\)\].*|\1|p')
 if [ -n "$steps" ]; then
   # Measured: docs/look-up/gate-costs.md. Most steps compile twelve files; some take a minute.
-  echo "build: $preset: $steps steps, $jobs at a time; at most some $(((steps * 10 / jobs + 59) / 60)) min, less where ccache" \
+  echo "build: $preset: $steps steps, $jobs at a time; some $(((steps * 13 / jobs + 59) / 60)) min, less where ccache" \
     "knows them; each compiler takes up to about 2 GB of memory"
 fi
 NINJA_STATUS="[%f of %t, %p, %e s] " ninja -C "build/$preset" -j "$jobs" "$@" || {

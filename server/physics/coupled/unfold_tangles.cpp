@@ -128,7 +128,7 @@ void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContac
 
 namespace {
 
-/// How two bodies are in each other, seen from each.
+/// Overlap of two bodies: the vertices of each inside the other.
 struct Overlap {
   Immersion own, other;
   double deepest() const { return std::max(own.deepest, other.deepest); }
@@ -136,7 +136,7 @@ struct Overlap {
 
 std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other);
 bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b);
-bool put_where_it_rests(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report);
+bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report);
 void put_beside(Bodies& bodies, std::size_t body, std::size_t other);
 
 void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
@@ -163,8 +163,8 @@ bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
 }
 
 /// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
-/// again. Attached tissue that was pushed into the body's place would crush it, too. Unless a hand is at that
-/// tissue, it is put where it rests, and added to `unfolded`.
+/// again. Attached tissue that was pushed to the body's rest position would crush it, too. That tissue is
+/// reset to its own rest position and added to `unfolded`, unless a hand touches or jams it.
 void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report) {
   Bodies& bodies = state.bodies;
@@ -173,7 +173,7 @@ void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
         !overlap_of(bodies, body, other) || is_jammed(state, touching, other) ||
         is_in_a_hand(state, touching, other))
       continue;
-    if (put_where_it_rests(bodies, other, body, report)) unfolded.push_back(other);
+    if (reset_to_rest(bodies, other, body, report)) unfolded.push_back(other);
   }
 }
 
@@ -195,13 +195,13 @@ void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& repor
                fmt::format("stayed in {}: one was put beside the other", bodies.soft[b].desc().name), report);
     return;
   }
-  put_where_it_rests(bodies, a, b, report);
-  put_where_it_rests(bodies, b, a, report);
+  reset_to_rest(bodies, a, b, report);
+  reset_to_rest(bodies, b, a, report);
 }
 
-/// Puts a body that can't leave the other one into its own place and shape. False: it is there, as the scene
-/// has it.
-bool put_where_it_rests(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report) {
+/// Resets a body that can't leave the other one to its rest position and shape, and reports it. Returns false
+/// if the body has hardly moved from there: the scene has both bodies so.
+bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report) {
   const double moved =
       (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
   if (moved < bodies.soft[body].desc().surface_cell) return false;
@@ -212,7 +212,8 @@ bool put_where_it_rests(Bodies& bodies, std::size_t body, std::size_t other, Ste
   return true;
 }
 
-/// Returns nothing where either is no closed solid, or where contacts press out by themselves what there is.
+/// Returns how two closed solids overlap; nullopt for other bodies, and for overlaps that contacts alone
+/// remove.
 std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other) {
   const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
   if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return std::nullopt;
@@ -223,7 +224,7 @@ std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t 
   return overlap.deepest() < left_inside * cell ? std::nullopt : std::optional(overlap);
 }
 
-/// Returns how deep the body and other tissue that it may meet are in each other, m.
+/// Returns the depth of the deepest overlap of the body with other tissue, m.
 double deepest_in_tissue(Bodies& bodies, std::size_t body) {
   double deepest = 0;
   for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
@@ -233,24 +234,25 @@ double deepest_in_tissue(Bodies& bodies, std::size_t body) {
   return deepest;
 }
 
-/// Returns the direction in which the body leaves the other one; never down, because something bears it.
-Vec3 way_out(const Bodies& bodies, std::size_t body, std::size_t other, const Overlap& overlap) {
+/// Returns the direction in which the body leaves the other one, a unit vector. It never points down, because
+/// the body rests on something.
+Vec3 exit_direction(const Bodies& bodies, std::size_t body, std::size_t other, const Overlap& overlap) {
   const Vec3 up = -bodies.model.scene.gravity.normalized();
   Vec3 way = way_apart(overlap.own, overlap.other, bodies.soft[body].middle() - bodies.soft[other].middle());
   way -= std::min(0.0, way.dot(up)) * up;
   return way.norm() > 0 ? Vec3(way.normalized()) : up;
 }
 
-/// Moves a solid out of another, and on in that direction until it is in no other tissue either. In a heap
-/// of pieces it would else be crushed again by the next one.
+/// Moves a solid out of another, and on in that direction until it overlaps no tissue. Otherwise the next
+/// piece of a heap would crush it again.
 void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
   const auto overlap = overlap_of(bodies, body, other);
   if (!overlap) return;
-  const Vec3 way = way_out(bodies, body, other, *overlap);
+  const Vec3 direction = exit_direction(bodies, body, other, *overlap);
   for (int moves = 0; moves < most_moves; ++moves) {
     const double deepest = deepest_in_tissue(bodies, body);
     if (deepest == 0) return;
-    bodies.soft[body].state.motion.x += (deepest * way).replicate(bodies.soft[body].solver->nodes(), 1);
+    bodies.soft[body].state.motion.x += (deepest * direction).replicate(bodies.soft[body].solver->nodes(), 1);
     bodies.soft[body].state.motion.has_history = false;
     bodies.soft[body].state.asleep = false;
     bodies.soft[body].follow_nodes();
