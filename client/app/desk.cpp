@@ -19,6 +19,7 @@ constexpr double farthest_surface = 4;    // m: what is farther is out of a hand
 constexpr double double_click_pixels = 6;
 constexpr std::chrono::milliseconds double_click{350};
 constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
+constexpr std::chrono::seconds fresh_touch{3};  // a panel comes up so soon after the touch that opens it
 
 constexpr Key section_key = key_of('X');
 
@@ -49,7 +50,8 @@ void Desk::begin(const DeskStart& start, std::chrono::steady_clock::time_point n
 void Desk::update(const DeskSession& session, std::chrono::steady_clock::time_point now) {
   const double seconds = last_update_ ? std::chrono::duration<double>(now - *last_update_).count() : 0;
   last_update_ = now;
-  follow_panel(session);
+  follow_touch(session, now);
+  follow_panel(session, now);
   pace_ = session.pace;
   scale_ = session.scale;
   time_.see(session.watched, std::chrono::duration<double>(now.time_since_epoch()).count());
@@ -187,6 +189,7 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
     return behind ? std::optional(behind->distance - way.norm()) : std::nullopt;
   };
   guide.physical = session.physical_hand;
+  guide.is_paused = session.pace == 0;
   guide.tip = session.tip;
   guide.blade = session.blade;
   guide.at_blade = point && session.is_blade && session.is_blade(point->body);
@@ -264,18 +267,27 @@ void Desk::let_go() {
 
 void Desk::request_panel() {
   panel_request_ = view_.pointer();
-  awaits_panel_ = true;
+}
+
+void Desk::follow_touch(const DeskSession& session, std::chrono::steady_clock::time_point now) {
+  if (touched_ != session.touched) touches_since_ = now;
+  touched_ = session.touched;
 }
 
 /// Keeps the panel as it is now, and open while it is pointed at. One that the user asked for is brought into
-/// the picture when it comes up.
-void Desk::follow_panel(const DeskSession& session) {
+/// the picture when it comes up. One that a hovering hand opened, because it grazed the part, is closed.
+void Desk::follow_panel(const DeskSession& session, std::chrono::steady_clock::time_point now) {
   const bool is_new = panel_.follow(session.own_panel, session.effort, session.hidden_panel_lines);
   if (panel_.asks_to_stay(view_.pointer())) {
     ask(CommandKind::open_panel);
     commands_.back().body = panel_.shown()->body;
   }
-  if (!is_new || !std::exchange(awaits_panel_, false)) return;
+  if (!is_new) return;
+  if (!std::exchange(awaits_panel_, false)) {
+    const bool grazed = touched_ == panel_.shown()->body && now - touches_since_ < fresh_touch;
+    if (grazed && hand_.hovers()) ask(CommandKind::close_panel);
+    return;
+  }
   Eigen::AlignedBox3d box;
   for (const double x : {-panel_width / 2, panel_width / 2})
     for (const double y : {panel_.bottom(), panel_height / 2})
@@ -319,7 +331,7 @@ HandInput Desk::input() const {
   input.head_tracked = true;
   input.head = eye();
   HandPose& hand = input.hands[right_hand];
-  hand.tracked = true;
+  hand.tracked = !hand_.is_withdrawn();
   hand.pose = hand_.pose();
   hand.flexion.fill(hand_.flexion());
   hand.gesture = hand_.is_closed() ? Gesture::fist : Gesture::flat;

@@ -26,6 +26,7 @@ struct DeskSession {
   std::optional<ShownEffort> effort = {};  // what strips below it say of how exactly its part is solved
   std::size_t hidden_panel_lines = 0;      // of its description, which do not fit on it
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
+  std::optional<BodyId> touched = {};      // by the physical hand
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
   std::optional<BladeFrame> blade = {};    // in the hand, wrist frame
   std::function<bool(BodyId)> is_soft = {};
@@ -72,6 +73,8 @@ class Desk {
   std::vector<Command> take_commands();
   /// Returns where the user asked for a panel since the last call.
   std::optional<Ray> take_panel_request();
+  /// Takes that the server was asked to open a panel.
+  void expect_panel() { awaits_panel_ = true; }
   bool has_gamepad() const { return pad_.is_there(); }
   const DeskChoices& choices() const { return choices_; }
   /// Returns the body that the pointer is at; nullopt: none, or a panel.
@@ -117,6 +120,8 @@ class Desk {
   std::optional<BodyId> pointed_;
   std::optional<BodyId> pressed_at_;  // what the pointer was at when the button went down
   double pace_ = 1, scale_ = 1;
+  std::optional<BodyId> touched_;  // by the physical hand
+  std::chrono::steady_clock::time_point touches_since_{};
   bool awaits_panel_ = false;  // asked for one that has not come up yet
   bool leaves_panel_ = false;  // the view goes to another place
   bool takes_back_ = false;    // the last cut, as soon as no blade is led
@@ -137,7 +142,8 @@ class Desk {
   void let_go();
   void trace_cut(const DeskSession& session);
   void request_panel();
-  void follow_panel(const DeskSession& session);
+  void follow_panel(const DeskSession& session, std::chrono::steady_clock::time_point now);
+  void follow_touch(const DeskSession& session, std::chrono::steady_clock::time_point now);
   void leave_panel();
   void slide(const Vec3& at);
   void frame_parts(const DeskRoom& room);

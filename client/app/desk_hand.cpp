@@ -25,7 +25,11 @@ constexpr double physical_there = 0.03;                  // m, of the physical h
 constexpr double most_patience = 0.5;                    // s, for a physical hand that comes no nearer
 constexpr double longest_way = 3;                        // s, for one that does
 constexpr double comes_nearer = 1e-3;                    // m
-constexpr double least_seconds_in = 0.12;                // a click that is shorter grasps nothing
+constexpr double blocked_from = 0.08;      // m, between the physical hand and where it is wanted
+constexpr double stays_within = 0.02;      // m: a blocked hand moves no farther
+constexpr double blocked_patience = 1;     // s
+constexpr double longest_withdrawn = 10;   // s, where a slow server does not take the hand away
+constexpr double least_seconds_in = 0.12;  // a click that is shorter grasps nothing
 constexpr double from_right = 1.0;  // rad about +y: fingers point ahead and to the left, beside the gaze
 constexpr double across = 0.7;  // rad between the gaze and the fingers: the hand comes from below the picture
 constexpr double lowest_lift = -0.6, highest_lift = 0.4;  // rad above level
@@ -108,6 +112,10 @@ void DeskHand::put_down() {
   drawing_.stop();
 }
 
+bool DeskHand::hovers() const {
+  return phase_ == Phase::hovers && hover_ >= clearance;
+}
+
 std::optional<double> DeskHand::cut_depth() const {
   return has_blade_ ? std::optional(drawing_.depth()) : std::nullopt;
 }
@@ -121,6 +129,7 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   flexion_ += std::clamp(bend_to - flexion_, -close_per_s * seconds, close_per_s * seconds);
   yaw_ = guide.yaw + from_right;
   meets_ = guide.surface.has_value();
+  come_free(guide, seconds);
   lift_fingers(guide, seconds);
   follow_blade(guide, seconds);
   if (draw_blade(guide, seconds)) return;
@@ -260,6 +269,33 @@ void DeskHand::Waiting::count(double distance, double passed) {
   const bool nearer = distance < nearest - comes_nearer;
   seconds = nearer ? 0 : seconds + passed;
   nearest = std::min(nearest, distance);
+}
+
+void DeskHand::Staying::count(const Vec3& physical, double passed) {
+  const bool moved = !((physical - at).norm() < stays_within);
+  seconds = moved ? 0 : seconds + passed;
+  if (moved) at = physical;
+}
+
+/// Withdraws a hovering hand whose physical hand is stuck, such as behind an organ when the view has turned.
+/// It ends when the server has taken the physical hand away, or when the button goes down.
+void DeskHand::come_free(const HandGuide& guide, double seconds) {
+  const bool may = hovers() && guide.surface && !guide.is_paused;
+  if (withdrawn_) {
+    seconds_withdrawn_ += seconds;
+    withdrawn_ = may && guide.physical && seconds_withdrawn_ < longest_withdrawn;
+    return;
+  }
+  const bool is_near = !guide.physical || (guide.physical->p - pose().p).norm() < blocked_from;
+  if (!may || is_near) {
+    blocked_ = {};
+    return;
+  }
+  blocked_.count(guide.physical->p, seconds);
+  if (blocked_.seconds < blocked_patience) return;
+  blocked_ = {};
+  withdrawn_ = true;
+  seconds_withdrawn_ = 0;
 }
 
 void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to) {

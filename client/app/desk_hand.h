@@ -26,6 +26,7 @@ struct HandGuide {
   std::function<std::optional<double>(const Vec3&)> gap;
   bool still = false;            // the fingertips stay where they are
   std::optional<Pose> physical;  // the wrist as physics has it
+  bool is_paused = false;        // simulated time does not advance
   std::optional<Vec3> tip;       // of the instrument in the hand, wrist frame
   // Where it is a blade:
   std::optional<BladeFrame> blade;  // in the wrist's frame
@@ -69,7 +70,12 @@ class DeskHand {
   std::vector<HandWish> take_wishes();
 
   bool is_pressed() const { return button_; }
+  /// Tells whether it is open above what it is over, and neither the button nor the wheel brings it in.
+  bool hovers() const;
   bool is_closed() const { return phase_ == Phase::grips; }
+  /// Tells whether the server is to take the hand as untracked. Tissue that keeps a hovering hand from where
+  /// it is wanted is left that way: the hand returns at the wanted place.
+  bool is_withdrawn() const { return withdrawn_; }
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
   /// Returns the pose of the wrist in the world frame.
   Pose pose() const;
@@ -87,6 +93,13 @@ class DeskHand {
     void count(double distance, double passed);
   };
 
+  /// How long the physical hand has stayed in one place.
+  struct Staying {
+    double seconds = 0;
+    Vec3 at = Vec3::Constant(std::numeric_limits<double>::infinity());  // m, world frame
+    void count(const Vec3& physical, double passed);
+  };
+
   enum class Phase { hovers, goes_in, grips };
 
   Phase phase_ = Phase::hovers;
@@ -101,6 +114,9 @@ class DeskHand {
   double yaw_ = 0, lift_ = -0.5, roll_ = 0, bend_ = 0;  // rad; lift: of the fingers, before the bend
   double seconds_in_ = 0;                               // since the button went down
   Waiting waiting_;
+  Staying blocked_;  // while it hovers, away from where it is wanted
+  bool withdrawn_ = false;
+  double seconds_withdrawn_ = 0;
   bool button_ = false;           // is down
   double seconds_held_ = 0;       // since the hand closed
   bool takes_blade_ = false;      // the button went down on one
@@ -128,6 +144,7 @@ class DeskHand {
   Vec3 drawn_along(const HandGuide& guide);
   void lift_fingers(const HandGuide& guide, double seconds);
   void follow_tool(const HandGuide& guide, double seconds);
+  void come_free(const HandGuide& guide, double seconds);
   void grip_when_in(const HandGuide& guide, const Vec3& wanted);
 };
 

@@ -59,6 +59,8 @@ DeskSession desk_session(const Replica& replica, SceneView& view, double tick, P
   }
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
+  if (const ContactSample* contact = replica.contact(self, right_hand); contact && contact->touching)
+    out.touched = contact->body;
   out.tip = instrument_tip(replica, hand, tick);
   out.blade = held_blade(replica, hand, tick);
   out.pace = replica.pace();

@@ -360,6 +360,7 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
   const auto part = stage_->view.part_at(*request);
   command.kind = part ? CommandKind::open_panel : CommandKind::close_panel;
   command.body = part.value_or(0);
+  if (part) desk.expect_panel();
   if (part || has_panel) return connection_.command(command);
   const auto met = stage_->view.surface_at(*request);
   const std::string name = connection_.with_replica([&](const Replica& replica) {

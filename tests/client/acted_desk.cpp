@@ -203,7 +203,7 @@ void ActedDesk::send_hand() {
   input.head_tracked = true;
   input.head = {eye, gaze};
   HandPose& hand = input.hands[right_hand];
-  hand.tracked = true;
+  hand.tracked = !hand_.is_withdrawn();
   hand.pose = hand_.pose();
   hand.flexion.fill(hand_.flexion());
   hand.gesture = hand_.is_closed() ? Gesture::fist : Gesture::flat;

@@ -135,6 +135,51 @@ TEST_F(HandAtTheDesk, WaitsLongerForAPhysicalHandThatIsOnItsWay) {
   EXPECT_EQ(hand.take_wishes().size(), 1u) << "it is there";
 }
 
+/// Tissue keeps the physical hand behind it. Without this the hand would press there for as long as it
+/// hovers.
+TEST_F(HandAtTheDesk, IsWithdrawnWhereItHoversAndThePhysicalHandIsStuck) {
+  guide.surface = 1.0;
+  go_on(1);
+  guide.physical->p += Vec3(0, 0, -0.2);
+  double seconds = 0;
+  for (; seconds < 3 && !hand.is_withdrawn(); seconds += frame) hand.advance(guide, frame);
+  EXPECT_NEAR(seconds, 1, 0.1);
+  for (double t = 0; t < 2; t += frame) hand.advance(guide, frame);
+  EXPECT_TRUE(hand.is_withdrawn()) << "the server still has the physical hand";
+  guide.physical.reset();
+  hand.advance(guide, frame);
+  EXPECT_FALSE(hand.is_withdrawn());
+  go_on(2);
+  EXPECT_FALSE(hand.is_withdrawn()) << "it is where it is wanted";
+}
+
+TEST_F(HandAtTheDesk, IsNotWithdrawnWhileItIsOnItsWayPressesOrTimeStands) {
+  guide.surface = 1.0;
+  go_on(1);
+  const Pose far{hand.pose().p - Vec3(0, 0, 0.5), hand.pose().q};
+  guide.physical = far;
+  for (double t = 0; t < 3; t += frame) {
+    guide.physical->p.z() = far.p.z() + 0.1 * t;
+    hand.advance(guide, frame);
+    ASSERT_FALSE(hand.is_withdrawn()) << "slowly on its way";
+  }
+  guide.is_paused = true;
+  for (double t = 0; t < 3; t += frame) hand.advance(guide, frame);
+  EXPECT_FALSE(hand.is_withdrawn());
+  guide.is_paused = false;
+  guide.physical = far;
+  for (double t = 0; t < 1.5; t += frame) hand.advance(guide, frame);
+  ASSERT_TRUE(hand.is_withdrawn());
+  hand.press();
+  hand.advance(guide, frame);
+  EXPECT_FALSE(hand.is_withdrawn());
+  hand.let_go();
+  hand.take_wishes();
+  hand.reach(10);  // its wheel presses it in
+  for (double t = 0; t < 3; t += frame) hand.advance(guide, frame);
+  EXPECT_FALSE(hand.is_withdrawn()) << "it is to press";
+}
+
 TEST_F(HandAtTheDesk, WhatItHoldsIsDrawnParallelToThePictureAndPulledByTheWheel) {
   guide.surface = 1.0;
   go_on(1);

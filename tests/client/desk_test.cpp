@@ -279,6 +279,7 @@ TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
   session.own_panel.reset();
   press(key_of('P'));
   EXPECT_TRUE(desk.take_panel_request());
+  desk.expect_panel();
   session.own_panel = panel;
   wait(300);
   const DrawCamera camera = mono_camera(desk.eye(), DeskStart().fov, 800, 600);
@@ -289,6 +290,29 @@ TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
     EXPECT_LT(std::abs(corner.y() / corner.z()), camera.top);
   }
   EXPECT_GT((desk.eye().p - target).dot(before.p - target), 0) << "from the same side";
+}
+
+/// A hand that hovers may graze an organ, such as while the view turns. Its panel would hide what is looked
+/// at.
+TEST_F(AtTheDesk, APanelThatAHoveringHandOpensIsClosedAndNoOther) {
+  const auto closes_new_panel = [&](std::optional<BodyId> touched, bool asked) {
+    session.own_panel.reset();
+    session.touched = touched;
+    update();
+    if (asked) desk.expect_panel();
+    desk.take_commands();
+    session.own_panel = Panel();
+    session.own_panel->body = 3;
+    update();
+    const std::vector<Command> commands = desk.take_commands();
+    return std::ranges::count(commands, CommandKind::close_panel, &Command::kind) == 1;
+  };
+  EXPECT_TRUE(closes_new_panel(3, false));
+  EXPECT_FALSE(closes_new_panel(3, true)) << "asked for";
+  EXPECT_FALSE(closes_new_panel(2, false)) << "it touches another body";
+  EXPECT_FALSE(closes_new_panel(std::nullopt, false)) << "the terminal asked for it";
+  window.events.push_back(MouseButtonEvent{MouseButton::left, true});
+  EXPECT_FALSE(closes_new_panel(3, false)) << "the button brought it in";
 }
 
 TEST_F(AtTheDesk, APanelIsClosedWhereTheUserGoesToAnotherView) {
