@@ -269,6 +269,7 @@ void Desk::request_panel() {
   panel_request_ = view_.pointer();
 }
 
+/// Keeps what the physical hand touches, and since when.
 void Desk::follow_touch(const DeskSession& session, std::chrono::steady_clock::time_point now) {
   if (touched_ != session.touched) touches_since_ = now;
   touched_ = session.touched;
