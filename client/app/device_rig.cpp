@@ -87,7 +87,7 @@ bool DeviceRig::poll(std::int64_t now_ns) {
     samples_.clear();
     entry.device->poll(samples_);
     for (const DeviceSample& sample : samples_) {
-      if (sample.has_pose) take_tracker(sample);
+      if (sample.has_pose) take_tracker(sample, now_ns);
       const auto hand = entry.glove_hand ? entry.glove_hand : ungloved_hand(sample.station);
       if (hand && sample.has_flexion) take_glove(*hand, sample);
       if (hand && !sample.has_flexion) take_buttons(*hand, sample);
@@ -95,7 +95,7 @@ bool DeviceRig::poll(std::int64_t now_ns) {
     }
   }
   if (const auto user = headset_ != nullptr ? headset_->take() : std::nullopt) {
-    take_headset(*user);
+    take_headset(*user, now_ns);
     changed = true;
   }
   expire(now_ns);
@@ -111,12 +111,12 @@ std::optional<std::size_t> DeviceRig::ungloved_hand(std::uint32_t station) const
   return config_.gloves[hand].address.empty() ? std::optional(hand) : std::nullopt;
 }
 
-void DeviceRig::take_headset(const TrackedUser& user) {
+void DeviceRig::take_headset(const TrackedUser& user, std::int64_t now_ns) {
   input_.time_ns = user.time_ns;
   if (user.head) {
     input_.head_tracked = true;
     input_.head = *user.head;
-    head_life_.see(user.time_ns);
+    head_life_.see(user.time_ns, now_ns);
   }
   for (std::size_t hand : {left_hand, right_hand}) {
     if (!user.hands[hand]) continue;
@@ -126,7 +126,7 @@ void DeviceRig::take_headset(const TrackedUser& user) {
     const std::uint32_t pressed =
         user.hands[hand]->buttons & ~std::exchange(mine.buttons, user.hands[hand]->buttons);
     if ((pressed & menu_button) != 0 && !appears) triggers_.push_back({GestureEvent::panel, hand});
-    hand_life_[hand].see(user.time_ns);
+    hand_life_[hand].see(user.time_ns, now_ns);
     DeviceSample bends;
     bends.flexion = user.hands[hand]->flexion;
     bends.gesture = headset_gestures_[hand].update(bends.flexion);
@@ -135,33 +135,34 @@ void DeviceRig::take_headset(const TrackedUser& user) {
   }
 }
 
-void DeviceRig::take_tracker(const DeviceSample& sample) {
+void DeviceRig::take_tracker(const DeviceSample& sample, std::int64_t now_ns) {
   const StationRole role =
       sample.station < max_stations ? config_.stations[sample.station] : StationRole::none;
   input_.time_ns = sample.time_ns;
   if (role == StationRole::head) {
     input_.head_tracked = true;
     input_.head = sample.pose;
-    head_life_.see(sample.time_ns);
+    head_life_.see(sample.time_ns, now_ns);
   } else if (role == StationRole::right_hand || role == StationRole::left_hand) {
     const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
     input_.hands[hand].tracked = true;
     input_.hands[hand].pose = seen_wrists_[hand] = sample.pose;
     input_.hands[hand].buttons = sample.buttons;
     tracker_sample_[hand] = sample;
-    hand_life_[hand].see(sample.time_ns);
+    hand_life_[hand].see(sample.time_ns, now_ns);
   } else if (role == StationRole::tablet) {
-    take_held(HeldThing::tablet, sample, sample.pose);
+    take_held(HeldThing::tablet, sample, sample.pose, now_ns);
   } else if (role == StationRole::instrument) {
     take_held(HeldThing::stylus, sample,
-              along_shaft(sample.pose, config_.tracker_device.mount[sample.station]));
+              along_shaft(sample.pose, config_.tracker_device.mount[sample.station]), now_ns);
   }
 }
 
-void DeviceRig::take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose) {
+void DeviceRig::take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose,
+                          std::int64_t now_ns) {
   const auto index = static_cast<std::size_t>(thing);
   input_.held[index] = {true, pose};
-  held_life_[index].see(sample.time_ns);
+  held_life_[index].see(sample.time_ns, now_ns);
 }
 
 /// Lets bare hands before a camera work the user's tablet.

@@ -84,10 +84,10 @@ class DeviceRig {
             std::optional<std::size_t> glove_hand);
   std::optional<std::size_t> ungloved_hand(std::uint32_t station) const;
   void take_buttons(std::size_t hand, const DeviceSample& sample);
-  void take_headset(const TrackedUser& user);
-  void take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose);
+  void take_headset(const TrackedUser& user, std::int64_t now_ns);
+  void take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose, std::int64_t now_ns);
   void press_tablet();
-  void take_tracker(const DeviceSample& sample);
+  void take_tracker(const DeviceSample& sample, std::int64_t now_ns);
   void take_glove(std::size_t hand, const DeviceSample& sample);
   Gesture asked_gesture(Gesture made) const;
   void expire(std::int64_t now_ns);

@@ -8,10 +8,11 @@ namespace prosector {
 /// When one thing was seen, and how often it is. Times are of the monotonic clock, ns.
 class PoseLife {
  public:
-  /// Notes that the thing was seen at that time.
-  void see(std::int64_t time_ns);
-  /// Tells whether its last pose is too old to count. A pose that comes late in its turn does: where pictures
-  /// take long, a hand stays until the next one can be there.
+  /// Notes that the thing was seen at `time_ns`, and that this became known at `now_ns`.
+  void see(std::int64_t time_ns, std::int64_t now_ns);
+  /// Tells whether its last pose is too old to count. A pose counts until the next one can have arrived:
+  /// where images come slowly, or take long to be evaluated, it counts for longer, but never for more than 1
+  /// s.
   bool is_over(std::int64_t now_ns) const { return now_ns - seen_ns_ > life_ns(); }
   /// Returns when it was seen last; 0: never.
   std::int64_t seen_ns() const { return seen_ns_; }
@@ -19,7 +20,7 @@ class PoseLife {
  private:
   std::int64_t life_ns() const;
 
-  std::int64_t seen_ns_ = 0, last_gap_ns_ = 0, gap_before_ns_ = 0;
+  std::int64_t seen_ns_ = 0, delay_ns_ = 0, last_gap_ns_ = 0, gap_before_ns_ = 0;
 };
 
 }  // namespace prosector

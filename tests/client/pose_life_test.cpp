@@ -11,12 +11,16 @@ namespace {
 
 constexpr std::int64_t ms = 1'000'000, start = 5'000 * ms;
 
-/// Returns for how long the last pose counts, in steps of 10 ms, where it was seen after these gaps.
-std::int64_t life_after(const std::vector<std::int64_t>& gaps) {
+/// Returns for how long the last pose counts, in steps of 10 ms, where it was seen after these gaps, and each
+/// was known after `delay`. All is in ms.
+std::int64_t life_after(const std::vector<std::int64_t>& gaps, std::int64_t delay = 0) {
   PoseLife life;
   std::int64_t now = start;
-  life.see(now);
-  for (const std::int64_t gap : gaps) life.see(now += gap * ms);
+  life.see(now, now + delay * ms);
+  for (const std::int64_t gap : gaps) {
+    now += gap * ms;
+    life.see(now, now + delay * ms);
+  }
   std::int64_t lasts = 0;
   while (!life.is_over(now + (lasts + 10) * ms)) lasts += 10;
   return lasts;
@@ -28,9 +32,18 @@ TEST(PoseLife, IsAQuarterOfASecondWherePosesComeInTime) {
 }
 
 TEST(PoseLife, WaitsForTheNextPictureWherePicturesTakeLong) {
-  for (const std::int64_t gap : {150, 200, 300, 390})
-    EXPECT_GE(life_after({gap, gap}), 2 * gap) << "the next one's way through networks takes as long again";
+  for (const std::int64_t gap : {150, 200, 300, 390}) EXPECT_GE(life_after({gap, gap}), 2 * gap);
   EXPECT_EQ(life_after({1000, 1000}), 1000) << "never longer than a second";
+}
+
+TEST(PoseLife, WaitsForTheNextPictureWhereItTakesLongToBeEvaluated) {
+  for (const std::int64_t gap : {33, 67, 200, 267})
+    for (const std::int64_t delay : {100, 300, 450}) {
+      const std::int64_t next = gap + delay;  // ms: when the next pose is known
+      EXPECT_GE(life_after({gap, gap}, delay), next + gap / 2)
+          << "a gap of " << gap << ", a delay of " << delay;
+    }
+  EXPECT_EQ(life_after({33, 33}, 5000), 1000) << "never longer than a second";
 }
 
 TEST(PoseLife, DoesNotGrowByOneLoss) {
@@ -45,8 +58,8 @@ TEST(PoseLife, IsOverForWhatWasNeverSeen) {
 
 TEST(PoseLife, TakesNoPoseFromBefore) {
   PoseLife life;
-  life.see(start);
-  life.see(start - 100 * ms);
+  life.see(start, start);
+  life.see(start - 100 * ms, start);
   EXPECT_EQ(life.seen_ns(), start);
 }
 
