@@ -15,7 +15,8 @@ constexpr const char *fits_word = "fits", *fails_word = "DOES NOT FIT", *unseen_
 constexpr double fastest = 10;           // m/s: no hand is that fast
 constexpr double off_unit = 0.01;        // by which a quaternion's length may be off
 constexpr double late = 1.5;             // times the usual interval: a record is missing
-constexpr double few_dropped = 0.01;     // share
+constexpr double few_dropped = 0.01;     // of the records that came
+constexpr double most_unseen = 1;        // images without a record, to those with one
 constexpr double least_span = 0.5;       // of a finger that was opened and closed
 constexpr std::size_t least_count = 10;  // records from which a rate is told
 
@@ -129,8 +130,8 @@ void DeviceReport::judge(std::uint32_t number, const Station& station, std::vect
       fmt::format("{:.1f} records a second; usually {:.2f} ms apart, at p99 {:.2f}, at most {:.1f}; stamps "
                   "jitter by {:.2f} ms",
                   rhythm.rate, rhythm.usual_ms, rhythm.p99_ms, rhythm.longest_ms, rhythm.jitter_ms));
-  say(judged(static_cast<double>(rhythm.dropped) <= few_dropped * static_cast<double>(count)),
-      fmt::format("about {} records are missing", rhythm.dropped));
+  const Line missed = missing(rhythm.dropped, count);
+  say(missed.verdict, missed.what);
   say(judged(station.falling_stamps == 0), fmt::format("{} stamps fall", station.falling_stamps));
   say(judged(station.errors == 0),
       fmt::format("{} records with an error of the device's own", station.errors));
@@ -153,6 +154,19 @@ void DeviceReport::judge(std::uint32_t number, const Station& station, std::vect
   for (const auto& [gesture, times] : station.gestures) seen += fmt::format(" {}", gesture_name(gesture));
   if (station.bent > 0) say(seen.empty() ? unseen_word : fits_word, "gestures:" + seen);
   say(station.buttons == 0 ? unseen_word : fits_word, fmt::format("buttons: {:#x}", station.buttons));
+}
+
+/// Judges how many records are missing beside `count` that came.
+DeviceReport::Line DeviceReport::missing(std::uint64_t dropped, std::size_t count) const {
+  const double share = static_cast<double>(dropped) / static_cast<double>(std::max<std::size_t>(count, 1));
+  if (!is_camera_)
+    return {share <= few_dropped ? fits_word : fails_word,
+            fmt::format("about {} records are missing", dropped)};
+  return {share <= few_dropped   ? fits_word
+          : share <= most_unseen ? unseen_word
+                                 : fails_word,
+          fmt::format("in about {} images: nothing was found in them, or the computer had no time for them",
+                      dropped)};
 }
 
 bool DeviceReport::fits() const {

@@ -14,7 +14,9 @@ namespace prosector {
 
 class DeviceReport {
  public:
-  explicit DeviceReport(std::string address) : address_(std::move(address)) {}
+  /// `is_camera`: its records come from images. One in which nothing is found, or that the computer has no
+  /// time to evaluate, gives none, and that is no fault of the device.
+  DeviceReport(std::string address, bool is_camera) : address_(std::move(address)), is_camera_(is_camera) {}
 
   /// Takes what one poll brought, and how the device was after it, `seconds` after the start.
   void take(const std::vector<DeviceSample>& samples, const DeviceStatus& status, double seconds);
@@ -42,8 +44,10 @@ class DeviceReport {
   void take(const DeviceSample& sample);
   std::vector<Line> lines() const;
   void judge(std::uint32_t number, const Station& station, std::vector<Line>& out) const;
+  Line missing(std::uint64_t dropped, std::size_t count) const;
 
   std::string address_;
+  bool is_camera_;
   double seconds_ = 0;
   DeviceStatus status_;
   std::vector<std::string> states_;  // each change, in words

@@ -38,7 +38,7 @@ int self_test(const SelfTestOptions& options) {
   std::fflush(stdout);
   std::signal(SIGINT, [](int) { ended = true; });
   std::signal(SIGTERM, [](int) { ended = true; });
-  DeviceReport report(address);
+  DeviceReport report(address, driver_of(address).is_camera);
   std::vector<DeviceSample> samples;
   const std::int64_t start_ns = monotonic_ns();
   bool kept = true;
