@@ -14,8 +14,8 @@ namespace prosector {
 
 class DeviceReport {
  public:
-  /// `is_camera`: its records come from images. One in which nothing is found, or that the computer has no
-  /// time to evaluate, gives none, and that is no fault of the device.
+  /// Makes a report without records. Records of a device that `is_camera` come from images: one in which
+  /// nothing is found, or that the computer has no time to evaluate, gives none, and that is no fault.
   DeviceReport(std::string address, bool is_camera) : address_(std::move(address)), is_camera_(is_camera) {}
 
   /// Takes what one poll brought, and how the device was after it, `seconds` after the start.
@@ -44,6 +44,7 @@ class DeviceReport {
   void take(const DeviceSample& sample);
   std::vector<Line> lines() const;
   void judge(std::uint32_t number, const Station& station, std::vector<Line>& out) const;
+  /// Judges how many records are missing beside `count` that came.
   Line missing(std::uint64_t dropped, std::size_t count) const;
 
   std::string address_;

@@ -18,8 +18,8 @@ void PoseLife::see(std::int64_t time_ns, std::int64_t now_ns) {
   delay_ns_ = now_ns - time_ns;
 }
 
-/// The next pose is expected to be one gap after the last one, and to be known as late as that was. The
-/// shorter of the last two gaps counts, because one that is long alone was a loss.
+/// Returns how long the last pose counts: the next one is expected one gap later, with the same delay. The
+/// shorter of the last two gaps is used, because one that is long alone was a loss.
 std::int64_t PoseLife::life_ns() const {
   const std::int64_t gap = std::min(last_gap_ns_, gap_before_ns_);
   return std::clamp(delay_ns_ + gaps_of_life * gap, least_life_ns, most_life_ns);

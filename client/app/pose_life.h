@@ -10,9 +10,8 @@ class PoseLife {
  public:
   /// Notes that the thing was seen at `time_ns`, and that this became known at `now_ns`.
   void see(std::int64_t time_ns, std::int64_t now_ns);
-  /// Tells whether its last pose is too old to count. A pose counts until the next one can have arrived:
-  /// where images come slowly, or take long to be evaluated, it counts for longer, but never for more than 1
-  /// s.
+  /// Tells whether its last pose is too old to count. It counts until the next one can have arrived, which
+  /// takes longer where images come slowly or take long to be evaluated. After 1 s none counts.
   bool is_over(std::int64_t now_ns) const { return now_ns - seen_ns_ > life_ns(); }
   /// Returns when it was seen last; 0: never.
   std::int64_t seen_ns() const { return seen_ns_; }
