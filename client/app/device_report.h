@@ -14,7 +14,7 @@ namespace prosector {
 
 class DeviceReport {
  public:
-  /// Makes a report without records. Records of a device that `is_camera` come from images: one in which
+  /// Makes a report without records. Records of a device that `is_camera` come from images. An image in which
   /// nothing is found, or that the computer has no time to evaluate, gives none, and that is no fault.
   DeviceReport(std::string address, bool is_camera) : address_(std::move(address)), is_camera_(is_camera) {}
 
