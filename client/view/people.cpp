@@ -29,13 +29,12 @@ Vec3 color_of(const Replica& replica, ParticipantId who) {
 
 }  // namespace
 
-void People::take_made(std::uint64_t& next_mesh_id) {
+void People::take_shapes(std::uint64_t& next_mesh_id) {
   const auto is_there = [](const auto& future) {
     return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   };
-  if (is_there(skins_to_come_)) skins_ = skins_to_come_.get();
-  if (!is_there(figure_to_come_)) return;
-  figure_.emplace(figure_to_come_.get(), next_mesh_id);
+  if (shapes_ || !is_there(skins_to_come_) || !is_there(figure_to_come_)) return;
+  shapes_.emplace(Shapes{skins_to_come_.get(), FigureMeshes(figure_to_come_.get(), next_mesh_id)});
   next_mesh_id += FigureMeshes::meshes;
 }
 
@@ -43,7 +42,8 @@ void People::add(DrawList& list, const Replica& replica, double tick, const Loca
                  const ViewSettings& settings, std::uint64_t& next_mesh_id) {
   own_hands_.clear();
   own_sleeves_.clear();
-  take_made(next_mesh_id);
+  take_shapes(next_mesh_id);
+  if (!shapes_) return;
   if (self.present) add_self(list, replica, tick, self, settings, next_mesh_id);
   for (const auto& [id, entry] : replica.roster()) {
     const auto user = replica.user(id, tick);
@@ -55,29 +55,27 @@ void People::add(DrawList& list, const Replica& replica, double tick, const Loca
 
 void People::add_figure(DrawList& list, const UserState& user, const RosterEntry& entry,
                         bool is_seen_through) {
-  if (!figure_) return;
   add_forearms(list, user.hands, user.head_tracked ? std::optional(user.head) : std::nullopt, entry.color,
                is_seen_through ? own_sleeve_opacity : 1);
-  if (user.head_tracked && !is_seen_through) add_avatar(list, *figure_, user.head, entry.color, entry.name);
+  if (user.head_tracked && !is_seen_through)
+    add_avatar(list, shapes_->figure, user.head, entry.color, entry.name);
 }
 
 /// Adds sleeves behind the wrists of hands whose elbows hang below that head.
 void People::add_forearms(DrawList& list, const std::array<HandPose, 2>& hands,
                           const std::optional<Pose>& head, const Vec3& color, double opacity) const {
-  if (!figure_) return;
   const std::size_t sleeves = list.items.size();
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
     const Pose& wrist = hands[hand].pose;
     // Where the head isn't known, the forearm goes straight on.
-    add_forearm(list, *figure_, head ? forearm_behind(wrist, bust_below(*head), hand) : wrist, color);
+    add_forearm(list, shapes_->figure, head ? forearm_behind(wrist, bust_below(*head), hand) : wrist, color);
   }
   for (std::size_t k = sleeves; k < list.items.size(); ++k) list.items[k].opacity = opacity;
 }
 
 void People::add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                       const ViewSettings& settings, std::uint64_t& next_mesh_id) {
-  if (!skins_) return;
   const Vec3 color = color_of(replica, self.participant);
   const auto physical = self.at_desk ? replica.user(self.participant, tick) : std::nullopt;
   const HandPose& target = self.input.hands[right_hand];
@@ -109,7 +107,7 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
 }
 
 void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id) {
-  const HandSkin& skin = (*skins_)[right_hand];
+  const HandSkin& skin = shapes_->skins[right_hand];
   if (!ghost_) ghost_ = make_hand_mesh(skin, next_mesh_id++);
   bend_hand(skin, *ghost_, hand.flexion);
   list.items.push_back({.mesh = ghost_,
@@ -121,10 +119,9 @@ void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, 
 
 void People::add_hands(DrawList& list, ParticipantId who, const std::array<HandPose, 2>& hands,
                        const Vec3& color, std::uint64_t& next_mesh_id) {
-  if (!skins_) return;
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
-    const HandSkin& skin = (*skins_)[hand];
+    const HandSkin& skin = shapes_->skins[hand];
     HandMeshes& meshes = hands_[{who, hand}];
     if (!meshes.skin) {
       meshes.skin = make_hand_mesh(skin, next_mesh_id++);

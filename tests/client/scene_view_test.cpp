@@ -435,6 +435,28 @@ std::vector<double> cloth_of(const DrawList& list) {
   return out;
 }
 
+TEST(SceneView, APersonIsSeenWholeOrNotYet) {
+  Client client;
+  client.join();
+  const RosterEntry ada = ada_entry();
+  client.tell(ada);
+  UserState user;
+  user.participant = ada.participant;
+  user.head_tracked = true;
+  user.head = look_at({0.4, 1.5, 0.3}, {0, 1.1, 0});
+  user.hands[right_hand].tracked = true;
+  user.hands[right_hand].pose.p = {0.1, 1.2, 0.1};
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  settings.eye = look_at({1, 1.6, 0.2}, {0, 1.4, 0});
+  for (bool is_seen = false; !is_seen;) {
+    const DrawList& list = client.list(1, settings);
+    is_seen = !cloth_of(list).empty();
+    ASSERT_EQ(!hands_of(list).empty(), is_seen) << "a hand without a sleeve, or a sleeve without a hand";
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 TEST(SceneView, SleevesAreSeenThroughByWhomTheyBelongTo) {
   Client client;
   client.join();
