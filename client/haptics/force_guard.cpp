@@ -8,6 +8,7 @@ namespace {
 
 constexpr double rise_seconds = 0.3;    // from nothing to all of the force, once it may act
 constexpr double fade_seconds = 0.025;  // and back to nothing once it may not
+constexpr double longest_ramp = 0.003;  // of a ramp that one cycle goes: a late one would make a jolt
 constexpr double heat_seconds = 20;     // in which motors' heat follows what they do
 constexpr double warm = 0.8;            // of the heat that may last: from here on less force is let through
 
@@ -15,13 +16,14 @@ constexpr double warm = 0.8;            // of the heat that may last: from here 
 
 Vec3 ForceGuard::pass(const Vec3& wanted, bool allowed, bool hot, double dt) {
   const bool finite = wanted.allFinite();
+  const double ramp = std::min(dt, longest_ramp);
   if (!finite) ++counts_.not_finite;
-  share_ =
-      allowed && finite ? std::min(1., share_ + dt / rise_seconds) : std::max(0., share_ - dt / fade_seconds);
-  left_ = std::max(0., left_ - dt / fade_seconds);
+  share_ = allowed && finite ? std::min(1., share_ + ramp / rise_seconds)
+                             : std::max(0., share_ - ramp / fade_seconds);
+  left_ = std::max(0., left_ - ramp / fade_seconds);
   // What fades is the force that acted, if there is no better one.
   Vec3 force =
-      finite ? Vec3(share_ * wanted + left_ * leaving_) : Vec3(last_ * std::max(0., 1 - dt / fade_seconds));
+      finite ? Vec3(share_ * wanted + left_ * leaving_) : Vec3(last_ * std::max(0., 1 - ramp / fade_seconds));
 
   const double worn = hot ? 1 : std::clamp((heat_ - warm) / (1 - warm), 0., 1.);
   const double most = bounds_.peak + worn * (bounds_.lasting - bounds_.peak);
@@ -30,7 +32,7 @@ Vec3 ForceGuard::pass(const Vec3& wanted, bool allowed, bool hot, double dt) {
     ++counts_.saturated;
   }
   const Vec3 change = force - last_;
-  if (const double size = change.norm(), step = bounds_.slew * dt; size > step) {
+  if (const double size = change.norm(), step = bounds_.slew * ramp; size > step) {
     force = last_ + change * (step / size);
     ++counts_.slowed;
   }

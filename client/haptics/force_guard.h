@@ -32,7 +32,8 @@ class ForceGuard {
   explicit ForceGuard(const GuardBounds& bounds) : bounds_(bounds) {}
 
   /// Returns what may act: of what is `wanted` as much as ramps and bounds let through, its direction kept.
-  /// `allowed`: whether force may act at all; else it fades. `hot`: the arm says that a motor is.
+  /// `allowed`: whether force may act at all; else it fades. `hot`: the arm says that a motor is. `dt`: s
+  /// since the last call. Force changes by no more than in 3 ms, however late the call is.
   Vec3 pass(const Vec3& wanted, bool allowed, bool hot, double dt);
   /// Tells that the loop stood still for longer than is safe, or knew no pose. What acts fades, and new force
   /// begins at nothing.

@@ -64,6 +64,18 @@ TEST(ForceGuard, FadesWithinFiftyMilliseconds) {
   EXPECT_NEAR(force.x(), 0, 1e-9);
 }
 
+TEST(ForceGuard, ALateCycleChangesTheForceNoMoreThanAnEighth) {
+  for (const double late : {0.003, 0.012, 0.02}) {
+    ForceGuard guard = ready();
+    for (int k = 0; k < 50; ++k) guard.pass({2, 0, 0}, true, false, dt);
+    for (double before = 2, force = 2; force > 0; before = force) {
+      force = guard.pass({2, 0, 0}, false, false, late).x();
+      EXPECT_LE(before - force, 2. / 8) << late;
+    }
+    EXPECT_LE(guard.pass({2, 0, 0}, true, false, late).x(), 2. / 8) << late;
+  }
+}
+
 TEST(ForceGuard, WhateverIsAskedForceAndSlewStayBounded) {
   ForceGuard guard = ready();
   std::mt19937_64 random(7);
