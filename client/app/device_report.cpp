@@ -156,7 +156,7 @@ void DeviceReport::judge(std::uint32_t number, const Station& station, std::vect
   say(station.buttons == 0 ? unseen_word : fits_word, fmt::format("buttons: {:#x}", station.buttons));
 }
 
-/// Judges how many records are missing beside `count` that came.
+/// Returns the line on missing records: `dropped` are missing, `count` arrived.
 DeviceReport::Line DeviceReport::missing(std::uint64_t dropped, std::size_t count) const {
   const double share = static_cast<double>(dropped) / static_cast<double>(std::max<std::size_t>(count, 1));
   if (!is_camera_)

@@ -44,7 +44,7 @@ class DeviceReport {
   void take(const DeviceSample& sample);
   std::vector<Line> lines() const;
   void judge(std::uint32_t number, const Station& station, std::vector<Line>& out) const;
-  /// Judges how many records are missing beside `count` that came.
+  /// Returns the line on missing records: `dropped` are missing, `count` arrived.
   Line missing(std::uint64_t dropped, std::size_t count) const;
 
   std::string address_;

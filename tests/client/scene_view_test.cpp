@@ -435,9 +435,8 @@ std::vector<double> cloth_of(const DrawList& list) {
   return out;
 }
 
-TEST(SceneView, APersonIsSeenWholeOrNotYet) {
-  Client client;
-  client.join();
+/// Tells the client of Ada, whose head and right hand are tracked. Returns her state.
+UserState tell_of_ada(Client& client) {
   const RosterEntry ada = ada_entry();
   client.tell(ada);
   UserState user;
@@ -447,6 +446,13 @@ TEST(SceneView, APersonIsSeenWholeOrNotYet) {
   user.hands[right_hand].tracked = true;
   user.hands[right_hand].pose.p = {0.1, 1.2, 0.1};
   client.tell(user);
+  return user;
+}
+
+TEST(SceneView, APersonIsSeenWholeOrNotYet) {
+  Client client;
+  client.join();
+  tell_of_ada(client);
   ViewSettings settings = plain(320, 240);
   settings.eye = look_at({1, 1.6, 0.2}, {0, 1.4, 0});
   for (bool is_seen = false; !is_seen;) {
@@ -460,18 +466,10 @@ TEST(SceneView, APersonIsSeenWholeOrNotYet) {
 TEST(SceneView, SleevesAreSeenThroughByWhomTheyBelongTo) {
   Client client;
   client.join();
-  const RosterEntry ada = ada_entry();
-  client.tell(ada);
-  UserState user;
-  user.participant = ada.participant;
-  user.head_tracked = true;
-  user.head = look_at({0.4, 1.5, 0.3}, {0, 1.1, 0});
-  user.hands[right_hand].tracked = true;
-  user.hands[right_hand].pose.p = {0.1, 1.2, 0.1};
-  client.tell(user);
+  const UserState user = tell_of_ada(client);
   ViewSettings settings = plain(320, 240);
   LocalUser ada_herself;
-  ada_herself.participant = ada.participant;
+  ada_herself.participant = user.participant;
   ada_herself.present = true;
   ada_herself.input.head_tracked = true;
   ada_herself.input.head = user.head;
