@@ -505,7 +505,7 @@ struct ServerStatus {
   double real_time_factor = 0;
   double step_ms_p50 = 0, step_ms_p99 = 0;  // over the last second
   std::array<double, step_phases>
-      phase_ms{};              // mean over the last second, in step order (server/physics/step_report.h)
+      phase_ms{};              // mean over the last second, in step order (server/physics/base/step_report.h)
   double solver_residual = 0;  // worst relative residual of the last second
   double energy = 0;           // J: kinetic + elastic + gravitational
   std::uint32_t participants = 0, observers = 0;  // who takes part; who watches

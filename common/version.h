@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// Returns what `--version` prints: "prosector-server 0.1.0".
+/// Returns what `--version` prints: "prosector-server 0.2.0".
 std::string version_line(std::string_view program);
 
 }  // namespace prosector

@@ -5,8 +5,12 @@ in the folders held to it, or in FOLDERs (or files).
 A function's /// comment begins with a verb in the third person (Returns, Makes, Tells whether). No sentence is longer than
 30 words. No comment begins with "Of", "From" or "To", says "likewise" or "part of it", or is "the same" alone. Each C++
 file but those of tests is held, or waits in NOT_YET.
+
+Comments with a word of UNPLAIN, or that begin with "What" or "Who", are counted by top folder. The counts may not exceed
+MOST_UNPLAIN, and a count below its bound must lower it. --unplain lists these comments.
 """
 
+import collections
 import pathlib
 import re
 import sys
@@ -14,10 +18,7 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it; FOLDER/* holds its own files only.
-HELD = ("client", "common", "deploy", "drivers", "idl", "server/accuracy", "server/calibration", "server/haptics", "server/physics/*",
-        "server/physics/collision", "server/physics/contact", "server/physics/coupled", "server/physics/cutting",
-        "server/physics/hands", "server/physics/organs", "server/physics/panel", "server/physics/parts",
-        "server/physics/rigid", "server/physics/soft", "server/session")
+HELD = ("client", "common", "deploy", "drivers", "idl", "server")
 # Not yet held.
 NOT_YET = ()
 
@@ -35,6 +36,11 @@ ANYWHERE = (
     (re.compile(r"^(Of|From|To) "), "begins with Of, From or To"),
     (re.compile(r"^[Tt]he same[.;]?$"), "is the same alone: name it"),
 )
+# Words for which docs/understand/glossary.md or common technical English has a plainer one.
+UNPLAIN = re.compile(
+    r"\b(anew|mends?|mended|tells?|told|dear|who|whoever|whom|beside|at once|by itself|by themselves|of its own|of their own|"
+    r"lets? go|takes? hold|to be had|so much|likewise|happenings?)\b|^(What|Who)\b", re.I)
+MOST_UNPLAIN = {"client": 440, "common": 113, "drivers": 262, "idl": 41, "server": 25}
 NO_FUNCTION = re.compile(r"^(struct|class|enum|union|using|namespace|friend|concept|#|public:|private:|protected:)")
 
 
@@ -127,6 +133,30 @@ def faults(file):
                 yield number, f"{len(words_of(sentence))} words: {sentence[:70]}…"
 
 
+def unplain(file):
+    """(line number, word, text) of each comment that is counted as unplain."""
+    for number, _, text, _ in blocks(file.read_text().splitlines()):
+        flat = re.sub(r"`[^`]*`", "", " ".join(text.split()).lstrip("-< "))
+        found = UNPLAIN.search(flat)
+        if found:
+            yield number, found[0], flat
+
+
+def unplain_faults(root, names):
+    """What is wrong with the counts of unplain comments; prints each count and its bound."""
+    counts = collections.Counter()
+    for name in names:
+        top = name.split("/")[0]
+        if top in MOST_UNPLAIN:
+            counts[top] += sum(1 for _ in unplain(root / name))
+    print("comments with unplain words, and the bound: " + ", ".join(f"{top} {counts[top]} ({most})" for top, most in MOST_UNPLAIN.items()))
+    for top, most in MOST_UNPLAIN.items():
+        if counts[top] > most:
+            yield f"{top}: {counts[top]} comments with unplain words, at most {most}; list them by check_comments.py --unplain {top}"
+        elif counts[top] < most:
+            yield f"{top}: {counts[top]} comments with unplain words are fewer than {most}: lower the bound in check_comments.py"
+
+
 def holds(folder, name):
     """Whether the file `name` is FOLDER, lies below it, or, where it ends in /*, lies in it."""
     if folder.endswith("/*"):
@@ -141,15 +171,24 @@ def sources(root):
 
 
 def main():
-    words, root = sys.argv[1:], pathlib.Path(__file__).resolve().parent.parent
+    own = pathlib.Path(__file__).resolve().parent.parent
+    words, root = sys.argv[1:], own
     if words[:1] == ["--root"]:
         root, words = pathlib.Path(words[1]).resolve(), words[2:]
     names = sources(root)
+    if words[:1] == ["--unplain"]:
+        for name in names:
+            if any(holds(folder, name) for folder in words[1:]):
+                for number, word, text in unplain(root / name):
+                    print(f"{name}:{number}: {word}: {text[:120]}")
+        return 0
     held = [name for name in names if any(holds(folder, name) for folder in words or HELD)]
     found = [(name, number, why) for name in held for number, why in faults(root / name)]
     if not words:
         found += [(name, 1, "is neither held nor waiting: name its folder in deploy/check_comments.py") for name in names
                   if not any(holds(folder, name) for folder in (*HELD, *NOT_YET, "tests"))]
+        if root == own:
+            found += [("deploy/check_comments.py", 1, why) for why in unplain_faults(root, names)]
     for name, number, why in found:
         print(f"{name}:{number}: {why}", file=sys.stderr)
     waiting = f"; not held yet: {', '.join(NOT_YET)}" if NOT_YET and not words else ""

@@ -6,6 +6,7 @@ docs/ is linked from docs/README.md or from the README.md of its own folder; eac
 row; each page that a source names, and each source that a page names in `backticks` by a path from the root or from
 server/physics, is there. Tables, code and headings are free of the first rule, docs/decisions of the first and the last.
 NAME in a path stands for any name.
+Lengths are bounded, too: README.md, the pages of docs/understand, and all of docs/ together. Each bound is printed with its figure.
 --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
@@ -14,6 +15,7 @@ import re
 import sys
 
 MOST_WORDS = 30
+MOST_OF_README, MOST_OF_UNDERSTAND, MOST_OF_ALL = 1100, 2500, 130000  # words; the last is to come down to 90,000
 SOURCES = ("client", "common", "deploy", "drivers", "idl", "server", "shaders", "tests")
 PATH = re.compile(r"`((?:[\w.-]+/)+[\w-]+\.(?:h|cpp|idl|glsl|frag|vert|py|sh|toml|txt|xml|csv))`")
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
@@ -141,6 +143,23 @@ def dead_mentions(root):
                         yield file, number, f"names {page}, which is not there"
 
 
+def length(page):
+    return len(page.read_text().split())
+
+
+def too_long(root, docs, pages):
+    """(page, why) of each page above its bound; prints the figures and their bounds."""
+    understand = max((page for page in pages if page.parent == docs / "understand"), key=length)
+    total = sum(length(page) for page in pages)
+    figures = [(root / "README.md", length(root / "README.md"), MOST_OF_README), (understand, length(understand), MOST_OF_UNDERSTAND),
+               (docs / "README.md", total, MOST_OF_ALL)]
+    print(f"words, and the bound: README.md {figures[0][1]} ({MOST_OF_README}), the longest page of docs/understand {figures[1][1]} "
+          f"({MOST_OF_UNDERSTAND}), all of docs {total} ({MOST_OF_ALL})")
+    for page, count, most in figures:
+        if count > most:
+            yield page, 1, f"{count} words, at most {most} are allowed" + (" in all of docs" if count == total else "")
+
+
 def main():
     words = [word for word in sys.argv[1:] if word != "--sentences"]
     root = pathlib.Path(words[0] if words else pathlib.Path(__file__).parent.parent).resolve()
@@ -162,6 +181,8 @@ def main():
         faults += [(page, line, why) for line, why in headless_tables(page)]
     faults += [(page, 1, "no index lists this page: name it in docs/README.md") for page in unlisted(pages, docs)]
     faults += dead_mentions(root)
+    if not words:
+        faults += too_long(root, docs, pages)
     for page, line, why in faults:
         print(f"{page.relative_to(root)}:{line}: {why}", file=sys.stderr)
     print(f"docs: {len(faults)} faults" if faults else f"docs: {len(pages)} pages good")

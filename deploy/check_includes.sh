@@ -50,44 +50,38 @@ forbid "XNNPACK only in drivers/camera/hands/network.cpp" '(xnnpack|pthreadpool)
   $(sources '(common|idl|drivers|server|client)/' '^drivers/camera/hands/network\.cpp$')
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
-forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \
+forbid "Bullet only in server/physics/mechanics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \
   '(bullet/|bt[A-Z]|Bullet(Collision|Dynamics)|LinearMath|.*/bullet_types\.h)' \
   $(sources '(common|idl|drivers|client|server/session)/') \
-  $(sources server/physics/ '^server/physics/(rigid/|panel/panel_motion\.cpp|collision/shapes/convex_hull\.cpp|.*contact[a-z_/]*\.cpp$)')
-# in_order BASE EXCEPT FOLDERS...: of BASE's folders, each may include itself and those before it only. Files that
-# match EXCEPT may include any.
-in_order() {
-  local base=$1 except=$2 folder later
-  shift 2
+  $(sources server/physics/ '^server/physics/(mechanics/(rigid/|panel/panel_motion\.cpp|collision/shapes/convex_hull\.cpp)|.*contact[a-z_/]*\.cpp$)')
+# below BASE FOLDERS...: of BASE's folders, each includes only itself and those before it, and no file that lies in BASE
+# itself: such files include all of them.
+below() {
+  local base=$1 folder later
+  shift
+  forbid "what lies in $base beside its folders knows them all" "$base/[a-z0-9_]+\.h" $(sources "$base/[a-z0-9_]+/")
   while [ $# -gt 1 ]; do
     folder=$1
     shift
     later=$(IFS='|'; echo "$*")
-    forbid "$base/$folder includes of $base's folders only itself and those before it" "$base/($later)/" \
-      $(sources "$base/$folder/" "$except")
+    forbid "$base/$folder includes of $base's folders only itself and those before it" "$base/($later)/" $(sources "$base/$folder/")
   done
 }
-# below BASE FOLDERS...: the same without exceptions, and no folder includes what lies beside them: that knows them all.
-below() {
-  local base=$1 none='^$'
-  in_order "$base" "$none" "${@:2}"
-  forbid "what lies in $base beside its folders knows them all" "$base/[a-z0-9_]+\.h" $(sources "$base/[a-z0-9_]+/")
-}
-below server/physics/soft base simd laws elements springs matrices solvers integrators xpbd
-below server/physics/collision primitives surface shapes narrow outlines broad
+below server/physics base mechanics world stations
+below server/physics/mechanics soft collision cutting rigid contact hands panel organs coupled
+below server/physics/mechanics/soft base simd laws elements springs matrices solvers integrators xpbd
+below server/physics/mechanics/collision primitives surface shapes narrow outlines broad
+below server/physics/stations touching hands parts panels dissecting islands compile save
 for part in soft collision; do
   only "$part knows nothing of the rest of physics but threads and edits of lists" 'server/' \
-    "server/physics/($part/|(parallel|list_edit|surface_edit)\\.h)" $(sources "server/physics/$part/")
+    "server/physics/(mechanics/$part/|base/(parallel|list_edit|surface_edit)\\.h)" $(sources "server/physics/mechanics/$part/")
 done
-forbid "TBB's loops only in server/physics/fork_join.h, which has others for the thread sanitizer" 'tbb/parallel_' \
-  $(sources '(common|idl|drivers|server|client)/' '^server/physics/fork_join\.h$')
-forbid "fork_join.h only by parallel.h: its ranges depend on the threads" 'server/physics/fork_join\.h' \
-  $(sources '(common|idl|drivers|server|client)/' '^server/physics/parallel\.h$')
 only "cutting knows collision, and nothing else of physics but threads" 'server/' \
-  'server/physics/((cutting|collision)/|parallel\.h)' $(sources server/physics/cutting/)
-# The exceptions are stations of step() that work on several concepts.
-in_order server/physics '^server/physics/(contact/colliders|rigid/breaking)\.' \
-  soft collision cutting rigid contact hands parts panel organs coupled
+  'server/physics/(mechanics/(cutting|collision)/|base/parallel\.h)' $(sources server/physics/mechanics/cutting/)
+forbid "TBB's loops only in server/physics/base/fork_join.h, which has others for the thread sanitizer" 'tbb/parallel_' \
+  $(sources '(common|idl|drivers|server|client)/' '^server/physics/base/fork_join\.h$')
+forbid "fork_join.h only by parallel.h: its ranges depend on the threads" 'server/physics/base/fork_join\.h' \
+  $(sources '(common|idl|drivers|server|client)/' '^server/physics/base/parallel\.h$')
 forbid "OpenGL only in client/render; OpenXR asks for EGL's types" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/' '^drivers/twins/openxr/') \
   $(sources client/ '^client/(render/|xr/xr_api\.h$)')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws each effect on and off, side by side, for docs/understand/pictures.md.
+"""Draws each effect on and off, side by side, for docs/look-up/rendering-figures.md.
 
 deploy/effect_pictures.py [--client PROGRAM] [--out FOLDER]
   --client  the client to draw with (default build/release/bin/prosector-client)

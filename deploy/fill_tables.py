@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["docs/look-up/measurements.md", *(f"docs/understand/{page}.md" for page in ("soft-tissue", "collision", "contact"))]
+PAGES = [f"docs/look-up/{page}.md" for page in ("measurements", "soft-tissue-figures", "collision-figures", "contact-figures")]
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
@@ -316,7 +316,7 @@ def bend_sizes(reports):
     return table(["A beam bends, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
 
 
-# For docs/understand/soft-tissue.md.
+# For docs/look-up/soft-tissue-figures.md.
 
 
 def place(reports, case, tets, **settings):

@@ -64,8 +64,8 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/ProsectorConfigVersion.cmak
 install(FILES ${deploy}/package/ProsectorConfig.cmake ${CMAKE_BINARY_DIR}/ProsectorConfigVersion.cmake DESTINATION ${config}
   COMPONENT dev)
 
-set(public_headers server/physics/simulation.h server/physics/soft/soft_body.h server/physics/soft/mechanical_energy.h
-  server/physics/soft/unfold.h common/scene/load_scene.h common/error.h common/version.h)
+set(public_headers server/physics/simulation.h server/physics/mechanics/soft/soft_body.h server/physics/mechanics/soft/mechanical_energy.h
+  server/physics/mechanics/soft/unfold.h common/scene/load_scene.h common/error.h common/version.h)
 install(CODE "
   set(source [[${CMAKE_SOURCE_DIR}]])
   set(headers [[${public_headers}]])

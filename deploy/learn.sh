@@ -6,7 +6,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 usage() {
   cat <<TXT
 deploy/learn.sh [--out DIR] [--renew] [LESSON]...
-  LESSON       desk, headset, host, observer, researcher, webcam (default: all, in 10 minutes at most)
+  LESSON       desk, headset, host, observer, programmer, researcher, webcam (default: all, in 10 minutes at most)
   --out DIR    logs, and pictures in its folder pictures (default out/learn)
   --renew      puts the pictures into docs/pictures
 The programs are those of build/release/bin, or of PROSECTOR_BIN.
@@ -19,7 +19,7 @@ while [ $# -gt 0 ]; do
     --out) out=${2:?--out needs a folder}; shift ;;
     --renew) renew=yes ;;
     -h | --help) usage; exit 0 ;;
-    desk | headset | host | observer | researcher | webcam) lessons+=("$1") ;;
+    desk | headset | host | observer | programmer | researcher | webcam) lessons+=("$1") ;;
     *) echo "learn: unknown option or lesson $1" >&2; usage >&2; exit 2 ;;
   esac
   shift

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the shipped scenes for docs/understand/pictures.md, and sets them beside what an older commit had drawn.
+"""Draws the shipped scenes for docs/look-up/rendering-figures.md, and sets them beside what an older commit had drawn.
 
 deploy/scene_pictures.py [--client PROGRAM] [--out FOLDER] [--before COMMIT] [--only NAME...]
   --client  the client to draw with (default build/release/bin/prosector-client)

@@ -13,7 +13,23 @@ class GmshReader {
   GmshReader(std::string_view text, const std::string& name) : in_(text, name) {}
 
   TetMesh read(const Progress& report) {
-    if (!in_.skip_to("$MeshFormat")) in_.fail("no $MeshFormat; allowed: Gmsh 2.2 or 4.1 ASCII");
+    std::string_view first = in_.word();
+    while (!first.empty() && first != "$MeshFormat" && first != "$NOD") first = in_.word();
+    if (first.empty()) in_.fail("neither $MeshFormat nor $NOD; allowed: Gmsh 1, 2.2 or 4.1 ASCII");
+    first == "$NOD" ? read_1() : read_2_or_4();
+    cells_.report(report);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Reads format 1 after its `$NOD`.
+  void read_1() {
+    nodes_2();
+    if (!in_.skip_to("$ELM")) in_.fail("no $ELM");
+    elements_1();
+  }
+  /// Reads formats 2.2 and 4.1 after their `$MeshFormat`.
+  void read_2_or_4() {
     const auto version = in_.number<double>("format version");
     const bool old = version == 2.2;
     if (!old && version != 4.1) in_.fail(fmt::format("format version {}; allowed: 2.2 or 4.1", version));
@@ -22,11 +38,7 @@ class GmshReader {
       if (w == "$Nodes") old ? nodes_2() : nodes_4();
       if (w == "$Elements") old ? elements_2() : elements_4();
     }
-    cells_.report(report);
-    return std::move(mesh_);
   }
-
- private:
   void add_node(std::uint64_t tag) {
     Vec3 x;
     for (int k = 0; k < 3; ++k) x[k] = in_.number<double>("a coordinate");
@@ -58,6 +70,17 @@ class GmshReader {
   void nodes_2() {
     for (auto n = in_.count("number of nodes"); n > 0; --n)
       add_node(in_.number<std::uint64_t>("a node number"));
+  }
+  void elements_1() {
+    for (auto n = in_.count("number of elements"); n > 0; --n) {
+      in_.number<std::uint64_t>("an element number");
+      const CellKind& type = kind(in_.number<int>("an element type"));
+      for (int k = 0; k < 2; ++k) in_.number<std::int64_t>("a region");
+      const auto nodes = in_.count("number of nodes");
+      if (type.shape != CellShape::flat && nodes != type.nodes)
+        in_.fail(fmt::format("{} nodes; allowed: {}", nodes, type.nodes));
+      add_cell(type);
+    }
   }
   void elements_2() {
     for (auto n = in_.count("number of elements"); n > 0; --n) {

@@ -1,6 +1,6 @@
 #pragma once
-// Tetrahedral meshes from files: Gmsh 2.2 and 4.1 ASCII (.msh), legacy VTK ASCII and binary (.vtk, versions
-// to 5.1).
+// Tetrahedral meshes from files: Gmsh 1, 2.2 and 4.1 ASCII (.msh), legacy VTK ASCII and binary (.vtk,
+// versions to 5.1).
 
 #include <filesystem>
 #include <string>

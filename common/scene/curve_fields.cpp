@@ -15,26 +15,38 @@ constexpr const char* about_knots =
     "bspline: points + degree + 1 of them, rising; none given: uniform, with ends that are met";
 
 template <class Struct, auto... Path>
-Field list(std::string_view key, std::string_view unit, Range range, std::string_view description) {
-  Field out = number<Struct, Path...>(key, unit, range, description);
+Field list(std::string_view key, Hashed hashed, std::string_view unit, Range range,
+           std::string_view description) {
+  Field out = number<Struct, Path...>(key, hashed, unit, range, description);
   out.max_length = max_control_points;
   return out;
 }
 
 template <class Struct>
-void add_extent(std::vector<Field>& fields) {
-  fields.push_back(number<Struct, &Struct::tolerance>(
-      "tolerance", "m", tolerance, "how far its triangles may be from the true surface, at most"));
+Table with_tolerance(Table table) {
+  table.fields.push_back(number<Struct, &Struct::tolerance>(
+      "tolerance", compiled, "m", tolerance, "how far its triangles may be from the true surface, at most"));
+  return table;
+}
+
+/// Keeps the key for scenes written for 0.1.
+template <class Struct>
+Table with_unused_tolerance(Table table) {
+  table.fields.push_back(number<Struct, &Struct::tolerance>(
+      "tolerance", not_hashed, "m", tolerance,
+      "deprecated: it has no effect; `cell` of the body sets how finely the line or surface is followed"));
+  return table;
 }
 
 /// Returns the fields of a curve given by control points, whether a tube is laid around it or it is a side.
 std::vector<Field> spline_rows(std::vector<std::string_view> kinds, std::string_view about) {
   using C = CurveDesc;
-  return {words<C, &C::kind>("kind", std::move(kinds), about),
-          list<C, &C::points>("points", "m", coordinate, "control points of a bezier or bspline"),
-          list<C, &C::weights>("weights", "", weight, "of the points; none given: all 1"),
-          number<C, &C::degree>("degree", "", degree, "bspline; a bezier's is one less than its points"),
-          list<C, &C::knots>("knots", "", knot, about_knots)};
+  return {words<C, &C::kind>("kind", compiled, std::move(kinds), about),
+          list<C, &C::points>("points", compiled, "m", coordinate, "control points of a bezier or bspline"),
+          list<C, &C::weights>("weights", compiled, "", weight, "of the points; none given: all 1"),
+          number<C, &C::degree>("degree", compiled, "", degree,
+                                "bspline; a bezier's is one less than its points"),
+          list<C, &C::knots>("knots", compiled, "", knot, about_knots)};
 }
 
 Table curve_table(std::string_view name, std::string_view about) {
@@ -46,14 +58,16 @@ Table curve_table(std::string_view name, std::string_view about) {
                       "hyperbola (a cosh t, b sinh t)"),
           {},
           fresh<C>};
-  for (Field& field : std::vector<Field>{
-           number<C, &C::a>("a", "m", size, "conics"), number<C, &C::b>("b", "m", size, "ellipse, hyperbola"),
-           number<C, &C::from>("from", "", {-10, 10}, "conics: t where the arc begins; ellipse: rad"),
-           number<C, &C::to>("to", "", {-10, 10}, "conics: t where it ends; ellipse: at most 2π more"),
-           number<C, &C::diameter>("diameter", "m", size, "of the tube")})
+  for (Field& field :
+       std::vector<Field>{number<C, &C::a>("a", compiled, "m", size, "conics"),
+                          number<C, &C::b>("b", compiled, "m", size, "ellipse, hyperbola"),
+                          number<C, &C::from>("from", compiled, "", {-10, 10},
+                                              "conics: t where the arc begins; ellipse: rad"),
+                          number<C, &C::to>("to", compiled, "", {-10, 10},
+                                            "conics: t where it ends; ellipse: at most 2π more"),
+                          number<C, &C::diameter>("diameter", compiled, "m", size, "of the tube")})
     t.fields.push_back(std::move(field));
   add_pose<C>(t.fields, "the curve's origin in the body's frame");
-  add_extent<C>(t.fields);
   return t;
 }
 
@@ -69,23 +83,23 @@ Table side_table(std::string_view name) {
 
 Table patch_table(std::string_view name, std::string_view about, const Table& (*side)()) {
   using P = PatchDesc;
-  Table t{name,
-          about,
-          {words<P, &P::kind>("kind", {"bezier", "bspline", "coons", "revolved"},
-                              "a tensor product, a Coons patch between four sides, or one side in the x-y "
-                              "plane, at x >= 0, turned about y"),
-           list<P, &P::points>("points", "m", coordinate, "control points, row by row along u"),
-           number<P, &P::columns>("columns", "", {2, max_control_points}, "how many points a row has"),
-           list<P, &P::weights>("weights", "", weight, "of the points; none given: all 1"),
-           number<P, &P::degree_u>("degree_u", "", degree, "bspline"),
-           number<P, &P::degree_v>("degree_v", "", degree, "bspline"),
-           list<P, &P::knots_u>("knots_u", "", knot, about_knots),
-           list<P, &P::knots_v>("knots_v", "", knot, about_knots),
-           number<P, &P::thickness>("thickness", "m", size, "half of it on either side")},
-          {{"side", side, true, 4, append<P, &P::sides>}},
-          fresh<P>};
+  Table t{
+      name,
+      about,
+      {words<P, &P::kind>("kind", compiled, {"bezier", "bspline", "coons", "revolved"},
+                          "a tensor product, a Coons patch between four sides, or one side in the x-y "
+                          "plane, at x >= 0, turned about y"),
+       list<P, &P::points>("points", compiled, "m", coordinate, "control points, row by row along u"),
+       number<P, &P::columns>("columns", compiled, "", {2, max_control_points}, "how many points a row has"),
+       list<P, &P::weights>("weights", compiled, "", weight, "of the points; none given: all 1"),
+       number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline"),
+       number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline"),
+       list<P, &P::knots_u>("knots_u", compiled, "", knot, about_knots),
+       list<P, &P::knots_v>("knots_v", compiled, "", knot, about_knots),
+       number<P, &P::thickness>("thickness", compiled, "m", size, "half of it on either side")},
+      {{"side", side, true, 4, items<P, &P::sides>}},
+      fresh<P>};
   add_pose<P>(t.fields, "the patch's origin in the body's frame");
-  add_extent<P>(t.fields);
   return t;
 }
 
@@ -102,29 +116,29 @@ const Table& soft_side_table() {
 }  // namespace
 
 const Table& rigid_curve_table() {
-  static const Table table = curve_table(
-      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring where the curve closes smoothly.");
+  static const Table table = with_tolerance<CurveDesc>(curve_table(
+      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring where the curve closes smoothly."));
   return table;
 }
 
 const Table& rigid_patch_table() {
-  static const Table table =
-      patch_table("[[rigid.patch]]", "A piece of a curved surface, `thickness` thick.", rigid_side_table);
+  static const Table table = with_tolerance<PatchDesc>(
+      patch_table("[[rigid.patch]]", "A piece of a curved surface, `thickness` thick.", rigid_side_table));
   return table;
 }
 
 const Table& soft_curve_table() {
-  static const Table table = curve_table(
+  static const Table table = with_unused_tolerance<CurveDesc>(curve_table(
       "[[soft.curve]]",
-      "The line along which a rope lies at rest, with its diameter; free of forces it is straight.");
+      "The line along which a rope lies at rest, with its diameter; free of forces it is straight."));
   return table;
 }
 
 const Table& soft_patch_table() {
-  static const Table table = patch_table(
+  static const Table table = with_unused_tolerance<PatchDesc>(patch_table(
       "[[soft.patch]]",
       "The surface over which a sheet lies at rest, with its thickness; free of forces it is flat.",
-      soft_side_table);
+      soft_side_table));
   return table;
 }
 

@@ -2,12 +2,16 @@
 // One function per kind of value; each row of a field table is one call. Private to common/scene.
 
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "common/scene/scene_fields.h"
 
 namespace prosector {
+
+using enum Hashed;
 
 inline constexpr Range coordinate{-max_coordinate, max_coordinate};
 inline constexpr Range unit_interval{0, 1};
@@ -24,70 +28,124 @@ std::shared_ptr<void> fresh() {
   return std::make_shared<Struct>();
 }
 
-template <class Struct, auto List>
-void* append(void* object) {
-  return &(static_cast<Struct*>(object)->*List).emplace_back();
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Adds a struct to the list `Member`, or makes the one that `Member` may hold, and returns it.
+template <class Struct, auto Member>
+void* add_item(void* object) {
+  auto& member = static_cast<Struct*>(object)->*Member;
+  using T = std::decay_t<decltype(member)>;
+  if constexpr (is_list<T>)
+    return &member.emplace_back();
+  else if constexpr (is_optional<T>)
+    return member ? &*member : &member.emplace();
+  else
+    return &member;
 }
 
-template <auto Member>
-void* member(void* scene) {
-  return &(static_cast<SceneDesc*>(scene)->*Member);
+/// Returns the structs that `Member` holds: a list's elements, an optional's value, or itself.
+template <class Struct, auto Member>
+std::vector<void*> present_items(void* object) {
+  auto& member = static_cast<Struct*>(object)->*Member;
+  using T = std::decay_t<decltype(member)>;
+  std::vector<void*> out;
+  if constexpr (is_list<T>) {
+    for (auto& item : member) out.push_back(&item);
+  } else if constexpr (is_optional<T>) {
+    if (member) out.push_back(&*member);
+  } else {
+    out.push_back(&member);
+  }
+  return out;
 }
+
+template <class Struct, auto Member>
+inline constexpr Items items = {add_item<Struct, Member>, present_items<Struct, Member>};
 
 template <class Struct, auto... Path>
-Field number(std::string_view key, std::string_view unit, Range range, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .unit = unit, .range = range, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field plain(std::string_view key, std::string_view description) {  // bool, quaternion
-  return {.key = key, .in = in<Struct, Path...>, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field words(std::string_view key, std::vector<std::string_view> words, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .words = std::move(words), .description = description};
-}
-
-template <class Struct, auto... Path>
-Field text(std::string_view key, std::string_view description, bool required = false) {
+Field number(std::string_view key, Hashed hashed, std::string_view unit, Range range,
+             std::string_view description) {
   return {.key = key,
           .in = in<Struct, Path...>,
+          .hashed = hashed,
+          .unit = unit,
+          .range = range,
+          .description = description};
+}
+
+template <class Struct, auto... Path>
+Field plain(std::string_view key, Hashed hashed, std::string_view description) {  // bool, quaternion
+  return {.key = key, .in = in<Struct, Path...>, .hashed = hashed, .description = description};
+}
+
+template <class Struct, auto... Path>
+Field words(std::string_view key, Hashed hashed, std::vector<std::string_view> words,
+            std::string_view description) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .hashed = hashed,
+          .words = std::move(words),
+          .description = description};
+}
+
+template <class Struct, auto... Path>
+Field text(std::string_view key, Hashed hashed, std::string_view description, bool required = false) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .hashed = hashed,
           .max_length = max_text_length,
           .required = required,
           .description = description};
 }
 
 template <class Struct, auto... Path>
-Field name(std::string_view key, bool required, std::string_view description) {
+Field name(std::string_view key, Hashed hashed, bool required, std::string_view description) {
   return {.key = key,
           .in = in<Struct, Path...>,
+          .hashed = hashed,
           .text = Text::name,
           .required = required,
           .description = description};
 }
 
 template <class Struct, auto... Path>
-Field quantity(std::string_view key, std::string_view unit, Range range, std::string_view description) {
-  return number<Struct, Path...>(key, unit, range, description);
+Field quantity(std::string_view key, Hashed hashed, std::string_view unit, Range range,
+               std::string_view description) {
+  return number<Struct, Path...>(key, hashed, unit, range, description);
 }
 
 template <class Struct, auto... Path>
-Field identifier(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .text = Text::identifier, .description = description};
+Field identifier(std::string_view key, Hashed hashed, std::string_view description) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .hashed = hashed,
+          .text = Text::identifier,
+          .description = description};
 }
 
 template <class Struct, auto... Path>
-Field names(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .text = Text::name, .description = description};
+Field names(std::string_view key, Hashed hashed, std::string_view description) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .hashed = hashed,
+          .text = Text::name,
+          .description = description};
 }
 
 /// Adds the pose that rigid parts, rigid bodies and soft bodies share.
 template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
-  fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", "m", coordinate, frames));
+  fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", compiled, "m", coordinate, frames));
   fields.push_back(plain<Struct, &Struct::pose, &Pose::q>(
-      "rotation", "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
+      "rotation", compiled,
+      "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
 }
 
 }  // namespace prosector

@@ -84,7 +84,7 @@ class Reader {
     if (!child.repeated) {
       const toml::table* source = node.as_table();
       if (source == nullptr) fail(line_of(node), where, fmt::format("{} must be a table", table.name));
-      read(*source, table, child.append(object), join(path, child.key), std::string(table.name));
+      read(*source, table, child.items.add(object), join(path, child.key), std::string(table.name));
       return;
     }
     const toml::array* list = node.as_array();
@@ -97,7 +97,7 @@ class Reader {
            fmt::format("{} {}: at most {} are allowed", list->size(), table.name, child.max_count));
     for (std::size_t i = 0; i < list->size(); ++i) {
       const toml::table& source = *(*list)[i].as_table();
-      read(source, table, child.append(object), fmt::format("{}[{}]", join(path, child.key), i),
+      read(source, table, child.items.add(object), fmt::format("{}[{}]", join(path, child.key), i),
            describe(source, table, i, where));
     }
   }

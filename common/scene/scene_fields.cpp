@@ -13,11 +13,13 @@ const Table& session_table() {
   static const Table table{
       "[session]",
       "Who may be there.",
-      {name<S, &S::name>("name", false, "name under which clients find the session"),
-       number<S, &S::capacity>("capacity", "people", {1, 1024}, "how many fit, observers included"),
-       number<S, &S::observers>("observers", "people", {0, 1024}, "how many of them may be observers"),
+      {name<S, &S::name>("name", not_hashed, false, "name under which clients find the session"),
+       number<S, &S::capacity>("capacity", not_hashed, "people", {1, 1024},
+                               "how many fit, observers included"),
+       number<S, &S::observers>("observers", not_hashed, "people", {0, 1024},
+                                "how many of them may be observers"),
        number<S, &S::input_timeout>(
-           "input_timeout", "s", {0.05, 60},
+           "input_timeout", not_hashed, "s", {0.05, 60},
            "time after which a hand that its tracker no longer sees is let go; a silent "
            "client's hands stay for 5 s at least")},
       {},
@@ -30,13 +32,14 @@ const Table& hand_table() {
   static const Table table{
       "[hand]",
       "The virtual coupling that pulls a physical hand to the tracked one.",
-      {number<H, &H::mass>("mass", "kg", {0.01, 10}, "the physical hand's mass"),
-       number<H, &H::stiffness>("stiffness", "N/m", {0, 1e5, true}, "of the pull towards the tracked pose"),
-       number<H, &H::max_force>("max_force", "N", {0, 1000, true},
+      {number<H, &H::mass>("mass", by_value, "kg", {0.01, 10}, "the physical hand's mass"),
+       number<H, &H::stiffness>("stiffness", by_value, "N/m", {0, 1e5, true},
+                                "of the pull towards the tracked pose"),
+       number<H, &H::max_force>("max_force", by_value, "N", {0, 1000, true},
                                 "bound of that pull; a fifth of it is that of each finger"),
-       number<H, &H::tear_force>("tear_force", "N", {0, 1e4, true},
+       number<H, &H::tear_force>("tear_force", by_value, "N", {0, 1e4, true},
                                  "between a hand and what it holds, above which it loses hold"),
-       number<H, &H::friction>("friction", "", friction, "Coulomb coefficient of the skin")},
+       number<H, &H::friction>("friction", by_value, "", friction, "Coulomb coefficient of the skin")},
       {},
       fresh<H>};
   return table;
@@ -48,16 +51,12 @@ const Table& room_table() {
       "[room]",
       "The room around the scene, 7 m by 7 m; what leaves it comes back to its place. Hands pass through its "
       "sides.",
-      {plain<R, &R::floor>("floor", "true: bodies rest on it; false: they fall through what is drawn of it"),
-       plain<R, &R::walls>("walls", "true: they stop bodies; false: bodies pass through them")},
+      {plain<R, &R::floor>("floor", by_value,
+                           "true: bodies rest on it; false: they fall through what is drawn of it"),
+       plain<R, &R::walls>("walls", by_value, "true: they stop bodies; false: bodies pass through them")},
       {},
       fresh<R>};
   return table;
-}
-
-void* room_of(void* scene) {
-  std::optional<RoomDesc>& room = static_cast<SceneDesc*>(scene)->room;
-  return room ? &*room : &room.emplace();
 }
 
 const Table& camera_table() {
@@ -65,9 +64,10 @@ const Table& camera_table() {
   static const Table table{
       "[camera]",
       "Where someone who follows nobody looks from.",
-      {number<C, &C::eye>("eye", "m", coordinate, "place of the eye in the room"),
-       number<C, &C::target>("target", "m", coordinate, "point that it looks at; not the eye's own place"),
-       number<C, &C::fov>("fov", "rad", {0, 3, true}, "vertical field of view")},
+      {number<C, &C::eye>("eye", not_hashed, "m", coordinate, "place of the eye in the room"),
+       number<C, &C::target>("target", not_hashed, "m", coordinate,
+                             "point that it looks at; not the eye's own place"),
+       number<C, &C::fov>("fov", not_hashed, "rad", {0, 3, true}, "vertical field of view")},
       {},
       fresh<C>};
   return table;
@@ -79,18 +79,13 @@ const Table& patient_table() {
       "[patient]",
       "How the patient lies. With it the axes in the picture's corner say R and L (right, left), A and P "
       "(anterior, posterior), S and I (superior, inferior) instead of x, y and z.",
-      {number<P, &P::right>("right", "", {-1000, 1000},
+      {number<P, &P::right>("right", not_hashed, "", {-1000, 1000},
                             "direction towards the patient's right; of any length"),
-       number<P, &P::head>("head", "", {-1000, 1000},
+       number<P, &P::head>("head", not_hashed, "", {-1000, 1000},
                            "direction from feet to head, perpendicular to right; of any length")},
       {},
       fresh<P>};
   return table;
-}
-
-void* patient_of(void* scene) {
-  std::optional<PatientFrame>& patient = static_cast<SceneDesc*>(scene)->patient;
-  return patient ? &*patient : &patient.emplace();
 }
 
 const Table& light_table() {
@@ -98,17 +93,18 @@ const Table& light_table() {
   static const Table table{
       "[[light]]",
       "",
-      {name<L, &L::name>("name", false, "unique among the lights"),
-       words<L, &L::kind>("kind", {"directional", "point", "spot"}, ""),
-       name<L, &L::carrier>("body", false,
+      {name<L, &L::name>("name", not_hashed, false, "unique among the lights"),
+       words<L, &L::kind>("kind", not_hashed, {"directional", "point", "spot"}, ""),
+       name<L, &L::carrier>("body", not_hashed, false,
                             "body that it goes with; position and direction are in its frame then"),
-       number<L, &L::position>("position", "m", coordinate, "point, spot: place in the room"),
-       number<L, &L::direction>("direction", "", {-1000, 1000},
+       number<L, &L::position>("position", not_hashed, "m", coordinate, "point, spot: place in the room"),
+       number<L, &L::direction>("direction", not_hashed, "", {-1000, 1000},
                                 "directional, spot: where the light goes; any length but zero"),
-       number<L, &L::color>("color", "", unit_interval, "linear red, green, blue"),
-       number<L, &L::intensity>("intensity", "", {0, 1000}, "times the colour"),
-       number<L, &L::cone>("cone", "rad", {0, 1.57, true}, "spot: half angle"),
-       number<L, &L::softness>("softness", "", unit_interval, "spot: share of the cone over which it fades")},
+       number<L, &L::color>("color", not_hashed, "", unit_interval, "linear red, green, blue"),
+       number<L, &L::intensity>("intensity", not_hashed, "", {0, 1000}, "times the colour"),
+       number<L, &L::cone>("cone", not_hashed, "rad", {0, 1.57, true}, "spot: half angle"),
+       number<L, &L::softness>("softness", not_hashed, "", unit_interval,
+                               "spot: share of the cone over which it fades")},
       {},
       fresh<L>};
   return table;
@@ -125,25 +121,25 @@ const Table& scene_table() {
   static const Table table{
       "",
       "Keys at the top of the file, before the first table.",
-      {name<SD, &SD::name>("name", true, "the scene's name"),
-       text<SD, &SD::description>("description", "for people"),
-       text<SD, &SD::labels>("labels",
+      {name<SD, &SD::name>("name", not_hashed, true, "the scene's name"),
+       text<SD, &SD::description>("description", not_hashed, "for people"),
+       text<SD, &SD::labels>("labels", not_hashed,
                              "table of the bodies' names in languages, with ids of Terminologia Anatomica; "
                              "how it is written: see [[atlas]]"),
-       number<SD, &SD::gravity>("gravity", "m/s²", {-100, 100}, "y is up"),
-       number<SD, &SD::tick_rate>("tick_rate", "Hz", {10, 1000}, "steps per simulated second"),
+       number<SD, &SD::gravity>("gravity", by_value, "m/s²", {-100, 100}, "y is up"),
+       number<SD, &SD::tick_rate>("tick_rate", by_value, "Hz", {10, 1000}, "steps per simulated second"),
        number<SD, &SD::contact_stiffness>(
-           "contact_stiffness", "", {0, 1e4, true},
+           "contact_stiffness", by_value, "", {0, 1e4, true},
            "of contact with a soft body, times that body's own stiffness over one surface cell")},
-      {{"session", session_table, false, 1, member<&SD::session>},
-       {"hand", hand_table, false, 1, member<&SD::hand>},
-       {"room", room_table, false, 1, room_of},
-       {"camera", camera_table, false, 1, member<&SD::camera>},
-       {"patient", patient_table, false, 1, patient_of},
-       {"rigid", rigid_table, true, max_bodies, append<SD, &SD::rigid>},
-       {"soft", soft_table, true, max_bodies, append<SD, &SD::soft>},
-       {"atlas", atlas_table, true, max_atlases, append<SD, &SD::atlases>},
-       {"light", light_table, true, max_lights, append<SD, &SD::lights>}},
+      {{"session", session_table, false, 1, items<SD, &SD::session>},
+       {"hand", hand_table, false, 1, items<SD, &SD::hand>},
+       {"room", room_table, false, 1, items<SD, &SD::room>},
+       {"camera", camera_table, false, 1, items<SD, &SD::camera>},
+       {"patient", patient_table, false, 1, items<SD, &SD::patient>},
+       {"rigid", rigid_table, true, max_bodies, items<SD, &SD::rigid>},
+       {"soft", soft_table, true, max_bodies, items<SD, &SD::soft>},
+       {"atlas", atlas_table, true, max_atlases, items<SD, &SD::atlases>},
+       {"light", light_table, true, max_lights, items<SD, &SD::lights>}},
       fresh<SD>};
   return table;
 }

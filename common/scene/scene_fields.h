@@ -37,9 +37,17 @@ enum class Text {
   identifier,  // a-z, 0-9, _, starting with a letter
 };
 
+/// How the hash of a compiled scene depends on a key. Recordings and checkpoints fit scenes of equal hash.
+enum class Hashed {
+  by_value,    // by its value: the simulation reads it
+  compiled,    // by what is compiled from it: meshes, poses, masses
+  not_hashed,  // not at all: it affects texts, appearance, admission, or which rung the server chooses
+};
+
 struct Field {
   std::string_view key;
   FieldRef (*in)(void* object);  // the field of the table's struct that starts at `object`
+  Hashed hashed;
   std::string_view unit = "";
   Range range = {};                          // double, int, Vec3, lists of them
   std::vector<std::string_view> words = {};  // string, enumeration; empty: any that `text` admits
@@ -51,13 +59,19 @@ struct Field {
 
 struct Table;
 
+/// The structs of a table inside another; `object` is a struct of the outer table.
+struct Items {
+  void* (*add)(void* object);  // the struct to fill; repeated: a new one at the end of the list
+  std::vector<void*> (*present)(void* object);  // those that there are, in order
+};
+
 /// A table inside another: [key], or [[key]] when it may occur several times.
 struct Child {
   std::string_view key;
   const Table& (*table)();
   bool repeated;
-  std::size_t max_count;          // repeated: how many at most
-  void* (*append)(void* object);  // the struct to fill; repeated: a new one at the end of the list
+  std::size_t max_count;  // repeated: how many at most
+  Items items;
 };
 
 struct Table {

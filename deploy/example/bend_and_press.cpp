@@ -1,8 +1,8 @@
 // A beam bends under its own weight; a ball presses an organ. SI units, y is up.
 
 #include <common/error.h>
+#include <server/physics/mechanics/soft/soft_body.h>
 #include <server/physics/simulation.h>
-#include <server/physics/soft/soft_body.h>
 
 #include <cstdio>
 

@@ -13,12 +13,12 @@ namespace prosector {
 namespace {
 
 constexpr double fingertip = 6e-3;   // m: radius of the patch that a fingertip presses
-constexpr double dent = 2e-3;        // m
-constexpr double thin = 1. / 4;      // of its thickness: a patch on a thin body
-constexpr double shallow = 1. / 20;  // of its thickness: a dent in a thin body
-constexpr double tilt = 0.3;         // of gravity, sideways
+constexpr double dent = 2e-3;        // m: depth by which a push dents a half-space
+constexpr double thin = 1. / 4;      // of the thickness: radius of the patch on a thin body
+constexpr double shallow = 1. / 20;  // of the thickness: depth of the dent in a thin body
+constexpr double tilt = 0.3;         // of gravity: its sideways component in a tilt
 constexpr std::size_t candidates_to_press = 40;
-constexpr double steepest = 0.2;  // cosine of the angle to the push: what is steeper bears none
+constexpr double steepest = 0.2;  // least cosine between a face's normal and the push for it to bear pressure
 
 double softest(const SoftDesc& desc) {
   double least = desc.youngs_modulus;
@@ -35,7 +35,8 @@ Vec3 sideways(const TetMesh& mesh, const Vec3& gravity) {
   return longest;
 }
 
-/// Returns faces that are far from each other: the highest, then each the farthest from those before.
+/// Returns `count` faces that are far from each other: the highest, then always the one farthest from those
+/// chosen.
 std::vector<OuterFace> spread_faces(const TetMesh& mesh, const Vec3& up, std::vector<OuterFace> faces,
                                     std::size_t count) {
   std::vector<OuterFace> out;
@@ -54,8 +55,8 @@ std::vector<OuterFace> spread_faces(const TetMesh& mesh, const Vec3& up, std::ve
   return out;
 }
 
-/// Returns faces that no tie is near: half of them far from each other, then those of many such below which
-/// the body is thinnest, where elements get most wrong.
+/// Returns faces that are not near a tie. Half of them are far from each other. The others are those of 40
+/// candidates below which the body is thinnest, where elements have the largest errors.
 std::vector<OuterFace> pressed_faces(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity,
                                      const std::vector<OuterFace>& faces, int count) {
   std::vector<OuterFace> loose = faces;
@@ -73,7 +74,7 @@ std::vector<OuterFace> pressed_faces(const SoftDesc& desc, const TetMesh& mesh, 
   return out;
 }
 
-/// Adds the press' forces on the nodes, summing to its force.
+/// Adds the forces of a press on the nodes. They sum to the press's force.
 void add_press(const Press& press, const StaticBody& body, VecX& load) {
   const TetMesh& mesh = body.mesh();
   const auto near = [&](const OuterFace& face) {

@@ -1,6 +1,6 @@
 #pragma once
-// What is done to a body to find what is wrong with it: it bears its weight, hangs, leans, is pressed by a
-// fingertip. Each is a steady load.
+// Test loads ("acts") for measuring the error of a body's model: it bears its weight, hangs, leans, is
+// pressed by a fingertip. Each is a steady load.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// A round patch pressed inwards by p(r) = 3F/(2πa²)·√(1 − r²/a²), Hertz' pressure, at rest positions.
+/// A round patch pressed inwards by Hertz' pressure, p(r) = 3F/(2πa²)·√(1 − r²/a²), at rest positions.
 struct Press {
   Vec3 point = Vec3::Zero();    // m, on the surface
   Vec3 inward = Vec3::UnitY();  // unit
@@ -20,26 +20,26 @@ struct Press {
 };
 
 struct Act {
-  std::string name;            // for people
+  std::string name;            // shown to users
   Vec3 weight = Vec3::Zero();  // m/s²: acceleration on all its mass
   std::optional<Press> press;
-  std::optional<Vec3> stands = {};  // unit: which way is down to its foot; nothing: as gravity says
+  std::optional<Vec3> stands = {};  // unit: direction down to its foot; nothing: that of gravity
 };
 
-/// Returns what is done to the body. Its own weight, the same upwards and sideways, and `presses` of them by
-/// a fingertip, half at places far from each other, half where the body is thin. The push is the one that
-/// dents half-space by 2 mm, or by a twentieth of the body's thickness. `mesh`: any of its meshes; places are
-/// taken from its outer faces.
+/// Returns the acts of a body: its weight, the same weight upwards and sideways, and `presses` pushes by a
+/// fingertip. Half of the pushes are at places far from each other, half where the body is thin. Each push
+/// would dent a half-space by 2 mm, or by a twentieth of the body's thickness if that is less. `mesh`: any
+/// mesh of the body; places are taken from its outer faces.
 std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity, int presses);
 
-/// Returns a free body's acts of being tilted by 17°, along its longest side and across. Its weight is
-/// turned, and its foot with it, so that it stands on what is lowest then. Both are off the sides by 27°:
-/// there meshes are their own mirror images, and what rocks a body cancels. Nothing where something ties it
-/// or nothing weighs.
+/// Returns the acts that tilt a free body by 17°, along its longest side and across. Its weight is rotated,
+/// and its foot with it, so that it stands on its lowest part. Both directions are 27° off the body's sides:
+/// along a side, a mesh may be its own mirror image, and errors that rock the body would cancel. Empty if a
+/// tie holds the body or it has no weight.
 std::vector<Act> tilts(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity);
 
-/// Returns the act's forces on the body's nodes, 3n, N: weights by the nodes' masses, pressures by the shape
-/// functions of the outer faces.
+/// Returns the act's forces on the body's nodes, 3n, N: weights and pressures are integrated with the shape
+/// functions of the elements and of the outer faces.
 VecX load_of(const Act& act, const StaticBody& body);
 
 }  // namespace prosector

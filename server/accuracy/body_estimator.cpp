@@ -8,25 +8,26 @@
 #include "server/accuracy/bubbles.h"
 #include "server/accuracy/law_difference.h"
 #include "server/accuracy/outer_surface.h"
-#include "server/physics/soft/elements/tet10.h"
-#include "server/physics/soft/laws/mean_dilatation.h"
-#include "server/physics/soft/laws/polar.h"
+#include "server/physics/mechanics/soft/elements/tet10.h"
+#include "server/physics/mechanics/soft/laws/mean_dilatation.h"
+#include "server/physics/mechanics/soft/laws/polar.h"
 
 namespace prosector {
 namespace {
 
 using Corners = std::array<std::uint32_t, 4>;
-using Columns = Eigen::Matrix<double, 3, 4>;  // one of each corner
+using Columns = Eigen::Matrix<double, 3, 4>;  // one column for each corner
 
-/// How far the truth is away, in η²; measured by prosector-bench estimate.
+/// Calibration of the error indicator: true squared error divided by η², fitted with `prosector-bench
+/// estimate`.
 struct Surplus {
-  double even;          // of what finer functions would take up where loads are even
-  double concentrated;  // vertices: a load on so many counts twice
+  double even;          // factor for evenly distributed loads
+  double concentrated;  // number of loaded vertices at which the factor doubles
 };
 constexpr Surplus linear_surplus = {1, 4.5}, quadratic_surplus = {0.6, 10};
-constexpr double doubt = 0.2;  // of a part: what estimates of it are good to where two cancel
+constexpr double doubt = 0.2;  // relative uncertainty of a part, where two parts cancel
 constexpr double negligible_strain = 1e-5;
-constexpr double all_lost = 1e3;  // what an error is taken for that is not a number, or beyond
+constexpr double all_lost = 1e3;  // largest error reported, also for one that is not a number
 
 std::size_t vertex_count(const TetMesh& mesh) {
   std::uint32_t last = 0;
@@ -38,10 +39,10 @@ Eigen::Index at(std::uint32_t node) {
   return 3 * static_cast<Eigen::Index>(node);
 }
 
-/// Gives numbers to edges and faces by their corners, ascending.
+/// Index of the hierarchical functions: numbers edges and faces by their sorted corners.
 class FunctionIndex {
  public:
-  using Key = std::array<std::uint32_t, 3>;  // an edge's second corner twice
+  using Key = std::array<std::uint32_t, 3>;  // for an edge: its second corner twice
   static Key key(std::span<const std::size_t> corners, std::span<const std::uint32_t> nodes) {
     Key out{nodes[corners[0]], nodes[corners[1]], nodes[corners.back()]};
     std::sort(out.begin(), out.end());
@@ -62,14 +63,14 @@ class FunctionIndex {
   std::vector<Key> keys_;
 };
 
-/// The laws of one material, with what of the volume stays with the points.
+/// The laws of one material, with its volumetric stiffness split between integration points and element mean.
 struct MaterialLaws {
-  std::unique_ptr<ConstitutiveLaw> own, tissue;  // tissue: null where it is the same
+  std::unique_ptr<ConstitutiveLaw> own, tissue;  // tissue: null if it equals own
   Lame lame, local;
-  double mean;  // Pa: λ'' of what goes to an element's mean
+  double mean;  // Pa: λ'', the volumetric stiffness of an element's mean
 };
 
-/// Returns what takes a linear field's values at the four integration points to those at the corners.
+/// Returns the matrix that extrapolates a linear field from the four integration points to the corners.
 Eigen::Matrix4d corners_from_points() {
   const double at_corner = (5 + 3 * std::sqrt(5.)) / 20, elsewhere = (5 - std::sqrt(5.)) / 20;
   Eigen::Matrix4d points = Eigen::Matrix4d::Constant(elsewhere);
@@ -77,32 +78,32 @@ Eigen::Matrix4d corners_from_points() {
   return points.inverse();
 }
 
-/// What an element is like now.
+/// The present state of an element.
 struct ElementState {
   std::array<Mat3, 4> P;                    // Pa, at the corners
-  Mat3 R = Mat3::Identity();                // of its mean F
+  Mat3 R = Mat3::Identity();                // rotation of its mean F
   Mat3 S = Mat3::Zero(), Q = Mat3::Zero();  // means of RᵀF and RᵀP
   double work = 0;                          // J/m³: P:(F − R)
-  LawDifference law;                        // from tissue's
+  LawDifference law;                        // difference from tissue's law
 };
 
-/// What a body was like: what is taken off it later.
+/// An earlier state of a body, which is subtracted from later ones.
 struct Baseline {
   std::vector<Mat3> S, Q;  // by element
   std::vector<LawDifference> law;
-  std::vector<Vec3> residual;  // N, by function, in the world's frame then
-  std::vector<Vec3> reaction;  // N, by vertex, the same
+  std::vector<Vec3> residual;  // N, by function, in the world frame
+  std::vector<Vec3> reaction;  // N, by vertex, in the world frame
   Mat3 turn = Mat3::Identity();
   bool known = false;
 };
 
-/// Sums over a body above a baseline.
+/// Sums over a body of what exceeds a baseline.
 struct Sums {
   double work = 0;                  // J: 2W
   double surplus = 0;               // J: η²
-  double law = 0;                   // J
-  double squares = 0, fourths = 0;  // N², N⁴: of what outer vertices are pressed with
-  double weight = 0;                // N: of what acts on the volume
+  double law = 0;                   // J: work of the body's law beyond tissue's
+  double squares = 0, fourths = 0;  // N², N⁴: powers of the forces that press outer vertices
+  double weight = 0;                // N: forces that act on the volume
 };
 
 double finite(double error) {
@@ -114,11 +115,11 @@ double finite(double error) {
 struct BodyEstimator::Work {
   Work(const SoftDesc& desc, const TetMesh& mesh, const VecX& ties, const std::string& tissue);
 
-  // ---- What doesn't change
+  // ---- Constant data
   TetMesh mesh;
   bool quadratic;
   std::optional<Tet10Elements> tet10;
-  Tet4Elements elements;  // the corners
+  Tet4Elements elements;  // by corner nodes
   BubbleTable table;
   Eigen::Matrix4d corners_of = corners_from_points();
   std::vector<MaterialLaws> laws;
@@ -126,8 +127,8 @@ struct BodyEstimator::Work {
   std::vector<double> space;        // m³, of each element at rest
   FunctionIndex functions;
   std::vector<std::uint32_t> function;  // by element and table.of_tet
-  std::vector<std::uint32_t> owner;     // by function: the element whose rotation it takes
-  std::vector<Mat3> compliance;         // m/N, by function: K⁻¹ as at rest
+  std::vector<std::uint32_t> owner;     // by function: the element whose rotation applies
+  std::vector<Mat3> compliance;         // m/N, by function: K⁻¹ at rest
   std::vector<double> tie;              // N/m⁴, by vertex
   double density;
   std::vector<OuterFace> faces;
@@ -135,17 +136,17 @@ struct BodyEstimator::Work {
   std::vector<double> area, volume;          // m² and m³ of each vertex
   double all_volume = 0;
 
-  // ---- The estimate at hand
+  // ---- The current estimate
   BodyMoment moment;
   std::size_t done = 0;
   std::vector<Mat3> S, Q, R;        // by element
-  std::vector<LawDifference> law;   // as many
+  std::vector<LawDifference> law;   // by element
   std::vector<Vec3> residual;       // N, by function
-  std::vector<Vec3> reaction;       // N, by vertex: what the stress leaves to the outside
+  std::vector<Vec3> reaction;       // N, by vertex: force of the stress that volume forces don't balance
   std::vector<double> disc, model;  // J, by vertex
   Mat3 mean_F = Mat3::Zero();
   Sums all, press;
-  double slip = 0;  // J
+  double slip = 0;  // J: twice the strain energy of moment.slip
 
   Baseline rest, quiet;
   Estimate newest;
@@ -206,7 +207,7 @@ BodyEstimator::Work::Work(const SoftDesc& desc, const TetMesh& body_mesh, const 
   model.assign(vertices, 0);
   newest.local.assign(vertices, 0);
   if (mesh.stretch == nullptr) return;
-  // Tissue under tension at rest: only what comes on top moves it.
+  // Tissue is under tension at rest: only loads beyond the rest state move it.
   moment.x.resize(3 * static_cast<Eigen::Index>(mesh.positions.size()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     moment.x.segment<3>(3 * static_cast<Eigen::Index>(i)) = mesh.positions[i];
@@ -253,7 +254,7 @@ void BodyEstimator::Work::make_faces() {
   for (OuterFace face : outer_faces(mesh)) {
     std::sort(face.begin(), face.end());
     std::array<std::uint32_t, 8> found{};
-    bool all_there = true;  // not those of elements that were left out
+    bool all_there = true;  // false for faces of elements that were left out
     for (std::size_t k = 0; k < table.of_face.size(); ++k) {
       const auto key = FunctionIndex::key(table.of_face[k].corners, face);
       found[k] = functions.find(key);
@@ -287,7 +288,7 @@ void BodyEstimator::Work::make_compliance() {
   for (const Mat3& stiffness : K) compliance.push_back(stiffness.inverse());
 }
 
-/// Returns ∇L of the corners at rest, 1/m.
+/// Returns the gradients of the corners' barycentric coordinates at rest, 1/m.
 Columns BodyEstimator::Work::slopes(std::size_t e) const {
   Columns b;
   b.rightCols<3>() = elements.gradients(e);
@@ -413,7 +414,7 @@ void BodyEstimator::Work::add_element(std::size_t e) {
   slip += V * (2 * lame.mu * strain.squaredNorm() + lame.lambda * strain.trace() * strain.trace());
 }
 
-/// Takes what the stress leaves at outer vertices for a pressure that goes evenly from one to the next.
+/// Treats the unbalanced forces at a face's vertices as a surface traction that is linear over the face.
 void BodyEstimator::Work::add_face(std::size_t f) {
   const OuterFace& face = faces[f];
   const double size = area_vector(mesh, face).norm();
@@ -426,7 +427,7 @@ void BodyEstimator::Work::add_face(std::size_t f) {
   }
 }
 
-/// Returns r·K⁻¹·r of a function, J, above a baseline.
+/// Returns r·K⁻¹·r of a function, J, with the residual that exceeds a baseline.
 double BodyEstimator::Work::above(const Baseline& base, std::size_t k, const Vec3& r) const {
   Vec3 more = r;
   if (base.known) more -= polar(mean_F).R * base.turn.transpose() * base.residual[k];
@@ -434,7 +435,7 @@ double BodyEstimator::Work::above(const Baseline& base, std::size_t k, const Vec
   return turned.dot(compliance[k] * turned);
 }
 
-/// Sums what presses the outer vertices above a baseline.
+/// Adds the powers of the forces on outer vertices that exceed a baseline.
 void BodyEstimator::Work::add_forces(const Baseline& base, Sums& sums) const {
   const Mat3 turn = base.known ? Mat3(polar(mean_F).R * base.turn.transpose()) : Mat3(Mat3::Zero());
   for (std::size_t i = 0; i < reaction.size(); ++i) {
@@ -446,12 +447,13 @@ void BodyEstimator::Work::add_forces(const Baseline& base, Sums& sums) const {
   }
 }
 
-/// Returns what η² is to be taken times: more where a load is on few vertices. There it is finer than the
-/// mesh, which its residual doesn't know.
+/// Returns the calibration factor of η². It is larger where a load acts on few vertices: such a load is finer
+/// than the mesh, which the residual does not show.
 double BodyEstimator::Work::surplus_share(const Sums& sums) const {
   const Surplus& surplus = quadratic ? quadratic_surplus : linear_surplus;
   if (!(sums.fourths > 0)) return surplus.even;
-  // By squares, so that what a solve left on many vertices doesn't count.
+  // The effective number of loaded vertices. Squared forces make the solver's small residuals on many
+  // vertices negligible.
   const double vertices = sums.squares * sums.squares / sums.fourths,
                force = std::sqrt(sums.squares * vertices);
   return surplus.even * (1 + force / (force + sums.weight) * surplus.concentrated / vertices);
@@ -471,18 +473,17 @@ void BodyEstimator::Work::finish() {
   newest.parts = {};
   std::fill(newest.local.begin(), newest.local.end(), 0);
   const double negligible = negligible_strain * negligible_strain * all_volume * laws.front().lame.mu;
-  if (std::abs(all.work) < negligible) return;  // nothing loads it
-  if (all.work < 0) {                           // its stress drives what loads it
+  if (std::abs(all.work) < negligible) return;  // no load
+  if (all.work < 0) {                           // the stress does work on the loads
     newest.error = newest.press = all_lost;
     return;
   }
   add_forces(rest, all);
   add_forces(quiet.known ? quiet : rest, press);
-  if (!quiet.known) press.weight = all.weight;  // else it was there before
+  if (!quiet.known) press.weight = all.weight;  // else the volume forces are in the baseline
   const double d = finite(surplus_share(all) * all.surplus / all.work);
   const double law = finite(all.law / all.work);
-  // Where tissue is stiffer, the first order tells by how much: nothing gives way less than not
-  // at all.
+  // Where tissue is stiffer, the first-order difference is limited: a compliance can't be negative.
   const double m = law < 0 ? law / (1 - law) : law;
   newest.parts.discretisation = finite(d / (1 + d + m));
   newest.parts.model = finite(m / (1 + d + m));
@@ -493,7 +494,7 @@ void BodyEstimator::Work::finish() {
   };
   newest.error = finite(together(newest.parts.discretisation, newest.parts.model) + newest.parts.solver +
                         newest.parts.time);
-  // A soft contact has some of the dent that elements lack.
+  // The contact's own compliance has a share of the dent that the elements lack.
   const double pressed_d = surplus_share(press) * press.surplus, pressed_m = m * press.work - moment.give;
   newest.press = finite(together(pressed_d, pressed_m) / (press.work + moment.give) + newest.parts.solver);
   newest.pressed = press.work / all.work;

@@ -1,22 +1,24 @@
 #pragma once
-// An estimate of what is wrong with a body as it is now, from its own stresses: cheap enough to be found anew
-// while people touch it. Nothing here changes the body.
+// Estimator of the error of a body's present state, from its own stresses: cheap enough to run again and
+// again while users touch the body. It does not change the body.
 //
-// Discretisation. The body's stress is tested with the functions that its elements leave out first
-// (bubbles.h). The residual r_k of function k, over the function's own stiffness K_k, tells how much it would
-// take up:
+// Discretisation. The body's stress is tested with the hierarchical functions that its elements lack first
+// (bubbles.h). The residual r_k of function k and the function's own stiffness K_k give the energy that it
+// would add:
 //   η² = Σ_k r_k·K_k⁻¹·r_k
-// K_k is Hooke's stiffness, turned with the tissue, its volumetric part by the mean over an element as far as
-// elements do so (mean_dilatation.h). What loads do, C = f·u, is short of the truth by η² where nothing else
-// is wrong.
+// K_k is Hooke's stiffness, rotated with the tissue. Its volumetric part acts on an element's mean, as far as
+// that of the elements does (mean_dilatation.h). The work of the loads, C = f·u, is below its true value by
+// η² where there is no other error.
 //
-// Model. The work that tissue's law would do otherwise at the strains that occur (law_difference.h).
+// Model. The difference between the work of the body's law and of tissue's law at the present strains
+// (law_difference.h).
 //
-// Both are over 2W = Σ V·P:(F − R), which C is where strains are small. With d and m so found, the truth is
-// C·(1 + d + m). A force at a given depth is too large by d + m; how far a load moves the body is too little
-// by (d + m)/(1 + d + m).
+// Both are relative to 2W = Σ V·P:(F − R), which equals C where strains are small. With these relative errors
+// d and m, the true value is C·(1 + d + m). A force at a given depth is too large by d + m. The displacement
+// under a load is too small by (d + m)/(1 + d + m).
 //
-// Time. The strain energy of how far the last tick's step is off, over the body's, as its root.
+// Time. The strain energy of the position error of the last tick's step, over that of the body, as its square
+// root.
 
 #include <memory>
 #include <optional>
@@ -29,44 +31,45 @@
 
 namespace prosector {
 
-/// A body at a moment.
+/// State of a body at one time.
 struct BodyMoment {
   VecX x;             // 3n, m
-  VecX acceleration;  // 3n, m/s²: gravity's less the nodes' own, over how stiff people made the body
-  VecX slip;          // 3n, m: how far the last step's length put the nodes wrong
-  double solver = 0;  // how far the last solve left the nodes wrong, over how far they are from rest
-  double give = 0;    // J: work of what presses it over how far that is in it: contact's own dent
+  VecX acceleration;  // 3n, m/s²: gravity's less the nodes' own, over the users' factor on stiffness
+  VecX slip;          // 3n, m: position error of the nodes from the length of the last step
+  double solver = 0;  // position error of the nodes from the last solve, over their displacement
+  double give = 0;    // J: work of the pressing forces over their depth in the body: the contact's own dent
 };
 
 struct Estimate {
-  double error = 0;           // of how far its loads move the body
-  ErrorParts parts;           // discretisation + model, and what they leave of solver and time, are `error`
-  double press = 0;           // of the force that is felt, of what was done to it since keep_as_quiet()
-  double pressed = 0;         // the work of that, over what all loads do
-  std::vector<double> local;  // by vertex: their mean over the volume is `error`
+  double error = 0;           // relative error of the displacements under the loads
+  ErrorParts parts;           // `error` is |discretisation + model| + solver + time
+  double press = 0;           // relative error of the force felt by loads added since keep_as_quiet()
+  double pressed = 0;         // work of these loads over that of all loads
+  std::vector<double> local;  // by vertex: the mean over the volume is `error`
 };
 
 class BodyEstimator {
  public:
-  /// Tells whether bodies that are described so can be judged: of tetrahedra with a law.
+  /// Returns whether bodies of that description can be estimated: tetrahedra with a constitutive law.
   static bool judges(const SoftDesc& desc, const TetMesh& mesh);
 
-  /// Makes it for a body that rests as `mesh` (world frame; of quadratic elements with the middles of edges
-  /// among its nodes), its nodes tied by `ties` (n, N/m). `tissue`: the law that tissue is taken for.
+  /// Makes an estimator for a body with the rest shape `mesh` (world frame; for quadratic elements with the
+  /// edge midpoints among its nodes). `ties`: stiffness that ties each node, n, N/m. `tissue`: the law that
+  /// tissue is assumed to follow.
   BodyEstimator(const SoftDesc& desc, const TetMesh& mesh, const VecX& ties, const std::string& tissue);
   ~BodyEstimator();
   BodyEstimator(BodyEstimator&&) noexcept;
 
-  /// Returns how many pieces of work an estimate is, each a microsecond or so.
+  /// Returns the number of pieces of work in an estimate, each of about a microsecond.
   std::size_t pieces() const;
-  /// Begins an estimate of the body at that moment, which is taken over by a swap.
+  /// Begins an estimate of that state, which is swapped in.
   void begin(BodyMoment& moment);
-  /// Goes on by so many pieces. Returns whether the estimate is there. Allocates nothing.
+  /// Runs up to that many pieces. Returns whether the estimate is complete. Allocates nothing.
   bool go_on(std::size_t pieces);
-  /// Returns the last one that is there.
+  /// Returns the last complete estimate.
   const Estimate& newest() const;
 
-  /// Takes the body of the newest estimate for one that nothing presses: what comes on top is a press.
+  /// Stores the state of the newest estimate as unpressed: loads added later count as a press.
   void keep_as_quiet();
   const TetMesh& mesh() const;
 

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "server/physics/soft/elements/edge_nodes.h"
+#include "server/physics/mechanics/soft/elements/edge_nodes.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t place_count = 250;
-constexpr double left_by_halving = 3;  // 2² − 1
+constexpr double left_by_halving = 3;  // 2² − 1: convergence at second order with halved elements
 
-/// Turns tetrahedra right side out: a linear element doesn't mind, who looks for its faces does.
+/// Orients all tetrahedra positively. Linear elements don't need it, but the search for outer faces does.
 void orient(TetMesh& mesh) {
   for (auto& tet : mesh.tets) {
     const auto from_first = [&](std::size_t k) -> Vec3 {
@@ -23,7 +23,7 @@ void orient(TetMesh& mesh) {
   }
 }
 
-/// Returns each tetrahedron as eight; the surface is left out.
+/// Returns the mesh with each tetrahedron divided into eight, without a surface.
 Anatomy halved(const Anatomy& anatomy) {
   Anatomy fine;
   fine.tets = anatomy.tets;
@@ -35,12 +35,12 @@ Anatomy halved(const Anatomy& anatomy) {
 
 }  // namespace
 
-/// A body as it was modelled, and where it came to rest in each act.
+/// A body with a model and element, and its rest state in each act.
 struct BodyTrial::Solved {
   Solved(const SoftDesc& desc, Anatomy anatomy) : body(desc, std::move(anatomy)) {}
   StaticBody body;
   std::vector<StaticAnswer> answers;
-  std::vector<double> dents;  // m: what the press' force does, over that force; 0 for weights
+  std::vector<double> dents;  // m: mean displacement along a press, weighted by its pressure; 0 for weights
   std::unique_ptr<Probes> probes;
 };
 
@@ -72,7 +72,7 @@ BodyTrial::BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, co
 BodyTrial::~BodyTrial() = default;
 BodyTrial::BodyTrial(BodyTrial&&) noexcept = default;
 
-/// Leaves out being tilted where tissue itself doesn't bear it: such a body can't stand so.
+/// Removes tilts in which the reference itself doesn't bear the body: such a body can't stand tilted.
 void BodyTrial::leave_out_unborne() {
   const auto leave_out = [](auto& of_acts, std::size_t act) {
     of_acts.erase(of_acts.begin() + static_cast<std::ptrdiff_t>(act));
@@ -104,7 +104,7 @@ std::unique_ptr<BodyTrial::Solved> BodyTrial::solve(const std::string& model, co
   return out;
 }
 
-/// Returns how far one answer is from the other: of a press the dent, of weights all displacements.
+/// Returns the relative difference of two answers: of the dent for a press, of all displacements for weights.
 double BodyTrial::difference(std::size_t act, const Solved& one, const Solved& other) const {
   const StaticAnswer &a = one.answers[act], &b = other.answers[act];
   if (!a.usable() || !b.usable()) return collapsed;

@@ -1,13 +1,14 @@
 #pragma once
-// What a way of modelling gets wrong on the very body: each act's displacements at rest against a reference.
+// Trials of models and elements on the body itself: the displacements at rest in each act are compared with a
+// reference.
 //
-// The reference is tissue's law in quadratic elements on the body's own mesh with every tetrahedron divided
-// into eight; on large meshes undivided, which judges linear elements only. So what is told is mechanics'
-// part. That the mesh is another shape than the one imaged is another matter.
+// The reference is tissue's law in quadratic elements on the body's own mesh, with every tetrahedron divided
+// into eight. On large meshes it is undivided, and then judges linear elements only. So the errors are those
+// of the mechanics. Differences between the mesh and the imaged shape are not included.
 //
-// The undivided reference tells how far the divided one is from settled. That is a third of their difference,
-// since displacements converge at second order at least. Where a body's own law turns it inside out, or
-// nothing settles, the error is `collapsed`: there is nothing to be near to.
+// The undivided reference shows how far the divided one is from convergence. That is a third of their
+// difference, since displacements converge at second order at least. Where a body's law turns it inside out,
+// or the body doesn't settle, the error is `collapsed`.
 
 #include <functional>
 #include <memory>
@@ -21,41 +22,42 @@
 
 namespace prosector {
 
-/// The error of what is inside out, or nowhere at rest: no displacement is off by so much.
+/// The error of a body that is inside out, or does not settle. No relative error of displacements is that
+/// large.
 inline constexpr double collapsed = 1e3;
 
 struct ActError {
   std::string act;
-  double error = 0;      // of displacements, fraction; at least collapsed: it collapsed, or didn't settle
-  double unsettled = 0;  // of it, what the reference itself may be off
+  double error = 0;  // relative error of displacements; at least `collapsed`: it collapsed, or didn't settle
+  double unsettled = 0;  // share of `error` that is the reference's own
 };
 
-/// Returns the act with the largest error; there must be one.
+/// Returns the act with the largest error; `acts` must not be empty.
 const ActError& worst(const std::vector<ActError>& acts);
 
-/// The law that tissue is taken for where an author names none.
+/// The law that tissue is assumed to follow where an author names none.
 inline constexpr const char* tissue_law = "fem_neo_hookean";
 
 struct TrialSettings {
-  std::string law = tissue_law;  // the reference's
-  std::size_t most_tets = 6000;  // of the reference
+  std::string law = tissue_law;  // law of the reference
+  std::size_t most_tets = 6000;  // limit of tetrahedra of the reference
   int presses = 6;               // places that a fingertip presses
   bool tilts = true;             // whether a free body is tilted, too
-  double weight = 1;             // of the body, times its own
-  /// Called before each step of solving; may throw to give up.
+  double weight = 1;             // factor on the body's weight
+  /// Called before each step of the solver; may throw to abort the trial.
   std::function<void()> before_step = {};
 };
 
 class BodyTrial {
  public:
-  /// Finds the reference on `mesh`, in the world frame, whose surface is not used.
+  /// Computes the reference on `mesh`, in the world frame. The mesh's surface is not used.
   BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, const TrialSettings& settings);
   ~BodyTrial();
   BodyTrial(BodyTrial&&) noexcept;
 
-  /// Tells whether quadratic elements can be judged, too.
+  /// Returns whether quadratic elements can be judged, too.
   bool judges_quadratic() const { return divided_; }
-  /// Returns what model and element get wrong, act by act, with the reference's own part in it. Throws
+  /// Returns the errors of model and element, act by act, with the reference's own error included. Throws
   /// std::logic_error for quadratic elements that can't be judged.
   std::vector<ActError> measure(const std::string& model, const std::string& element) const;
   const std::vector<Act>& acts() const { return acts_; }

@@ -17,7 +17,7 @@ double factorial(int n) {
   return product;
 }
 
-/// Returns the mean of ΠL^power over a simplex of so many dimensions: d!·Πpower! / (Σpower + d)!.
+/// Returns the mean of ΠL^power over a simplex of that many dimensions: d!·Πpower! / (Σpower + d)!.
 double mean(const Powers& powers, int dimensions) {
   double product = factorial(dimensions);
   int sum = dimensions;
@@ -55,13 +55,13 @@ Polynomial derivative(const Polynomial& p, std::size_t corner) {
   return out;
 }
 
-/// A function by the corners that it belongs to.
+/// A function and the corners of its edge or face.
 struct Shape {
   std::vector<std::size_t> corners;
   Polynomial polynomial;
 };
 
-/// Returns the functions on a simplex of so many corners: a tetrahedron, or a triangle.
+/// Returns the functions on a simplex with that many corners: a tetrahedron, or a triangle.
 std::vector<Shape> shapes(bool quadratic, std::size_t corners) {
   std::vector<Shape> out;
   for (std::size_t a = 0; a < corners; ++a)

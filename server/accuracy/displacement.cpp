@@ -5,14 +5,14 @@
 #include <stdexcept>
 
 #include "common/anatomy/mesh_quality.h"
-#include "server/physics/organs/locate.h"
-#include "server/physics/soft/soft_matter.h"
+#include "server/physics/mechanics/organs/locate.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
 
 namespace prosector {
 namespace {
 
-/// Barycentric coordinates of a place on no face of the tetrahedron, nor of what its edges' middles divide it
-/// into.
+/// Barycentric coordinates of a point on no face of the tetrahedron, nor of the parts into which its edge
+/// midpoints divide it.
 constexpr std::array<double, 4> inside = {0.41, 0.27, 0.19, 0.13};
 
 Aabb box_around(std::span<const Vec3> places) {

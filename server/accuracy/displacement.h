@@ -1,5 +1,6 @@
 #pragma once
-// Displacements of bodies of different meshes at the same places, by their own shape functions.
+// Compares displacements of bodies with different meshes at the same positions, interpolated with their shape
+// functions.
 
 #include <array>
 #include <optional>
@@ -10,16 +11,16 @@
 
 namespace prosector {
 
-/// Returns `count` places, about, that are spread evenly over the volume at rest, each inside a tetrahedron:
-/// fewer where that has fewer of them.
+/// Returns about `count` positions that are spread evenly over the volume at rest, each inside a tetrahedron.
+/// There are fewer if the mesh has fewer tetrahedra.
 std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count);
 
-/// Where places of the room lie in a body at rest.
+/// Positions in the room, located in a body at rest.
 class Probes {
  public:
   Probes(const StaticBody& body, std::span<const Vec3> places);
-  /// Returns how far the tissue at place k is from where it rests, m, with nodes at `x` (3n); nothing where
-  /// the place is outside of the mesh.
+  /// Returns the displacement from rest of the tissue at position k, m, with nodes at `x` (3n); nothing where
+  /// the position is outside the mesh.
   std::optional<Vec3> displacement(std::size_t k, const VecX& x) const;
 
  private:
@@ -32,7 +33,8 @@ class Probes {
 };
 
 /// Returns the root mean square of the difference between two bodies' displacements over that of the second,
-/// at places that both have. Throws std::logic_error where they share less than half of the places.
+/// at the positions that both contain. Throws std::logic_error where they share less than half of the
+/// positions.
 double relative_difference(const Probes& a, const VecX& x_a, const Probes& b, const VecX& x_b,
                            std::size_t places);
 

@@ -57,7 +57,7 @@ ErrorMap ErrorGrid::map_of(std::span<const double> errors) {
   return out;
 }
 
-/// Gives each value without one the mean of its neighbours that have one, as often as it takes.
+/// Gives each value without vertices the mean of its neighbours that have a value, until all have one.
 void ErrorGrid::fill() {
   const std::array<std::size_t, 3> size = {empty_.size[0], empty_.size[1], empty_.size[2]};
   const std::array<std::size_t, 3> stride = {1, size[0], size[0] * size[1]};

@@ -1,5 +1,5 @@
 #pragma once
-// Makes the map of a body's error that travels from values at its vertices.
+// Converts errors at a body's vertices to the map that is sent to clients.
 
 #include <array>
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace prosector {
 
 class ErrorGrid {
  public:
-  /// Lays a grid over the first `vertices` positions of the mesh, of cubes, max_error_map_side values along
-  /// the longest axis.
+  /// Makes a grid of cubes over the first `vertices` positions of the mesh, with max_error_map_side values
+  /// along the longest axis.
   ErrorGrid(const TetMesh& mesh, std::size_t vertices);
 
-  /// Returns the map of errors (fractions) by vertex: of each value the mean of the vertices around, by their
-  /// nearness. Values with none around have that of their neighbours.
+  /// Returns the map of errors (fractions) by vertex. Each value is the mean of the vertices around it,
+  /// weighted by nearness. Values without vertices around get the mean of their neighbours.
   ErrorMap map_of(std::span<const double> errors);
 
  private:

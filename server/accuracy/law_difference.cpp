@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t most_points = 4;
 constexpr int most_corrections = 8;
-constexpr double largest_correction = 0.1, precise = 1e-9;  // of a stretch
-constexpr double probe = 1e-5;                              // of a stretch: for the slope
+constexpr double largest_correction = 0.1, precise = 1e-9;  // of a stretch: limit of a step, and tolerance
+constexpr double probe = 1e-5;                              // of a stretch: step of the numerical derivative
 
-/// Tissue stretched by s beyond F.
+/// Stress of tissue that is stretched by s beyond F.
 struct Stretched {
   std::array<Mat3, most_points> P;  // Pa
   double pressure = 0;              // Pa: mean Cauchy stress times det F
@@ -56,7 +56,8 @@ LawDifference law_difference(const ConstitutiveLaw& tissue, double mean, const E
   LawDifference out{.pressure = pressure, .stretch = std::log(s)};
   out.work = 3 * pressure * out.stretch;
   for (std::size_t q = 0; q < n; ++q) {
-    const Mat3 difference = strain.P[q] - at.P[q] / (s * s);  // of the same Cauchy stress, on F's faces
+    const Mat3 difference =
+        strain.P[q] - at.P[q] / (s * s);  // tissue's Cauchy stress as a first Piola stress over F
     out.work += difference.cwiseProduct(strain.F[q] - strain.R[q]).sum() / static_cast<double>(n);
     out.stress += strain.R[q].transpose() * difference / static_cast<double>(n);
   }

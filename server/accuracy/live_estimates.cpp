@@ -4,28 +4,28 @@
 #include <cmath>
 
 #include "server/accuracy/body_trial.h"
-#include "server/physics/soft/integrators/explicit_integrators.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/integrators/explicit_integrators.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
 
-constexpr double turn_seconds = 0.25;    // simulated
-constexpr double quiet_seconds = 0.5;    // simulated: after a cut, until elements are listed anew
-constexpr double first_order = 0.5;      // of h·Δv: the error of implicit Euler's step
-constexpr double second_order = 2. / 9;  // of h·Δ²v: of BDF2's step
-constexpr double least_press = 1e-3;     // of the work that loads do: what counts as a press
-constexpr double least_moved = 5e-5;     // m: surfaces are drawn to twice that
+constexpr double turn_seconds = 0.25;    // s, simulated: in which all due bodies are estimated
+constexpr double quiet_seconds = 0.5;    // s, simulated: from a cut until elements are listed again
+constexpr double first_order = 0.5;      // factor on h·Δv: position error of a step of implicit Euler
+constexpr double second_order = 2. / 9;  // factor on h·Δ²v: of a step of BDF2
+constexpr double least_press = 1e-3;     // of the loads' work: less does not count as a press
+constexpr double least_moved = 5e-5;     // m: half the precision of drawn surfaces
 
 int order_of(const SoftDesc& desc) {
   for (const IntegratorRow& row : integrators())
     if (row.name == desc.integrator) return row.order;
   for (const auto& row : explicit_integrators())
     if (row.name == desc.integrator) return row.order;
-  return 1;  // position-based ones
+  return 1;  // position-based models
 }
 
-/// Returns the force with which hands press the body, N; below 0: none touches it.
+/// Returns the force with which hands press the body, N; below 0: no hand touches it.
 double pressed(const Simulation& simulation, BodyId body) {
   double force = -1;
   for (const HandState& hand : simulation.hands())
@@ -34,8 +34,8 @@ double pressed(const Simulation& simulation, BodyId body) {
   return force;
 }
 
-/// Returns the work of hands' forces over how far they are in the body, J. Pressure that goes with depth has
-/// its mean at two thirds of a round thing's deepest point.
+/// Returns the work of the hands' forces over their depth in the body, J. If pressure is proportional to
+/// depth, the mean depth under a round object is two thirds of its greatest depth.
 double contact_work(const Simulation& simulation, BodyId body) {
   double work = 0;
   for (const HandState& hand : simulation.hands())
@@ -44,7 +44,7 @@ double contact_work(const Simulation& simulation, BodyId body) {
   return work;
 }
 
-/// How far nodes are from where they rest, m, but for what the body moved as a whole.
+/// Displacement of the nodes from rest, m, less the body's mean displacement.
 struct Moved {
   double most = 0;
   double mean = 0;  // root of the mean square
@@ -77,7 +77,7 @@ void LiveEstimates::rebuild(const Simulation& simulation, BodyId id, Body& body)
   const TetMesh& mesh = soft.anatomy().tets;
   if (!BodyEstimator::judges(soft.desc(), mesh)) return;
   const VecX ties = body.attached ? soft.attachment_stiffness() : VecX(VecX::Zero(soft.nodes()));
-  // Fibres are what an author knows of this tissue; a law without them is none to measure it by.
+  // Fibres are the author's knowledge of this tissue: a law without them is no reference for it.
   const std::string tissue = soft.desc().model == "fem_fibers" ? soft.desc().model : tissue_law;
   body.estimator = std::make_unique<BodyEstimator>(soft.desc(), mesh, ties, tissue);
   body.grid = std::make_unique<ErrorGrid>(body.estimator->mesh(), body.estimator->newest().local.size());
@@ -119,7 +119,7 @@ void LiveEstimates::follow(const Simulation& simulation, const StepReport& repor
   for (auto& [id, body] : bodies_) remember(simulation, id, body);
 }
 
-/// Sees whether the body is still what its estimator was made of.
+/// Checks whether the body still has the mesh and ties of its estimator, and rebuilds the estimator if not.
 void LiveEstimates::watch(const Simulation& simulation, BodyId id, Body& body) {
   const std::uint64_t tick = simulation.time().tick;
   const std::uint32_t revision = simulation.revision(id);
@@ -180,7 +180,7 @@ void LiveEstimates::take(Body& body) {
   if (!body.newest) body.newest.emplace();
   LiveEstimate& out = *body.newest;
   out.tick = body.begun;
-  // What moved by less than is told of it has no error to tell of: a fraction of that would say nothing.
+  // A displacement below the precision of the shape has no meaningful relative error.
   out.error = body.stirred ? found.error : 0;
   out.parts = body.stirred ? found.parts : ErrorParts{};
   out.press_error = body.pressed > 0 && found.pressed > least_press ? found.press : -1;
@@ -188,7 +188,7 @@ void LiveEstimates::take(Body& body) {
   out.map = body.grid->map_of(body.stirred ? found.local : std::vector<double>(found.local.size()));
 }
 
-/// Keeps the velocities that the next tick's are compared with.
+/// Stores the velocities with which the next tick's are compared.
 void LiveEstimates::remember(const Simulation& simulation, BodyId id, Body& body) {
   if (body.estimator == nullptr) return;
   const VecX& v = simulation.soft_state(id).motion.v;

@@ -1,7 +1,6 @@
 #pragma once
-// Estimates of what is wrong with each soft body of a running simulation, found anew while it runs: some
-// pieces of work after each tick, one body after another. They are read from the state and change nothing in
-// it.
+// Estimates of the error of each soft body of a running simulation, repeated while it runs. After each tick
+// some pieces of work are done, one body after another. They read the state and change nothing in it.
 
 #include <cstdint>
 #include <map>
@@ -14,13 +13,13 @@
 
 namespace prosector {
 
-/// What is told of one body.
+/// The newest estimate of one body.
 struct LiveEstimate {
-  std::uint64_t tick = 0;  // of the state that it is of
-  double error = -1;       // as of BodyStatus; 0 where the body moved by less than is told of it
+  std::uint64_t tick = 0;  // tick of the estimated state
+  double error = -1;       // as in BodyStatus; 0 where the body moved by less than the precision of its shape
   ErrorParts parts;
   double press_error = -1;
-  double press_force = 0;  // N: with which hands press it
+  double press_force = 0;  // N: force with which hands press the body
   ErrorMap map;
 };
 
@@ -28,28 +27,28 @@ class LiveEstimates {
  public:
   explicit LiveEstimates(const Simulation& simulation);
 
-  /// Goes on after a tick. The pieces of work depend on the bodies alone, on no clock. What is awake is
-  /// looked at anew each quarter of a second. What was cut or untied is looked at once it has been as it is
-  /// for half a second.
+  /// Continues the estimates after a tick. The number of pieces of work depends on the bodies alone, not on a
+  /// clock. Awake bodies are estimated each quarter of a second. A body that was cut or detached is estimated
+  /// once it has not changed for half a second.
   void follow(const Simulation& simulation, const StepReport& report);
-  /// Returns what is known of a body; null: nothing, or not any more.
+  /// Returns the newest estimate of a body; null: there is none, or it is no longer valid.
   const LiveEstimate* newest(BodyId body) const;
 
  private:
   struct Body {
-    std::unique_ptr<BodyEstimator> estimator;  // null: it can't be judged
+    std::unique_ptr<BodyEstimator> estimator;  // null: the body can't be estimated
     std::unique_ptr<ErrorGrid> grid;
     std::uint32_t revision = 0;
     bool attached = true;
-    std::uint64_t changed = 0;  // the tick since when it is as it is
+    std::uint64_t changed = 0;  // tick of the last cut, attachment or detachment
     bool rebuild = true;
-    bool settled = false;     // judged since it fell asleep
-    VecX v, v_before;         // 3n, m/s: after the tick before, and the one before that
-    int ticks = 0;            // of v in a row: 0, 1, 2
-    double solver = 0;        // m: how far the last solve left nodes wrong
-    double pressed = -1;      // N: by hands, when the estimate began; below 0: none touched it
+    bool settled = false;     // estimated since it fell asleep
+    VecX v, v_before;         // 3n, m/s: after the previous tick, and the one before that
+    int ticks = 0;            // how many consecutive ticks v and v_before are of: 0, 1, 2
+    double solver = 0;        // m: position error of the nodes from the last solve
+    double pressed = -1;      // N: force of hands when the estimate began; below 0: none touched it
     bool was_asleep = false;  // when the estimate began
-    bool stirred = false;     // then: moved by more than is told of positions
+    bool stirred = false;     // then: displaced by more than the precision of its shape
     std::uint64_t begun = 0;
     std::optional<LiveEstimate> newest;
   };
@@ -61,11 +60,11 @@ class LiveEstimates {
   static void take(Body& body);
   void remember(const Simulation& simulation, BodyId id, Body& body);
 
-  double h_;            // s: of a tick
-  std::uint64_t turn_;  // ticks in which all that is due is looked at
+  double h_;            // s: length of a tick
+  std::uint64_t turn_;  // ticks in which all due bodies are estimated
   std::map<BodyId, Body> bodies_;
-  std::optional<BodyId> at_;  // whose turn it is
-  BodyId last_ = 0;           // whose it was
+  std::optional<BodyId> at_;  // the body being estimated
+  BodyId last_ = 0;           // the body estimated last
   BodyMoment moment_;         // buffers
 };
 

@@ -5,12 +5,12 @@
 #include <limits>
 #include <map>
 
-#include "server/physics/soft/soft_matter.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
 
 namespace prosector {
 namespace {
 
-constexpr int parts = 12;  // of a face's edges
+constexpr int parts = 12;  // subdivisions of a face's edges
 
 /// Returns a face's shape functions at barycentric coordinates L: of its corners, then of edges 01, 12, 20.
 std::array<double, 6> shape_functions(const Vec3& L, bool quadratic) {
@@ -30,7 +30,7 @@ std::array<std::uint32_t, 6> nodes_of(const OuterFace& face, const SoftMatter& m
           edges.find(face[2], face[0])};
 }
 
-/// Returns the middles, in barycentric coordinates, of the equal triangles that the edges' parts make.
+/// Returns the centres, in barycentric coordinates, of the equal triangles into which a face is subdivided.
 std::vector<Vec3> middles_of_parts() {
   constexpr double n = parts;
   std::vector<Vec3> out;
@@ -42,7 +42,8 @@ std::vector<Vec3> middles_of_parts() {
   return out;
 }
 
-/// Returns where a ray from `from` along the unit direction meets a face, m; infinity: nowhere before it.
+/// Returns the distance, m, at which a ray from `from` along the unit direction meets a face; infinity: it
+/// does not meet it.
 double distance_to(const TetMesh& mesh, const OuterFace& face, const Vec3& from, const Vec3& direction) {
   constexpr double nowhere = std::numeric_limits<double>::infinity();
   const Vec3& a = mesh.positions[face[0]];

@@ -14,27 +14,27 @@ namespace prosector {
 /// Corners, counter-clockwise seen from outside.
 using OuterFace = std::array<std::uint32_t, 3>;
 
-/// Returns the faces that only one tetrahedron has, in the tetrahedra's order.
+/// Returns the faces that belong to only one tetrahedron, in the tetrahedra's order.
 std::vector<OuterFace> outer_faces(const TetMesh& mesh);
 Vec3 middle(const TetMesh& mesh, const OuterFace& face);
-/// Returns m², along the outward normal.
+/// Returns the area vector of a face, m², along its outward normal.
 Vec3 area_vector(const TetMesh& mesh, const OuterFace& face);
-/// Returns four times volume over surface, m: of a long beam its side, of a cube two thirds of its edge.
+/// Returns four times volume over surface, m: for a long beam its side, for a cube two thirds of its edge.
 double thickness(const TetMesh& mesh, const std::vector<OuterFace>& faces);
 
-/// Returns how far the body goes on inwards from the middle of one of its outer faces, along the normal, m.
+/// Returns the depth of the body, m, from the middle of one of its outer faces inwards along the normal.
 double depth_below(const TetMesh& mesh, const std::vector<OuterFace>& faces, const OuterFace& face);
 
-/// A point of integration at rest.
+/// An integration point at rest.
 struct SurfacePoint {
   Vec3 at;                              // m
-  double area;                          // m² that it stands for
+  double area;                          // m²: its share of the face
   std::array<std::uint32_t, 6> node{};  // the face's corners, then edges
   std::array<double, 6> shape{};        // shape functions; 0 on edges of linear elements
 };
 
-/// Calls f for many points of each face that `wanted` chooses. A face whose edges are a centimetre has some
-/// every millimetre.
+/// Calls f for the integration points of each face that `wanted` accepts. On a face with edges of a
+/// centimetre there is about one per millimetre.
 void for_surface_points(const StaticBody& body, const std::function<bool(const OuterFace&)>& wanted,
                         const std::function<void(const SurfacePoint&)>& f);
 

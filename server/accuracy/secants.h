@@ -1,7 +1,7 @@
 #pragma once
-// What steps taken told about the Hessian: corrections to an approximate inverse (L-BFGS, Nocedal 1980). The
-// projected Hessian is stiffer than the true one where tissue is compressed, so that Newton's method by
-// itself converges by a fifth a step there.
+// Corrections to an approximate inverse Hessian from the steps taken so far (L-BFGS, Nocedal 1980). The
+// projected Hessian is stiffer than the true one where tissue is compressed. There, each step of Newton's
+// method alone reduces the error by only a fifth.
 
 #include <cstddef>
 #include <deque>
@@ -13,10 +13,10 @@ namespace prosector {
 
 class Secants {
  public:
-  /// Remembers that a step changed the gradient so. Pairs without positive curvature are passed over.
+  /// Stores the change of the gradient over a step. Pairs without positive curvature are ignored.
   void remember(const VecX& step, const VecX& change);
-  /// Returns the descent direction −B⁻¹·gradient, where `solve` finds H⁻¹r for the Hessian at hand, which
-  /// stands for what no pair tells.
+  /// Returns the descent direction −B⁻¹·gradient. `solve` returns H⁻¹r for the current approximate Hessian,
+  /// which serves for directions that no pair covers.
   VecX direction(const VecX& gradient, const std::function<VecX(const VecX& r)>& solve) const;
 
  private:

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "server/accuracy/secants.h"
-#include "server/physics/soft/body_on_springs.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/soft_matter.h"
-#include "server/physics/soft/solvers/linear_solver.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/soft/body_on_springs.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
+#include "server/physics/mechanics/soft/solvers/linear_solver.h"
+#include "server/physics/mechanics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -16,15 +16,16 @@ namespace {
 constexpr int most_newton_steps = 120;
 constexpr int most_halvings = 30;
 constexpr double armijo = 1e-4;
-constexpr double settled_decrement = 1e-7;  // of the energy: what a Newton step would gain
-constexpr double noise = 1e-13;             // of the energy: what rounding makes of differences
-constexpr double most_inverted = 0.01;      // of the volume: no answer of tissue
+constexpr double settled_decrement = 1e-7;  // of the energy: predicted gain of a Newton step
+constexpr double noise = 1e-13;             // of the energy: rounding error of differences
+constexpr double most_inverted = 0.01;      // of the volume: more is no valid shape of tissue
 constexpr SolverSettings solve_settings = {400, 1e-4};
 
-/// Settings of a description that don't bear on where the body rests.
+/// Returns the description without damping and with a fast solver, neither of which affects the shape at
+/// rest.
 SoftDesc undamped(SoftDesc desc) {
   desc.damping_mass = desc.damping_stiffness = 0;
-  desc.solver = "multigrid";  // several times as quick here as a factorisation
+  desc.solver = "multigrid";  // several times as fast here as a factorisation
   return desc;
 }
 
@@ -34,7 +35,7 @@ bool StaticAnswer::usable() const {
   return settled && inverted <= most_inverted;
 }
 
-/// What the minimisation works with.
+/// Potential, Hessian and linear solver of the minimisation.
 struct StaticBody::Newton {
   Newton(const SoftMatter& matter, Eigen::Index nodes)
       : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}

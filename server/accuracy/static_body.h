@@ -1,7 +1,7 @@
 #pragma once
-// A soft body by itself, at rest under steady loads: the minimum of its elastic energy, its ties' and the
-// loads' potential, found to the end by projected Newton. Neither time nor effort is in it: what is left is
-// what mesh, element and law get wrong.
+// A single soft body at rest under steady loads: the minimum of the potentials of its elasticity, ties and
+// loads, found to convergence by projected Newton. Neither time steps nor limited effort play a role: the
+// remaining errors are those of mesh, element and law.
 
 #include <functional>
 #include <memory>
@@ -13,12 +13,12 @@ namespace prosector {
 
 struct SoftMatter;
 
-/// Where a body comes to rest.
+/// Shape of a body at rest under a load.
 struct StaticAnswer {
   VecX x;                // 3n, m
   bool settled = false;  // the last Newton step gained less than 1e-7 of the energy
-  double inverted = 0;   // share of the rest volume inside out, or nearly
-  bool usable() const;   // settled, and at most a hundredth of it inside out
+  double inverted = 0;   // share of the rest volume that is inside out, or nearly
+  bool usable() const;   // settled, and at most a hundredth inside out
 };
 
 class StaticBody {
@@ -28,7 +28,7 @@ class StaticBody {
   ~StaticBody();
   StaticBody(StaticBody&&) noexcept;
 
-  /// Returns the mesh; of quadratic elements with the middles of its edges among the nodes.
+  /// Returns the mesh; for quadratic elements with the edge midpoints among the nodes.
   const TetMesh& mesh() const;
   const VecX& rest() const;    // 3n, m
   const VecX& mass() const;    // n, kg
@@ -38,12 +38,12 @@ class StaticBody {
   bool quadratic() const;
   const SoftMatter& matter() const { return *matter_; }
 
-  /// Ties the nodes to their places at rest by springs, besides what the description ties, in place of those
-  /// before. `stiffness`: n, N/m.
+  /// Ties the nodes to their rest positions by springs, besides the ties of the description. Replaces the
+  /// springs of an earlier call. `stiffness`: n, N/m.
   void tie(const VecX& stiffness);
 
-  /// Finds where the body rests under `load` (3n, N), beginning at rest. Something must tie it. `before_step`
-  /// is called before each Newton step, and may throw to give up.
+  /// Finds the shape at rest under `load` (3n, N), starting from the rest shape. Something must tie the body.
+  /// `before_step` is called before each Newton step, and may throw to abort.
   StaticAnswer settle(const VecX& load, const std::function<void()>& before_step = {});
 
  private:

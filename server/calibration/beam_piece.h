@@ -6,22 +6,22 @@
 namespace prosector {
 
 inline const Vec3 beam_size(0.4, 0.1, 0.1);
-/// Hz: first bending mode of the continuum at ν = 0.3, converged to 2e-4.
+/// First bending frequency of the continuum at ν = 0.3, Hz, converged to 2e-4.
 inline constexpr double beam_first_frequency = 1.6864;
 
-/// Makes a beam of `cells` along it, a multiple of 4 or, so that a node is at the tip's centre, of 8.
+/// Makes a beam of `cells` cells along its length: a multiple of 4, or of 8 for a node at the tip's centre.
 TestPiece beam_piece(unsigned cells, double poisson_ratio);
 
-/// Direction of the swing: across the diagonal. A square section has the same frequency in every direction.
-/// But a Kuhn mesh couples directions that are not along a diagonal of its end face, and the swing would
-/// turn. Along this one it is softest.
+/// Direction of the swing: along a diagonal of the section. A square section has the same frequency in every
+/// direction. But a Kuhn mesh couples directions that are not along a diagonal of its end face, and the plane
+/// of the swing would rotate. The mesh is softest in this direction.
 inline const Vec3 swing_direction = Vec3(0, 1, -1).normalized();
 
-/// Bends the rest positions in that direction as a clamped–free beam's first mode (Euler and Bernoulli),
+/// Bends the rest positions in `swing_direction` as a clamped–free beam's first mode (Euler–Bernoulli), by
 /// `amplitude` m at the tip.
 VecX in_first_mode(const VecX& rest, double amplitude);
 
-/// Returns the free face's centre.
+/// Returns the centre of the free face, m.
 inline Vec3 beam_tip() {
   return {beam_size[0], beam_size[1] / 2, beam_size[2] / 2};
 }

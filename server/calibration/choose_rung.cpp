@@ -9,20 +9,20 @@
 
 #include "common/error.h"
 #include "common/percent_text.h"
-#include "server/physics/soft/base/find_row.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/base/find_row.h"
+#include "server/physics/mechanics/soft/rungs.h"
 
 namespace prosector {
 namespace {
 
 constexpr const char* usual_models[] = {"xpbd", "mass_spring", "fem_corotational", "fem_neo_hookean"};
 constexpr const char* usual_solvers[] = {"cg", "multigrid"};
-constexpr int fineness_steps = 16;      // from the coarsest measured to the finest
-constexpr double beyond_the_table = 2;  // times as fine as its finest mesh
+constexpr int fineness_steps = 16;      // steps from the coarsest mesh measured to the finest
+constexpr double beyond_the_table = 2;  // limit of fineness, over that of the table's finest mesh
 constexpr double cell_quantum = 1e-4;   // m
 constexpr double least_cell = 5e-4;
 constexpr double locking_ratio =
-    0.45;  // above, linear tetrahedra are half off and more on any affordable mesh
+    0.45;  // above this Poisson ratio linear tetrahedra err by half or more on any affordable mesh (locking)
 
 struct Effort {
   int newton, solver;
@@ -41,7 +41,7 @@ std::span<const Effort> efforts_of(const std::string& solver) {
 
 std::vector<unsigned> resolutions(const std::string& element, double ratio) {
   if (element == "tet10") return {4, 8, 12};
-  if (ratio > locking_ratio) return {8, 12};  // what a finer mesh would cost tells nothing of use
+  if (ratio > locking_ratio) return {8, 12};  // a finer mesh would lock, too: its cost is of no use
   return {8, 12, 16};
 }
 
@@ -71,12 +71,12 @@ void add_substepped(const std::string& model, std::vector<Rung>& out) {
   }
 }
 
-/// Materials that only constitutive laws know.
+/// Returns whether the material has fibres or relaxation, which only constitutive laws model.
 bool needs_a_law(const SoftDesc& desc) {
   return desc.fiber_stiffness > 0 || !desc.relaxation.empty();
 }
 
-/// A candidate at a resolution.
+/// A candidate rung at one resolution.
 struct Option {
   Rung rung;
   double cell;
@@ -84,7 +84,7 @@ struct Option {
   std::vector<ActError> acts;
 };
 
-/// Rounds to finer cells rather than coarser ones, in whole tenths of a millimetre.
+/// Rounds the cell size down to whole tenths of a millimetre; not below `least_cell`.
 double rounded(double cell) {
   return std::max(std::floor(cell / cell_quantum * (1 + 1e-9)) * cell_quantum, least_cell);
 }
@@ -108,7 +108,7 @@ class Options {
     if (desc_.fixed.cell) return add(rung, mesh_cell_);
     const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.poisson_ratio);
     double last = 0;
-    // What the table's finest mesh gets wrong tells nothing of finer ones, what the body itself does may.
+    // The table's errors don't apply to meshes finer than its finest; errors on the body itself may.
     const double last_fineness = (known_.on_the_body ? beyond_the_table : 1) * finest;
     for (int k = 0; k <= fineness_steps; ++k) {
       const double fineness = coarsest * std::pow(last_fineness / coarsest, double(k) / fineness_steps);

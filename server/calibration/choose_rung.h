@@ -1,5 +1,6 @@
 #pragma once
-// The cheapest rung that is good enough, or the best within a budget, by the measured table.
+// Choice of a rung from the measured table: the cheapest that is accurate enough, or the most accurate within
+// a budget.
 
 #include <functional>
 #include <string>
@@ -10,57 +11,58 @@
 
 namespace prosector {
 
-/// What was chosen for a body and what is expected of it; an input of the run, kept in its journal.
+/// A rung chosen for a body, with its expected error and cost. It is an input of the run and stored in the
+/// journal.
 struct Choice {
   std::string body;
   Rung rung;
   double cell = 0;             // m
   std::string grade = "none";  // as SoftDesc::grade
   Prospect expected;
-  bool good_enough = true;     // false: nothing was, this is the best there is
-  std::vector<ActError> acts;  // what is expected of each; empty: not judged on the body itself
+  bool good_enough = true;     // false: no rung is; this is the best available
+  std::vector<ActError> acts;  // expected error of each act; empty: not tried on the body itself
 };
 
 inline bool chosen_by_need(const SoftDesc& desc) {
   return static_cast<bool>(desc.accuracy) || static_cast<bool>(desc.budget);
 }
 
-/// Returns the rungs that come into question beside what the scene fixed. Throws InputError when it fixed
-/// what no rung goes with.
+/// Returns the rungs that agree with what the scene fixed. Throws InputError when there is none.
 std::vector<Rung> candidates(const SoftDesc& desc);
 
-/// Returns what the table must hold to choose among the candidates.
+/// Returns the trials that the table must hold to choose among the candidates.
 std::vector<RungTrial> trials_for(const SoftDesc& desc);
 
-/// Tells what model and element get wrong on the body itself in cells of that size (m), act by act. Nothing
-/// where that isn't known: the table's beam stands for it.
+/// Function that returns the errors of a model and element on the body itself with cells of that size (m),
+/// act by act. Empty where they are not known: then the table's beam is used.
 using OnTheBody =
     std::function<std::vector<ActError>(const std::string& model, const std::string& element, double cell)>;
 
-/// What is known of a body beyond the table.
+/// Errors of a body that are known from trials on the body itself.
 struct KnownErrors {
-  OnTheBody on_the_body = {};  // empty: nothing
-  double hope = 1;             // what a way that is not known gets wrong, over what the table's beam does
+  OnTheBody on_the_body = {};  // empty: no trials
+  double hope = 1;             // assumed error of an untried model and element, over that of the table's beam
 };
 
-/// Chooses a rung for the body. `mesh` is the body's with cells of `mesh_cell` m; the number of elements goes
-/// with 1/cell³. Meshes are at most as fine as the table's finest, where nothing is gained that it knows of,
-/// and no cell is larger than `largest_cell` m. What is known of
-/// the body itself takes the place of the table's errors, but for the effort's part. Throws std::logic_error
-/// when the table lacks what trials_for() says.
+/// Chooses a rung for the body. `mesh` is the body's mesh with cells of `mesh_cell` m; the number of elements
+/// is proportional to 1/cell³. No cell is larger than `largest_cell` m. Meshes are at most as fine as the
+/// table's finest, or twice as fine where errors on the body itself are known. Such errors replace the
+/// table's, except for the share that is due to the effort. Throws std::logic_error when the table lacks a
+/// trial of trials_for().
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
                    double largest_cell = 1, const KnownErrors& known = {});
 
-/// Tells whether one choice serves what the description asks for better than the other.
+/// Returns whether choice `one` meets the accuracy or budget of the description better than choice `other`.
 bool serves_better(const SoftDesc& desc, const Choice& one, const Choice& other);
 
-/// Puts the choice into the description.
+/// Writes the choice into the description.
 void adopt(const Choice& choice, SoftDesc& desc);
 
-/// Lists what acts get wrong, for people.
+/// Lists the errors of acts as text.
 std::string in_words(const std::vector<ActError>& acts);
 
-/// Returns one line for people: what was asked, what was chosen, what is expected, and by how much it misses.
+/// Returns one line of text: the request, the choice, its expected error and cost, and by how much it misses
+/// the request.
 std::string explain(const Choice& choice, const SoftDesc& desc);
 
 }  // namespace prosector

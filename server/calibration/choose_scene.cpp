@@ -10,20 +10,20 @@
 #include "server/calibration/own_errors.h"
 #include "server/calibration/rung_json.h"
 #include "server/calibration/table_file.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/sources.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/stations/compile/sources.h"
 
 namespace prosector {
 namespace {
 
-constexpr int most_meshes = 6;           // to find the cell that holds as many elements as expected
-constexpr double same_cell = 0.03;       // of each other
-constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell that is tried
-constexpr double too_coarse = 0.7;       // of a cell that gave no mesh: the next one to try
-constexpr int most_attempts = 12;        // of ways of modelling tried on a body
-constexpr int most_proofs = 4;           // of what was chosen, each of some seconds to minutes
-// What ways not tried yet are taken to get wrong, over what the table's beam does. First far less, so that
-// those which suit this body better than a beam are tried; then as much.
+constexpr int most_meshes = 6;           // meshes tried to match the expected number of elements
+constexpr double same_cell = 0.03;       // cell sizes that differ by a smaller fraction count as equal
+constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell tried
+constexpr double too_coarse = 0.7;       // of a cell size that gave no mesh: the next size tried
+constexpr int most_attempts = 12;        // trials of models and elements on a body
+constexpr int most_proofs = 4;           // verifications of a choice; each takes seconds to minutes
+// Assumed error of models and elements not tried yet, over that of the table's beam. The first value is far
+// lower, so that those are tried that suit this body better than a beam; the second assumes equal errors.
 constexpr double hopes[] = {0.25, 1};
 constexpr std::size_t progress_lines = 8;
 
@@ -31,7 +31,7 @@ void say(const ChoiceOptions& options, const std::string& line) {
   if (options.sources.progress) options.sources.progress(line);
 }
 
-/// Measures what the table lacks of `wanted`; whether there was any.
+/// Measures the trials of `wanted` that the table lacks. Returns whether there was any.
 bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const ChoiceOptions& options) {
   std::vector<RungTrial> missing;
   for (const RungTrial& trial : wanted)
@@ -58,7 +58,7 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
   return true;
 }
 
-/// Adds what another run wrote while this one measured.
+/// Adds the rows that another run wrote while this one measured.
 void add_missing(const RungTable& other, RungTable& table) {
   for (const RungTable::Row& row : other.rows())
     if (!table.find(row.trial)) table.add(row.trial, row.figures);
@@ -84,7 +84,7 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   return table;
 }
 
-/// Checks what the scene's own fields would have to meet.
+/// Checks that a choice is within the ranges that the scene file's fields must meet.
 void check(const Choice& c) {
   const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
   const Rung& r = c.rung;
@@ -95,7 +95,7 @@ void check(const Choice& c) {
     throw InputError(fmt::format("journal: the choice for \"{}\" is out of range", c.body));
 }
 
-/// Returns the sources without who hears of progress: what is to be said of a mesh is said when it is used.
+/// Returns the sources without the callback for progress: notes on a mesh are reported when it is used.
 CompileOptions quiet(const ChoiceOptions& options) {
   CompileOptions sources = options.sources;
   sources.progress = {};
@@ -109,7 +109,8 @@ BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceO
   return geometry_of(anatomy.tets);
 }
 
-/// Chooses by the mesh that the scene's own cell gives, then by the mesh that was chosen, until both agree.
+/// Chooses a rung with the mesh of the scene's cell size, then with the mesh of the chosen cell size, until
+/// both agree.
 class Chooser {
  public:
   Chooser(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table, const ChoiceOptions& options)
@@ -130,26 +131,25 @@ class Chooser {
         mesh_ = mesh_of(chosen, scene_, options_);
         desc_ = chosen;
       } catch (const InputError&) {
-        largest_cell_ = too_coarse * choice.cell;  // thinner in places than its thickness tells
+        largest_cell_ = too_coarse * choice.cell;  // the body is thinner in places than its mean thickness
       }
       choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, known);
     }
     return choice;
   }
-  /// Returns how many elements the body has in cells of that size, about.
+  /// Returns the approximate number of elements of the body with cells of that size.
   double elements_at(double cell) const { return mesh_.elements * std::pow(desc_.cell / cell, 3); }
 
  private:
   const SceneDesc& scene_;
-  SoftDesc desc_;  // with the cell whose mesh is known
+  SoftDesc desc_;  // with the cell size of `mesh_`
   const RungTable& table_;
   const ChoiceOptions& options_;
   BodyGeometry mesh_;
   double largest_cell_;
 };
 
-/// Chooses a way of modelling a body by trials on the body itself. Its mesh is graded as the description
-/// says.
+/// Chooses a rung by trials on the body itself. Its mesh is graded as described.
 class TriedBody {
  public:
   TriedBody(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
@@ -168,8 +168,8 @@ class TriedBody {
               .prove = options.prove,
               .before_step = options.before_step}) {}
 
-  /// Chooses by what is known, tries what was chosen, and chooses again, until that was tried; first with
-  /// hope in what is not known.
+  /// Chooses by the errors known so far, tries the choice on the body, and chooses again, until the choice
+  /// has been tried. The first pass assumes that untried candidates are good.
   Choice choose() {
     KnownErrors known;
     known.on_the_body = [&](const std::string& model, const std::string& element, double cell) {
@@ -184,7 +184,7 @@ class TriedBody {
     }
     return choice;
   }
-  /// Judges the choice by a larger reference. Returns whether that told anything new.
+  /// Verifies the choice with a larger reference. Returns whether that gave new errors.
   bool prove(const Choice& choice) { return learn(&OwnErrors::prove, choice); }
 
  private:
@@ -198,8 +198,8 @@ class TriedBody {
   OwnErrors own_;
 };
 
-/// Chooses with and without smaller elements at the rims of what is attached, unless the author chose. What
-/// serves better is proved, and the choice made again by what was learnt.
+/// Chooses with and without smaller elements at the rims of attachments, unless the author fixed that. The
+/// better choice is verified, and made again with the errors found.
 Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
               const ChoiceOptions& options) {
   if (!options.on_the_body) return Chooser(scene, desc, table, options).choose({});
@@ -280,11 +280,11 @@ std::vector<Choice> decode_choices(const std::string& text) {
       row.at("body").get_to(c.body);
       c.rung = rung_from_json(row);
       row.at("cell").get_to(c.cell);
-      c.grade = row.value("grade", c.grade);  // not in journals from before meshes were graded
+      c.grade = row.value("grade", c.grade);  // missing in journals from before meshes were graded
       row.at("expected_error").get_to(c.expected.error);
       row.at("expected_ms").get_to(c.expected.ms);
       row.at("good_enough").get_to(c.good_enough);
-      if (row.contains("acts"))  // not in journals of choices by the table alone
+      if (row.contains("acts"))  // missing in journals of choices by the table alone
         for (const auto& [act, error] : row.at("acts").items()) c.acts.push_back({act, error.get<double>()});
       check(c);
     }

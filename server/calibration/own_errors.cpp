@@ -11,20 +11,20 @@
 #include "common/hash.h"
 #include "common/sealed_file.h"
 #include "server/calibration/rung_table.h"
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t most_tets_given = 12000;  // of a mesh that has no cell to choose
-constexpr double weight_proving = 1.2;          // times its own: what is about to fold or to collapse is told
-constexpr double rounding = 1e-6;               // of a cell
-constexpr double as_tried = 0.03;               // cells that differ by less are one
-constexpr double next_cell = 1.5;               // of the finest that is affordable: the second one tried
+constexpr std::size_t most_tets_given = 12000;  // limit of tetrahedra for a mesh whose cell size is fixed
+constexpr double weight_proving = 1.2;  // times its own: detects a body that is about to fold or collapse
+constexpr double rounding = 1e-6;       // relative, of a cell size
+constexpr double as_tried = 0.03;       // cell sizes that differ by a smaller fraction count as one
+constexpr double next_cell = 1.5;       // of the finest affordable cell: the second one tried
 constexpr double least_inferred = 1e-6;
-constexpr double first_order = -1, third_order = -3;  // of errors in 1/cell
-constexpr double acts_not_tried = 1.5;  // times what those tried get wrong: other places, another lean
-constexpr double caution = 1.25;        // on what is inferred at finer cells than any tried
+constexpr double first_order = -1, third_order = -3;  // exponents of the error in 1/cell
+constexpr double acts_not_tried = 1.5;  // factor on the errors of tried acts: for other places and tilts
+constexpr double caution = 1.25;        // factor on errors inferred at finer cells than any tried
 
 const char* kind_of(const ActError& act) {
   return act.act.starts_with("pressed") ? "touch" : "shape";
@@ -34,7 +34,7 @@ bool counts(const SoftDesc& desc, const char* kind) {
   return std::find(desc.accuracy_of.begin(), desc.accuracy_of.end(), kind) != desc.accuracy_of.end();
 }
 
-/// Hashes what a trial's outcome hangs on.
+/// Hash of all data that a trial's outcome depends on.
 class TrialKey {
  public:
   void add(double x) { hasher_.add(x); }
@@ -81,7 +81,7 @@ std::vector<ActError> from_text(const std::string& text) {
   return out;
 }
 
-/// Returns an act's error in cells of that size, from those tried, by cell.
+/// Returns an act's error with cells of that size, inferred from the errors by tried cell size.
 double inferred(const std::map<double, double>& tried, double cell) {
   std::vector<double> fineness, errors;  // 1/cell, rising
   for (auto it = tried.rbegin(); it != tried.rend(); ++it) {
@@ -114,8 +114,8 @@ std::vector<ActError> OwnErrors::at(const std::string& model, const std::string&
   return out;
 }
 
-/// Returns what the way gets wrong in an act, by cells tried. What an undivided reference itself is off is
-/// added: as much as is inferred, else as much as it told.
+/// Returns the errors of a model and element in an act, by tried cell size. Where the reference was not
+/// divided, its own error is added: as inferred, else as large as the error found.
 std::map<double, double> OwnErrors::errors_of(const Way& way, const std::string& act) const {
   const auto tried = tried_.find(way);
   std::map<double, double> out;
@@ -126,7 +126,7 @@ std::map<double, double> OwnErrors::errors_of(const Way& way, const std::string&
   for (const auto& [cell, found] : tried->second) {
     const auto same = [&](const ActError& a) { return a.act == act; };
     const auto told = std::find_if(found.acts.begin(), found.acts.end(), same);
-    if (told == found.acts.end()) continue;  // a place that only other meshes have
+    if (told == found.acts.end()) continue;  // a pressed place that only other meshes have
     const double more = found.divided ? 0 : of_reference.empty() ? told->error : inferred(of_reference, cell);
     out[cell] = told->error + more;
   }
@@ -161,7 +161,8 @@ bool OwnErrors::attempt(const Way& way, double cell, double elements) {
   return one || other;
 }
 
-/// Tries the way in such cells where there is a mesh of them, and it wasn't tried yet or can be proved.
+/// Tries model and element with such cells. Does nothing if there is no such mesh, or if it was tried before
+/// and can't be verified.
 bool OwnErrors::measure(const Way& way, double cell) {
   const Tried& tried = tried_[way];
   const auto same = std::find_if(tried.begin(), tried.end(),
@@ -182,7 +183,7 @@ bool OwnErrors::judge(const Way& way, double cell) {
   const auto tets = static_cast<double>(mesh.tets.tets.size()),
              most = static_cast<double>(settings_.most_tets);
   const bool divided = 8 * tets <= most;
-  if (way.second == "tet10" && !divided)  // more than its cell let expect
+  if (way.second == "tet10" && !divided)  // more elements than expected from the cell size
     return measure(way, cell * std::cbrt(8 * tets / most) * (1 + as_tried));
   Tried& tried = tried_[way];
   if (const auto known = tried.find(cell); known != tried.end() && !divided) {
@@ -223,8 +224,8 @@ const BodyTrial& OwnErrors::trial_on(const Anatomy& mesh, double cell) {
   return trial->second;
 }
 
-/// Finds what the way gets wrong on the mesh: in the cache, or by a trial. Nothing where a proof is not kept
-/// and not to be made.
+/// Returns the errors of model and element on the mesh, from the cache or by a trial. Nothing if a
+/// verification is not cached and not to be run.
 std::optional<std::vector<ActError>> OwnErrors::found(const Way& way, const Anatomy& mesh, double cell) {
   const std::filesystem::path file = kept_in(way, mesh);
   const std::string seal = file.filename().string();

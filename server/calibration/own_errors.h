@@ -1,11 +1,11 @@
 #pragma once
-// How wrong ways of modelling are on one body: found by trials on its own meshes (body_trial.h) where these
-// are affordable, inferred at other cells. Found ones are kept from run to run, by the mesh and what it is
-// made of.
+// Errors of models and elements on one body. Trials on the body's own meshes (body_trial.h) give them where
+// they are affordable; at other cell sizes they are inferred. Trials are cached from run to run, by the mesh
+// and its material.
 //
-// A trial's reference is small, so that many ways can be tried. What is chosen in the end is proved by one
-// that may be four times as large, so that it is divided on finer meshes, too. It is under a fifth more
-// weight. So what is about to fold or to collapse is told.
+// A trial's reference is small, so that many candidates can be tried. The final choice is verified ("proved")
+// with a reference that may be four times as large, so that finer meshes get a divided reference, too. The
+// verification adds a fifth to the body's weight, to detect a body that is about to fold or collapse.
 
 #include <filesystem>
 #include <functional>
@@ -20,16 +20,16 @@
 
 namespace prosector {
 
-/// The body that is judged.
+/// A body and the settings of its trials.
 struct JudgedBody {
   SoftDesc desc;
   Vec3 gravity;                              // m/s²
   std::function<Anatomy(double cell)> mesh;  // world frame; throws InputError where a cell is too coarse
-  std::filesystem::path cache_dir;           // where trials are kept; empty: not
+  std::filesystem::path cache_dir;           // where trials are cached; empty: not cached
   std::function<void(const std::string&)> say;
-  bool prove = false;                                 // by new trials; false: only by those that are kept
-  std::size_t most_tets = TrialSettings{}.most_tets;  // of a trial's reference
-  std::size_t most_tets_proving = 24000;              // of a proof's
+  bool prove = false;                                 // verify by new trials; false: only by cached ones
+  std::size_t most_tets = TrialSettings{}.most_tets;  // limit of tetrahedra of a trial's reference
+  std::size_t most_tets_proving = 24000;              // limit of tetrahedra of a verification's reference
   std::function<void()> before_step = {};             // as in TrialSettings
 };
 
@@ -37,27 +37,27 @@ class OwnErrors {
  public:
   explicit OwnErrors(JudgedBody body);
 
-  /// Returns what model and element get wrong in cells of that size (m), act by act, of those that the
-  /// description asks for. It is half as much again as trials told, for acts that none tried. Inferred where
-  /// no trial was: between trials in double logarithms; finer by the rate of the last two, with a quarter
-  /// added, or at first order after one. Nothing where there was no trial.
+  /// Returns the errors of model and element with cells of that size (m), act by act, of the acts that the
+  /// description counts. Errors are 1.5 times those of trials, to cover acts that were not tried. Between
+  /// trials they are interpolated in double logarithms. At finer cells they follow the rate of the last two
+  /// trials, or first order after a single one, with a quarter added. Empty where there was no trial.
   std::vector<ActError> at(const std::string& model, const std::string& element, double cell) const;
-  /// Tries model and element in such cells, of which the body has so many elements. Where that is too dear,
-  /// in the finest that are affordable and in cells half as large again. Returns whether anything new was
-  /// found.
+  /// Tries model and element with such cells, of which the body has that many elements. Where that is too
+  /// expensive, it tries the finest affordable cells and cells half as large again. Returns whether anything
+  /// new was found.
   bool attempt(const std::string& model, const std::string& element, double cell, double elements);
-  /// Tries it once more as attempt() does, by a larger reference, where that tells more. Returns whether
-  /// anything new was found.
+  /// Repeats attempt() with a larger reference, where that is more accurate. Returns whether anything new was
+  /// found.
   bool prove(const std::string& model, const std::string& element, double cell, double elements);
 
  private:
   using Way = std::pair<std::string, std::string>;  // model, element
   struct Found {
     std::vector<ActError> acts;
-    bool divided = false;  // so that the reference's own error is in it
-    bool proved = false;   // or too fine to be
+    bool divided = false;  // the reference was divided: its error is included
+    bool proved = false;   // verified, or too fine to be
   };
-  using Tried = std::map<double, Found>;  // by cell, m
+  using Tried = std::map<double, Found>;  // by cell size, m
 
   bool proving() const { return settings_.most_tets == body_.most_tets_proving; }
   bool attempt(const Way& way, double cell, double elements);
@@ -71,8 +71,8 @@ class OwnErrors {
   JudgedBody body_;
   TrialSettings settings_;
   std::map<Way, Tried> tried_;
-  std::map<double, BodyTrial> trials_;                 // by cell
-  std::optional<std::pair<double, BodyTrial>> proof_;  // the last one: they are large
+  std::map<double, BodyTrial> trials_;                 // by cell size
+  std::optional<std::pair<double, BodyTrial>> proof_;  // only the last one is stored: they are large
 };
 
 }  // namespace prosector

@@ -7,13 +7,13 @@
 #include "common/error.h"
 #include "common/percent_text.h"
 #include "common/surface_files.h"
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 namespace {
 
-constexpr double offered[] = {30, 10, 5, 3, 1};  // %
-constexpr double worth_offering = 0.9;           // of the error before
+constexpr double offered[] = {30, 10, 5, 3, 1};  // %: errors offered
+constexpr double worth_offering = 0.9;           // of the error before: larger errors are not offered
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// Another accuracy for one body of a scene that runs already: what it can have, and the choice for what is
-// asked.
+// Changes the accuracy of one body of a running scene: the errors and costs that it can have, and the choice
+// for a requested error.
 
 #include <optional>
 #include <string>
@@ -10,28 +10,29 @@
 
 namespace prosector {
 
-/// Frees a body of the rung that its author gave it. Its material stays, the law if its author named one, and
-/// the mesh that it has in a file.
+/// Removes the rung that the author fixed. The material stays, and so do a constitutive law and a mesh file
+/// that the author named.
 SoftDesc freed(SoftDesc desc);
 
 class Redial {
  public:
-  /// Takes the scene with the choices that it runs with, as adopted. Throws InputError when it has no soft
-  /// body of that name, or one without tetrahedra.
+  /// Prepares choices for a body of a scene that has its current choices adopted. Throws InputError when it
+  /// has no soft body of that name.
   Redial(const SceneDesc& scene, const std::string& body, ChoiceOptions options);
 
-  /// Returns the cheapest way that is off by at most `percent`.
+  /// Returns the cheapest rung with an error of at most `percent`. Throws InputError for a body without
+  /// tetrahedra.
   Choice choose(double percent) const;
-  /// Returns what the body can have, the cheapest first, each better than the one before: its Pareto front,
-  /// as far as ways were tried.
+  /// Returns the errors and costs that the body can have, the cheapest first, each more accurate than the one
+  /// before: its Pareto front over the rungs tried.
   std::vector<Price> prices() const;
 
  private:
-  SceneDesc scene_;  // with this body alone among the soft ones
+  SceneDesc scene_;  // with this body as the only soft one
   ChoiceOptions options_;
 };
 
-/// Returns prices in words: "30 % for 0.8 ms a frame, 7 % for 4.1".
+/// Returns prices as text: "30 % for 0.8 ms a frame, 7 % for 4.1".
 std::string in_words(const std::vector<Price>& prices);
 
 }  // namespace prosector

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "server/physics/coupled/recovery.h"
-#include "server/physics/coupled/step_island.h"
-#include "server/physics/soft/base/find_row.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/mechanical_energy.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/solvers/linear_solver.h"
+#include "server/physics/mechanics/coupled/recovery.h"
+#include "server/physics/mechanics/coupled/step_island.h"
+#include "server/physics/mechanics/soft/base/find_row.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 namespace {
@@ -48,7 +48,7 @@ Anatomy anatomy_of(const TestPiece& piece) {
   return out;
 }
 
-/// Stepped as the server does: an island of its own.
+/// A specimen that is stepped as the server steps a body, in a separate island.
 class RungSpecimen final : public Specimen {
  public:
   RungSpecimen(const Rung& rung, const TestPiece& piece)
@@ -82,14 +82,14 @@ class RungSpecimen final : public Specimen {
     figures.guarded = member.guarded;
     figures.recovering = state_.recovering;
     if (!report.finite) {
-      // As the server does with a body that went out of bounds: back to its last good state, at rest.
+      // As the server does for a body out of bounds: it returns to its last good state, at rest.
       const VecX x = state_.motion.x;
       set_motion(x, VecX::Zero(x.size()));
       figures.reset = true;
       member.note = "reset: not finite or out of the room";
     }
     count_quiet_ticks(member);
-    const bool laden = !gravity.isZero();  // it rests in another shape than it began in
+    const bool laden = !gravity.isZero();  // its rest shape under load differs from its initial shape
     if (unfold_if_tangled(member, {.crushed = laden, .company = laden}, body_.initial_state().motion.x, dt,
                           1))
       figures.reset = true;
@@ -141,7 +141,7 @@ std::string Rung::name() const {
 }
 
 std::vector<std::string> element_names() {
-  return {"tet4", "tet10"};  // SoftDesc::element has no table of its own
+  return {"tet4", "tet10"};  // SoftDesc::element has no table
 }
 
 std::vector<std::string> solver_names() {

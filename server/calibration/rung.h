@@ -1,6 +1,6 @@
 #pragma once
-// A rung of the soft ladder as it is varied to be measured: a row of each of the physics' own tables and an
-// effort.
+// One rung of the ladder of soft models, as calibration varies it: one row of each of the physics' tables,
+// and an effort.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// One way of solving: model, element, integrator, solver. Settings beyond the tables' defaults are the scene
-/// file's: SoftDesc's initialisers.
+/// A configuration to simulate a soft body: model, element, integrator, solver, effort. The effort defaults
+/// to SoftDesc's values.
 struct Rung {
   std::string model, integrator, solver;
   std::string element = SoftDesc{}.element;
@@ -21,9 +21,9 @@ struct Rung {
   int substeps = SoftDesc{}.substeps;  // position-based models
 
   bool operator==(const Rung&) const = default;
-  /// Puts the rung into a body's description.
+  /// Writes the rung into a body's description.
   void apply_to(SoftDesc& desc) const;
-  /// Returns how much is spent on a step, for people.
+  /// Returns the effort of a step as text.
   std::string effort() const;
   std::string name() const;  // model, element, integrator, solver
   bool is_position_based() const;
@@ -32,7 +32,7 @@ struct Rung {
 std::vector<std::string> element_names();
 std::vector<std::string> solver_names();
 
-/// Makes a specimen of that piece. Throws InputError when the rung refuses it.
+/// Makes a specimen of that piece. Throws InputError when the rung can't model it.
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// A rung as JSON, in the table that is kept and in journals.
+// Rungs as JSON, for the cached table and for journals.
 
 #include <nlohmann/json.hpp>
 
@@ -8,8 +8,8 @@
 namespace prosector {
 
 nlohmann::ordered_json rung_to_json(const Rung& rung);
-/// Reads a rung. Throws nlohmann::json::exception where a field is missing or of another kind. Other fields
-/// are passed over.
+/// Reads a rung. Throws nlohmann::json::exception where a field is missing or has a wrong type. Ignores other
+/// fields.
 Rung rung_from_json(const nlohmann::ordered_json& row);
 
 }  // namespace prosector

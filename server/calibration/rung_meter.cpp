@@ -9,17 +9,17 @@
 
 #include "server/calibration/beam_piece.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/base/find_row.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/base/find_row.h"
+#include "server/physics/mechanics/soft/rungs.h"
 
 namespace prosector {
 namespace {
 
 constexpr int path_frames = 24;      // 0.4 s: down to the turning point and a little back
-constexpr int settling_frames = 80;  // of models that integrate by themselves
-constexpr double long_step = 0.5;    // s: one that leaves next to no inertia
+constexpr int settling_frames = 80;  // of position-based models
+constexpr double long_step = 0.5;    // s: a step so long that inertia is negligible
 constexpr int most_long_steps = 30;
-constexpr double at_rest = 1e-7;  // m a long step
+constexpr double at_rest = 1e-7;  // m per long step: smaller motion counts as rest
 const Vec3 gravity(0, -9.81, 0);
 
 bool position_based(const Rung& rung) {
@@ -32,13 +32,14 @@ TestPiece beam(const RungTrial& trial, double damping_mass) {
   return piece;
 }
 
-/// Returns the mass damping (1/s) that damps the first mode critically, for where only the settled shape
-/// counts.
+/// Returns the mass damping (1/s) that damps the first mode critically, for trials in which only the settled
+/// shape counts.
 double critical() {
   return 2 * 2 * std::numbers::pi * beam_first_frequency;
 }
 
-/// Returns the mean sag (m) over the free face, which stays flat to well within what is measured.
+/// Returns the mean sag (m) over the free face. The face stays flat to well within the accuracy of the
+/// measurement.
 double sag(const Specimen& specimen) {
   const VecX rest = specimen.rest(), x = specimen.positions();
   double sum = 0;
@@ -115,7 +116,7 @@ RungFigures RungMeter::measure(const RungTrial& trial) {
   out.ms = median(std::move(ms));
   out.settled_sag = right ? right->settled_sag : sag(*specimen);
   if (right) out.drift = std::sqrt(off / moved);
-  // A rung that fell back on another one has no claim to that one's figures.
+  // Frames that fell back on another rung count as wrong: their accuracy is the other rung's.
   out.drift = std::max(out.drift, not_as_described / static_cast<double>(frames));
   return out;
 }

@@ -1,9 +1,9 @@
 #pragma once
-// What a rung costs and gets wrong on the bending beam (beam_piece.h), by running it.
+// Measures the cost and error of a rung by running it on the bending beam (beam_piece.h).
 //
-// It takes three figures. The settled shape is the mesh's and the model's error and no solver's. The drift is
-// what solving with less effort than to the end adds on the way. The third is the CPU time of a frame. The
-// first two are the same on every machine.
+// There are three figures. The settled shape has the error of mesh and model, without the solver's. The drift
+// is the error that is added on the way by solving with limited effort instead of to convergence. The third
+// figure is the CPU time of a frame. The first two are the same on every machine.
 
 #include <map>
 #include <string>
@@ -16,7 +16,7 @@ namespace prosector {
 
 inline constexpr double frame_seconds = 1. / 60;
 
-/// What is run: a rung at a resolution.
+/// A measurement: a rung at a resolution.
 struct RungTrial {
   Rung rung;
   double poisson_ratio = 0.45;  // one of bend_ratios
@@ -25,25 +25,24 @@ struct RungTrial {
 };
 
 struct RungFigures {
-  double elements = 0;     // tetrahedra, whatever the model makes of them
+  double elements = 0;     // tetrahedra, however the model uses them
   double settled_sag = 0;  // m: −u_y of the free face at rest
-  double drift = 0;        // RMS over frames and nodes from the path of the same mesh solved to the end, over
-                           // the RMS displacement (models that integrate by themselves: 0, their effort shows
-                           // in the settled shape); at least the share of frames that fell back on another
-                           // rung
-  double iterations = 0;   // of the linear solver, a frame, mean; 0: it has none
-  double ms = 0;           // CPU time of a frame of 1/60 s on one thread, median
-  double share = 1;        // CPU time over time that passed meanwhile: below 1, other work had the processor
+  double drift = 0;  // RMS deviation, over frames and nodes, from the converged path on the same mesh, over
+                     // the RMS displacement. For position-based models it is 0: their effort shows in the
+                     // settled shape. It is at least the share of frames that fell back on another rung
+  double iterations = 0;  // of the linear solver, per frame, mean; 0: it has none
+  double ms = 0;          // CPU time of a frame of 1/60 s on one thread, median
+  double share = 1;       // CPU time over wall time: below 1, other programs used the processor
 };
 
 class RungMeter {
  public:
-  /// Runs the trial on one thread, whatever the caller's arena. Throws InputError when the rung refuses the
-  /// beam.
+  /// Runs the trial on one thread, whatever the caller's arena. Throws InputError when the rung can't model
+  /// the beam.
   RungFigures measure(const RungTrial& trial);
 
  private:
-  /// The exact solution of a model on a mesh.
+  /// The converged solution of a model on a mesh.
   struct Exact {
     double settled_sag;
     std::vector<VecX> path;  // displacements frame by frame, 3n each

@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-constexpr double least_error = 1e-4;  // references are no better
+constexpr double least_error = 1e-4;  // accuracy of the references
 
 BodyGeometry beam_geometry(double elements) {
   const double volume = beam_size.prod();
@@ -35,7 +35,7 @@ double BodyGeometry::fineness() const {
 BodyGeometry geometry_of(const TetMesh& mesh) {
   BodyGeometry out;
   out.elements = static_cast<double>(mesh.tets.size());
-  std::map<std::array<std::uint32_t, 3>, double> faces;  // m², of those that only one tetrahedron has
+  std::map<std::array<std::uint32_t, 3>, double> faces;  // area of outer faces, m²
   for (const auto& tet : mesh.tets) {
     const auto x = [&](std::size_t k) { return mesh.positions[tet[k]]; };
     out.volume += std::abs((x(1) - x(0)).cross(x(2) - x(0)).dot(x(3) - x(0))) / 6;
@@ -109,7 +109,7 @@ std::optional<Prospect> RungTable::prospect(const Rung& rung, double poisson_rat
     errors.push_back(off + row->figures.drift);
     drifts.push_back(rung.is_position_based() ? errors.back() : std::max(least_error, row->figures.drift));
   }
-  // What a finer mesh gets wrong, a coarser one got right by chance: errors that cancel.
+  // Where a finer mesh has a larger error, the errors of the coarser one cancel by chance.
   for (std::size_t k = errors.size() - 1; k-- > 0;) errors[k] = std::max(errors[k], errors[k + 1]);
   constexpr double never_better = 0, fourth_order = -4;
   const double finest = std::min(body.fineness(), fineness.back());

@@ -1,19 +1,20 @@
 #pragma once
-// The measured table of rungs: what each costs and gets wrong at each resolution, and what follows for a body
+// The measured table of rungs: the cost and error of each at each resolution, and the prediction for a body
 // of another size.
 //
-// How a figure is carried over. A mesh's *fineness* is its body's thickness, four times volume over surface,
-// in mean element sizes, (volume / elements)^(1/3). The error at a fineness is interpolated between the
-// beam's in double logarithms. A mesh finer than measured counts as the finest measured, never as better; on
-// a coarser one the error grows by the rate of the first two. No mesh counts as better than a finer one of
-// the same rung: where a model and its locking cancel, that is chance.
+// Errors. A mesh's *fineness* is its body's thickness, four times volume over surface, in mean element sizes,
+// (volume / elements)^(1/3). The error at a fineness is interpolated between the beam's meshes in double
+// logarithms. A mesh finer than measured counts as the finest measured, never as better. On a coarser mesh
+// the error grows by the rate of the first two. No mesh counts as better than a finer one of the same rung:
+// where the errors of a model and of its locking cancel, that is chance.
 //
-// The cost at a number of elements is interpolated in double logarithms, too. Beyond what was measured it
-// grows as elements^p with p the last two's, held within [1, 4/3]. 1 is work in proportion to the elements;
-// 4/3 is that of conjugate gradients, whose iterations grow with the number of elements along a side.
+// Costs. The cost at a number of elements is interpolated in double logarithms, too. Beyond the measured
+// range it grows as elements^p, with p of the nearest two, limited to [1, 4/3]. The exponent 1 is work in
+// proportion to the elements. The exponent 4/3 is that of conjugate gradients, whose iterations grow with the
+// number of elements along a side.
 //
-// The beam is stiff (E = 3e5 Pa), moves, and touches nothing: softer tissue takes fewer iterations, contacts
-// cost extra.
+// The beam is stiff (E = 3e5 Pa), moves, and touches nothing: softer tissue takes fewer iterations, and
+// contacts cost extra.
 
 #include <optional>
 #include <string>
@@ -32,24 +33,23 @@ struct BodyGeometry {
 /// Measures a mesh of tetrahedra, whose surface may be open.
 BodyGeometry geometry_of(const TetMesh& mesh);
 
-/// What is expected of a body by a rung.
+/// Expected error and cost of a body that is simulated with a rung.
 struct Prospect {
-  double error = 0;  // of displacements, fraction: of the mesh and model, and of solving with that effort
-  double drift = 0;  // what of the error the effort makes; of position-based models all
-  double ms = 0;     // CPU time a frame of 1/60 s, one thread
+  double error = 0;  // relative error of displacements: of the mesh and model, and of the limited effort
+  double drift = 0;  // the share of `error` that the effort causes; all of it for position-based models
+  double ms = 0;     // CPU time per frame of 1/60 s, one thread
 };
 
 class RungTable {
  public:
   void add(const RungTrial& trial, const RungFigures& figures) { rows_.push_back({trial, figures}); }
   const RungFigures* find(const RungTrial& trial) const;
-  /// Returns what is expected of the body by the rung; nothing when the rung is not in the table at that
-  /// ratio. `own_law`: true when errors count against the model's own continuum, where it has one; false:
-  /// tissue's.
+  /// Returns the expected error and cost of the body with the rung; nothing when the rung is not in the table
+  /// at that ratio. `own_law`: true: errors are relative to the model's own continuum, where it has one;
+  /// false: to tissue's.
   std::optional<Prospect> prospect(const Rung& rung, double poisson_ratio, const BodyGeometry& body,
                                    bool own_law) const;
-  /// Returns the fineness of the coarsest and finest mesh that the rung was measured on; 0, 0 when it was
-  /// not.
+  /// Returns the fineness of the coarsest and of the finest mesh that the rung was measured on; 0, 0: none.
   std::pair<double, double> measured_fineness(const Rung& rung, double poisson_ratio) const;
 
   struct Row {
@@ -64,11 +64,12 @@ class RungTable {
   std::vector<const Row*> rows_of(const Rung& rung, double poisson_ratio) const;
 };
 
-/// Returns the table's ratio that stands for a body's: the next larger one; above all, the largest.
+/// Returns the table's Poisson ratio for a body's: the next larger one, or the largest.
 double table_ratio(double poisson_ratio);
 
 /// Interpolates y at x between (xs, ys), x rising, all positive, in double logarithms. Beyond the ends it
-/// goes on by the rate of the nearest two, held within [low, high]. `xs` must not be empty.
+/// extrapolates with the exponent of the nearest two, limited to [low, high]; with one value the exponent is
+/// `low`. `xs` must not be empty.
 double log_interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x, double low,
                        double high);
 

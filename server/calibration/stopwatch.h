@@ -1,5 +1,5 @@
 #pragma once
-// How long a call takes.
+// Measures how long calls take.
 
 #include <algorithm>
 #include <chrono>
@@ -8,28 +8,27 @@
 
 namespace prosector {
 
-/// Returns the milliseconds that have passed.
+/// Returns the time of the monotonic clock, ms.
 inline double wall_ms() {
   using Clock = std::chrono::steady_clock;
   return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
 }
 
-/// Returns the milliseconds that this process worked, all threads together: what other processes take away
-/// doesn't count.
+/// Returns the CPU time of this process, ms, over all threads. The time of other processes doesn't count.
 inline double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Returns the upper middle one; `values` must not be empty.
+/// Returns the upper median; `values` must not be empty.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Returns the median over `repeats` calls after a few to warm up, milliseconds.
+/// Returns the median duration of `repeats` calls, ms, after three calls to warm up.
 template <class F>
 double median_ms(int repeats, const F& f) {
   for (int i = 0; i < 3; ++i) f();

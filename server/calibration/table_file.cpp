@@ -45,7 +45,7 @@ Json to_json(const RungTable::Row& row) {
   return out;
 }
 
-/// Returns a seal over everything else in the file.
+/// Returns a hash over everything else in the file.
 std::string seal_of(Json json) {
   json.erase("seal");
   const std::string text = json.dump();
@@ -109,7 +109,7 @@ bool write_table(const std::filesystem::path& file, const std::string& machine, 
   json["seal"] = seal_of(json);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  // Beside and renamed, so that a reader never sees half a file.
+  // Written under another name and renamed, so that a reader never sees half a file.
   const auto part = std::filesystem::path(file.string() + ".part");
   std::ofstream out(part);
   out << json.dump(1) << "\n";

@@ -1,5 +1,5 @@
 #pragma once
-// The table on disk: measured once for a machine and a build.
+// The table of rungs on disk, measured once for a machine and a build.
 
 #include <filesystem>
 #include <string>
@@ -8,23 +8,22 @@
 
 namespace prosector {
 
-/// Returns what figures hold for: CPU, cores, compiler, and this very executable, since other code takes
-/// other time.
+/// Returns the machine and build that figures hold for: CPU, cores, compiler, and hash of this executable.
 std::string machine_and_build();
 
-/// What was found at `file`: a table, or none and why not ("" where there was no file).
+/// Result of reading `file`: a table, or none and the reason ("" where there was no file).
 struct FoundTable {
   RungTable table;
   std::string trouble;
 };
-/// Reads a table. One of another machine or build, or a damaged one, counts as none.
+/// Reads a table. Returns none if it is of another machine or build, or damaged.
 FoundTable read_table(const std::filesystem::path& file, const std::string& machine);
-/// The least share of the processor at which figures are kept. Below it, what a rung costs was measured
-/// beside other work, which also takes caches and memory: such figures serve once.
+/// Least share of processor time at which figures are stored. Below it other programs ran during the
+/// measurement, and also used caches and memory: such figures are used in this run only.
 inline constexpr double least_share = 0.9;
 
-/// Writes the rows that were measured undisturbed. Returns false when the file can't be written: no error, it
-/// will be measured again.
+/// Writes the rows that were measured undisturbed. Returns false when the file can't be written. That is no
+/// error: the rungs will be measured again.
 bool write_table(const std::filesystem::path& file, const std::string& machine, const RungTable& table);
 
 }  // namespace prosector

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <numbers>
 
-#include "server/physics/soft/body_on_springs.h"
-#include "server/physics/soft/soft_matter.h"
+#include "server/physics/mechanics/soft/body_on_springs.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
 
 namespace prosector {
 namespace {
 
 constexpr SolverSettings solve_settings = {60, 1e-2};
-constexpr double slowest = 0.5;  // Hz: what nothing holds is borne by its inertia at that frequency
+constexpr double slowest = 0.5;  // Hz: inertia at this frequency supports a body that nothing holds
 
-/// Describes the body without what moves it. A sheet or a rope has no coarse levels.
+/// Returns the description without damping. Solids are solved by multigrid; a sheet or a rope has no coarse
+/// levels.
 SoftDesc at_rest(SoftDesc desc, bool solid) {
   desc.damping_mass = desc.damping_stiffness = 0;
   desc.solver = solid ? "multigrid" : "cg";
@@ -47,8 +48,8 @@ struct TissueCompliance::Solver {
   BodyOnSprings hessian;
   std::unique_ptr<LinearSolver> solver;
 
-  /// Returns how the force on `patch` grows as a hand moves by `e`, whose springs are those of `pressing`,
-  /// with or without the friction that holds.
+  /// Returns the growth of the force on `patch`, N/m, as a hand moves by the unit vector `e`. The hand's
+  /// springs are the points of `pressing`. `holds`: include the friction springs.
   double slope(const std::vector<const Patch*>& pressing, const Patch& patch, const Vec3& e, bool holds,
                std::vector<BodyOnSprings::Spring> springs, double strength) {
     const auto spring = [&](const Patch::Point& point) -> Mat3 {
@@ -92,7 +93,7 @@ std::vector<Slopes> TissueCompliance::find(const VecX& x, double strength,
     std::vector<const Patch*> pressing;
     for (const Patch& other : patches)
       if (&other == &patch || (other.presses && other.hand == patch.hand)) pressing.push_back(&other);
-    // A material that is that many times as stiff is one whose springs are that many times as soft.
+    // Instead of multiplying the material's stiffness by `strength`, the springs' stiffness is divided by it.
     std::vector<BodyOnSprings::Spring> springs;
     for (const Support& support : supports)
       springs.push_back(spring_of(support.side, support.stiffness / strength));

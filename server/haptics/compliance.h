@@ -1,8 +1,9 @@
 #pragma once
-// How a soft body pushes back where a rigid hand presses it. The hand moves by e, and (K + Σ WᵀDW)·u = Σ
-// WᵀD·e is solved. Here K is the static tangent of the body's elements and ties as they are now, and D the
-// contacts' springs. Neither the body's step nor its inertia is in it. So a hand that rests feels what tissue
-// is, and not what a tick makes of it.
+// Static stiffness of a soft body as a rigid hand feels it. The hand moves by e, and (K + Σ WᵀDW)·u = Σ WᵀD·e
+// is solved for the displacements u of the nodes. K is the tangent stiffness of the body's elements and ties
+// in their current state. D holds the stiffness of the contact springs, W the nodes' weights at the contact
+// points. The time step is left out, and inertia only supports a body that nothing holds. So a hand at rest
+// feels the tissue and not the integrator.
 
 #include <memory>
 #include <vector>
@@ -15,34 +16,35 @@ namespace prosector {
 
 struct SoftMatter;
 
-/// Points of a body where a hand presses it, or will. Each is a spring between the point and the hand.
+/// Points at which a hand presses a body, or is about to. Each point is a spring between body and hand.
 struct Patch {
   struct Point {
     ContactSide side;
-    Mat3 stiffness = Mat3::Zero();  // N/m: along its own normal
-    Mat3 holding = Mat3::Zero();    // N/m: of friction, while it holds
+    Mat3 stiffness = Mat3::Zero();  // N/m: along the point's own normal
+    Mat3 holding = Mat3::Zero();    // N/m: tangential, while friction sticks
   };
   std::vector<Point> points;
   Vec3 normal = Vec3::UnitY();  // unit, out of the body
   HandRef hand;
-  bool presses = false;  // now; else it is only near
+  bool presses = false;  // true: in contact; false: only close to it
 };
 
-/// How a patch's force grows, N/m, as the whole hand moves along the patch's normal, and along its plane.
-/// What slides past a finger on its way in has no part in the first: friction holds over hundredths of a
-/// millimetre.
+/// Stiffness of a patch, N/m: growth of its force as the whole hand moves along the patch's normal, and along
+/// its plane. Friction does not count in `normal`: it sticks only over hundredths of a millimetre, then
+/// tissue slides past the finger.
 struct Slopes {
   double normal = 0, tangential = 0;
 };
 
 class TissueCompliance {
  public:
-  /// Makes a copy of the body to ask, with elements, matrices and levels of its own. `ties`: n, N/m.
+  /// Makes a copy of the body to compute on, with separate elements, matrices and multigrid levels. `ties`:
+  /// n, N/m.
   TissueCompliance(const SoftDesc& desc, Anatomy anatomy, const VecX& ties);
   ~TissueCompliance();
 
-  /// Returns the slopes of each patch with the nodes at x (3n, m). `strength`: how many times as stiff the
-  /// material is as described.
+  /// Returns the slopes of each patch with the nodes at x (3n, m). `strength`: factor on the stiffness of the
+  /// described material.
   std::vector<Slopes> find(const VecX& x, double strength, const std::vector<Support>& supports,
                            const std::vector<Patch>& patches);
 

@@ -48,8 +48,8 @@ void ComplianceWorker::run(std::stop_token stop) {
   }
 }
 
-/// Answers with nothing found where the body isn't the one that is known, or can't be asked: nothing that
-/// goes wrong here may end the session.
+/// Computes the slopes. Returns an empty result if the worker does not have that version of the body, or if
+/// the computation throws: an error here must not end the session.
 ComplianceAnswer ComplianceWorker::answer(ComplianceQuestion question) {
   ComplianceAnswer out{question.body, question.version, std::move(question.names), {}};
   try {

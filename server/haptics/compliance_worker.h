@@ -1,6 +1,6 @@
 #pragma once
-// A thread that finds how far bodies give way where hands press them, so that no tick waits for it. There is
-// none before the first question.
+// Worker thread that computes how compliant bodies are where hands press them, so that no tick waits for the
+// result. It starts with the first question.
 
 #include <condition_variable>
 #include <map>
@@ -14,30 +14,30 @@
 
 namespace prosector {
 
-/// What a copy of a body is made of, while it is that.
+/// Description, meshes and ties of a body, from which the worker makes its copy.
 struct BodyCopy {
   SoftDesc desc;
   Anatomy anatomy;
   VecX ties;
 };
 
-/// A question about one body; patches are named by whoever asks.
+/// Request for the slopes of one body's patches. The caller chooses the patches' names.
 struct ComplianceQuestion {
   BodyId body = 0;
   std::uint64_t version = 0;                  // of the body's mesh and ties
-  std::shared_ptr<const BodyCopy> copy = {};  // of that version; null: the worker has it
+  std::shared_ptr<const BodyCopy> copy = {};  // body of that version; null: the worker has it already
   VecX x;
   double strength = 1;
   std::vector<Support> supports;
   std::vector<Patch> patches;
-  std::vector<std::uint64_t> names;  // of the patches
+  std::vector<std::uint64_t> names;  // names of the patches, in the same order
 };
 
 struct ComplianceAnswer {
   BodyId body = 0;
   std::uint64_t version = 0;
   std::vector<std::uint64_t> names;
-  std::vector<Slopes> found;  // by name; empty: nothing is known
+  std::vector<Slopes> found;  // by name; empty: could not be computed
 };
 
 class ComplianceWorker {
@@ -46,7 +46,7 @@ class ComplianceWorker {
   ~ComplianceWorker();
 
   bool busy() const;
-  /// Gives it a question, if it isn't busy; returns false if it is.
+  /// Submits a question. Returns false, and drops the question, if the worker is busy.
   bool ask(ComplianceQuestion question);
   /// Returns the answers since the last call.
   std::vector<ComplianceAnswer> take();
@@ -60,7 +60,7 @@ class ComplianceWorker {
   std::optional<ComplianceQuestion> question_;
   std::vector<ComplianceAnswer> answers_;
   bool working_ = false;
-  // The thread's own:
+  // Used by the worker thread only:
   struct Known {
     std::uint64_t version;
     std::unique_ptr<TissueCompliance> compliance;

@@ -4,31 +4,32 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/coupled/island_joints.h"
-#include "server/physics/hands/hand.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/coupled/island_joints.h"
+#include "server/physics/mechanics/hands/hand.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
 
-constexpr double told_from = 0.03;      // m: what is nearer to a hand is told before it is met
-constexpr double same_place = 0.04;     // m: a plane that moved by more is another
-constexpr double least_radius = 0.005;  // m
-constexpr double slips_from = 0.95;     // of what friction holds
-constexpr double softest = 1e-3;        // N/m
-constexpr double farthest = 0.1;        // m: what is held is told of as far as that
-constexpr double smoothing = 0.1;       // s, of the surface's speed
-constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as still, faster as that
+constexpr double told_from = 0.03;      // m: surfaces closer to the hand than this get a plane before contact
+constexpr double same_place = 0.04;     // m: a plane that moved farther in a tick gets a new id
+constexpr double least_radius = 0.005;  // m: lower bound of a plane's radius
+constexpr double slips_from = 0.95;     // share of the friction bound; above it a contact counts as sliding
+constexpr double softest = 1e-3;        // N/m: lower bound of slopes
+constexpr double farthest = 0.1;        // m: upper bound of a held plane's radius
+constexpr double smoothing = 0.1;       // s: time constant of the surface's smoothed speed
+constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as at rest, faster is clamped
 
-/// Returns what a flat punch as large as the patch would find on a half-space of the body's material, N/m:
-/// 2·E*·a (Johnson 1985, "Contact Mechanics", 3.36). It serves until the body itself has been asked.
+/// Returns the stiffness of a flat punch of the patch's area on a half-space of the body's material, N/m:
+/// 2·E*·a (Johnson 1985, "Contact Mechanics", 3.36). It is used until the worker has computed the body's
+/// slopes.
 double punch_stiffness(const SoftBody& body, double area, double strength) {
   const SoftDesc& desc = body.desc();
   const double plane = strength * desc.youngs_modulus / (1 - desc.poisson_ratio * desc.poisson_ratio);
   return 2 * plane * std::sqrt(area / std::numbers::pi);
 }
 
-/// Returns the area of the body's surface that the touches stand for, m²; at least a fingertip's.
+/// Returns the area of the body's surface that the touches represent, m²: at least a disc of `least_radius`.
 double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
   const std::span<const double> areas = body.surface_area();
   double mean = 0;
@@ -37,8 +38,8 @@ double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
   return std::max(static_cast<double>(touches.size()) * mean, std::numbers::pi * least_radius * least_radius);
 }
 
-/// Returns the joints' own stiffness along the group's normal, N/m: of those that press, if any do; 0:
-/// nothing touches.
+/// Returns the sum of the contacts' stiffness along the group's normal, N/m. If any touch presses, only those
+/// that press or hold count. 0: no contact.
 double joint_stiffness(const TouchGroup& group) {
   double sum = 0;
   for (const HandTouch& t : group.touches)
@@ -47,21 +48,22 @@ double joint_stiffness(const TouchGroup& group) {
   return sum;
 }
 
-/// Returns how far the hand's side of the group yields along `direction` (unit) while the arm stays, m/N.
+/// Returns the mean compliance of the group's points on the hand along `direction` (unit), m/N, while the arm
+/// does not move.
 double give_along(const TouchGroup& group, const Vec3& direction) {
   double sum = 0;
   for (const HandTouch& t : group.touches) sum += direction.dot(t.give * direction);
   return sum / static_cast<double>(group.touches.size());
 }
 
-/// Returns how much farther what is held can be moved until all that holds it gives way, m.
+/// Returns how much farther the held body can be moved until all its holds reach their force bound, m.
 double reach_of(const TouchGroup& group, double stiffness) {
   double bound = 0;
   for (const HandTouch& t : group.touches) bound += t.bound;
   return std::clamp((bound - group.pressing) / stiffness, 0., farthest);
 }
 
-/// Returns the springs that a touch is: along its normal, and along its plane while friction holds.
+/// Returns the springs that represent a touch: along its normal, and along its plane while friction sticks.
 Patch::Point point_of(const HandTouch& t) {
   if (t.holds) return {t.side, t.stiffness * Mat3::Identity(), Mat3::Zero()};
   const Mat3 along = t.normal * t.normal.transpose();
@@ -71,8 +73,8 @@ Patch::Point point_of(const HandTouch& t) {
   return {t.side, t.stiffness * along, holds * (Mat3::Identity() - along)};
 }
 
-/// Returns the coefficient of friction that a group's resultant has. Where tissue is around a finger, its
-/// sides press, too.
+/// Returns the friction coefficient relative to a group's resultant. It exceeds the contacts' own where
+/// tissue surrounds a finger and presses on its sides, too.
 double friction_of(const TouchGroup& group) {
   double most = 0, all = 0;
   for (const HandTouch& t : group.touches) {
@@ -82,8 +84,8 @@ double friction_of(const TouchGroup& group) {
   return group.pressing > 0 ? most * all / group.pressing : most;
 }
 
-/// Makes the plane that of a hard surface. Its place is known, and what the hand does there is the arm's own:
-/// no arm shows a contact of the solver, and its force over any delay is unstable.
+/// Turns the plane into a hard surface at its known position. The arm renders the force alone: it can't
+/// display the stiffness of a solver's contact, and a solver's force over any delay is unstable.
 void make_hard(const TouchGroup& group, ContactPlane& plane) {
   const double contact = joint_stiffness(group);
   const double inside =
@@ -109,7 +111,7 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
     });
     if (same != before.end()) {
       place = *same;
-      same->id = 0;  // it is taken
+      same->id = 0;  // already assigned
     } else {
       place.id = ++last_id_;
     }
@@ -120,7 +122,7 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
   out.participant = ref_.participant;
   out.hand = ref_.hand;
   out.time = simulation.time();
-  Vec3 all = Vec3::Zero();  // N, on the hand
+  Vec3 all = Vec3::Zero();  // N, on the hand: sum over all planes
   for (const Place& place : places_) all += place.group.force;
   for (Place& place : places_) out.planes.push_back(plane_of(simulation, hand.pose, all, place));
   count_energy(hand);
@@ -129,14 +131,14 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
   return out;
 }
 
-/// Tells whether something besides this hand may move what it touches.
+/// Returns whether another hand presses or holds the body, and so may move it.
 bool FeltHand::others_act(BodyId body) const {
   return std::any_of(around_.supports.begin(), around_.supports.end(),
                      [&](const Support& s) { return s.body == body && s.hand && *s.hand != ref_; });
 }
 
-/// Returns a plane's slopes: as they were found, else as a flat punch on the body's material has them. What
-/// is rigid gives way in its contacts alone.
+/// Returns a plane's slopes: as computed by the worker, else those of a flat punch on the body's material. A
+/// rigid body yields in its contacts only.
 Slopes FeltHand::slopes_of(const Simulation& simulation, const Place& place) const {
   if (place.slopes) return *place.slopes;
   const BodyId id = place.group.body;
@@ -168,7 +170,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.normal = group.normal;
   plane.force = group.force;
   plane.arm = hand.inverse() * group.point;
-  // What presses or pulls is where the arm is, but for what the coupling gives way.
+  // Under load, the arm's point is the hand's point plus the deflection of the coupling between them.
   plane.point = group.pressing > 0 || group.holds
                     ? Vec3(group.point - all / arm_coupling)
                     : Vec3(group.point - group.touches.front().gap * group.normal);
@@ -178,7 +180,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.friction = std::min(friction_of(group), max_plane_friction);
   plane.holds = group.holds;
   plane.radius = group.holds ? reach_of(group, plane.stiffness) : radius;
-  // What a tool meets far from its grip is as soft as the grip: a push turns it in the hand.
+  // A contact far from a tool's grip is as soft as the grip: a push rotates the tool in the hand.
   const bool grip_is_softer = give_along(group, group.normal) > 1 / hard_stiffness;
   if (simulation.kind(group.body) != BodyKind::soft && !group.holds && !grip_is_softer)
     make_hard(group, plane);
@@ -196,10 +198,10 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   return plane;
 }
 
-/// Counts what the hand did to bodies on its way since the last tick, and they to it.
+/// Adds the work between the hand and bodies over the hand's motion since the last tick.
 void FeltHand::count_energy(const HandState& hand) {
   if (last_point_) {
-    const double work = hand.contact.force.dot(hand.pose.p - *last_point_);  // on bodies
+    const double work = hand.contact.force.dot(hand.pose.p - *last_point_);  // J, of the hand on bodies
     (work > 0 ? taken_ : given_) += std::abs(work);
   }
   last_point_ = hand.pose.p;

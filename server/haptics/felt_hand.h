@@ -1,5 +1,5 @@
 #pragma once
-// One hand that an arm moves: its contact planes from tick to tick.
+// Contact planes of one hand that a haptic arm moves, from tick to tick.
 
 #include <optional>
 #include <span>
@@ -10,31 +10,32 @@
 
 namespace prosector {
 
-inline constexpr double hard_stiffness = 2000;  // N/m, of what is rigid: arms show that well
+inline constexpr double hard_stiffness =
+    2000;  // N/m, rendered for rigid bodies: haptic arms display this stiffness well
 
 class FeltHand {
  public:
   explicit FeltHand(const HandRef& ref) : ref_(ref) {}
 
   const HandRef& ref() const { return ref_; }
-  /// Takes what the hand meets now. Returns what is felt, with the stiffnesses that are known.
+  /// Updates the planes after a tick. Returns the message for the arm, with the stiffnesses known so far.
   FeltPlanes follow(const Simulation& simulation, const HandState& hand);
 
-  /// Returns what bears the soft bodies that it meets.
+  /// Returns the supports of the soft bodies that the hand touches.
   const std::vector<Support>& supports() const { return around_.supports; }
-  /// Returns a patch for each of its planes on that soft body, and their ids.
+  /// Appends a patch for each of the hand's planes on that soft body, and the patches' names.
   void patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const;
-  /// Takes how far a body gives way under its planes.
+  /// Stores the slopes of those planes that the answer names.
   void take(const ComplianceAnswer& answer);
 
  private:
   struct Place {
     std::uint32_t id = 0;
     TouchGroup group;
-    std::optional<Slopes> slopes;  // as the body was found to have; none: it was not asked yet
-    double surface = 0;            // m, along the normal: where it would be without this hand
-    double speed = 0;              // m/s, of that, smoothed
-    bool known = false;            // `surface` is
+    std::optional<Slopes> slopes;  // computed by the worker; none: not yet
+    double surface = 0;            // m, along the normal: position of the surface without this hand's force
+    double speed = 0;              // m/s: smoothed rate of `surface`
+    bool known = false;            // whether `surface` is set
   };
 
   bool others_act(BodyId body) const;
@@ -47,8 +48,8 @@ class FeltHand {
   HandSurroundings around_;  // after the last tick
   std::vector<Place> places_;
   std::uint32_t last_id_ = 0;
-  std::optional<Vec3> last_point_;  // m, room: where the hand was
-  double taken_ = 0, given_ = 0;    // J
+  std::optional<Vec3> last_point_;  // m, room frame: the hand's position after the last tick
+  double taken_ = 0, given_ = 0;    // J: work of the hand on bodies, and of bodies on the hand
 };
 
 }  // namespace prosector

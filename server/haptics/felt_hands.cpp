@@ -5,7 +5,7 @@
 #include <set>
 
 #include "server/haptics/felt_panel.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
@@ -24,7 +24,7 @@ std::shared_ptr<const BodyCopy> copy_of(const SoftBody& body) {
   return copy;
 }
 
-/// Adds what the hand meets of panels, as far as there is room.
+/// Adds the planes of panels that the hand touches, up to `max_contact_planes` in all.
 void add_panels(const Simulation& simulation, const HandState& hand, std::vector<ContactPlane>& planes) {
   HandPose pose;
   pose.pose = hand.pose;
@@ -34,7 +34,8 @@ void add_panels(const Simulation& simulation, const HandState& hand, std::vector
       if (planes.size() < max_contact_planes) planes.push_back(plane);
 }
 
-/// Tells whether the body has a potential whose tangent says how stiff it is.
+/// Returns whether the body has a potential energy, whose tangent gives its stiffness. Bodies with a
+/// substepper have none.
 bool has_tangent(const SoftBody& body) {
   return body.substepper() == nullptr;
 }
@@ -65,7 +66,7 @@ std::vector<FeltPlanes> FeltHands::follow(const Simulation& simulation, std::spa
   return out;
 }
 
-/// Asks about the next of the bodies that are felt, if the worker has nothing to do.
+/// Requests the slopes of the next touched body in turn, if the worker is idle.
 void FeltHands::ask(const Simulation& simulation) {
   if (worker_ && worker_->busy()) return;
   std::set<BodyId> felt;
@@ -86,7 +87,7 @@ void FeltHands::ask(const Simulation& simulation) {
     question.copy = copy_of(simulation.soft(body));
   question.x = simulation.soft_state(body).motion.x;
   question.strength = simulation.part(body).stiffness;
-  // A hand that feels presses with what it renders: it bears nothing.
+  // Hands with haptic arms are no supports: each presses with the force that it renders.
   const auto bears = [&](const Support& s) {
     return s.body == body && !(s.hand && hands_.contains(*s.hand));
   };
@@ -97,7 +98,7 @@ void FeltHands::ask(const Simulation& simulation) {
     if (own.empty()) continue;
     std::copy_if(hand.supports().begin(), hand.supports().end(), std::back_inserter(question.supports),
                  bears);
-    break;  // all hands that meet a body see the same supports
+    break;  // all hands that touch a body have the same supports
   }
   for (const auto& [ref, hand] : hands_) hand.patches_on(body, question.patches, question.names);
   if (!worker_) worker_ = std::make_unique<ComplianceWorker>();

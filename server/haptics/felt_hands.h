@@ -1,5 +1,6 @@
 #pragma once
-// All hands that arms move: what each feels after a tick. It reads the simulation and changes nothing in it.
+// Contact planes of all hands that haptic arms move, after each tick. Reads the simulation and does not
+// change it.
 
 #include <map>
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace prosector {
 
-/// A hand that is to be told, and the newest of its inputs that the tick consumed.
+/// A hand with a haptic arm, and the newest of its inputs that the tick consumed.
 struct FeelingHand {
   HandRef hand;
   std::uint64_t input_sequence = 0;
@@ -19,7 +20,7 @@ struct FeelingHand {
 
 class FeltHands {
  public:
-  /// Goes on after a tick. Returns a message for each hand, planes or not.
+  /// Updates all hands after a tick. Returns a message for each hand, even without planes.
   std::vector<FeltPlanes> follow(const Simulation& simulation, std::span<const FeelingHand> hands);
 
  private:
@@ -29,7 +30,7 @@ class FeltHands {
   std::map<HandRef, FeltHand> hands_;
   std::map<BodyId, std::uint64_t> copied_;  // version of each body's copy that the worker has
   BodyId last_asked_ = 0;
-  std::unique_ptr<ComplianceWorker> worker_;  // null: no hand felt tissue yet
+  std::unique_ptr<ComplianceWorker> worker_;  // null: no hand has touched tissue yet
 };
 
 }  // namespace prosector

@@ -5,16 +5,16 @@
 #include "common/index_tip.h"
 #include "common/panel.h"
 #include "server/haptics/felt_hand.h"
-#include "server/physics/panel/panel_motion.h"
+#include "server/physics/mechanics/panel/panel_motion.h"
 
 namespace prosector {
 namespace {
 
-constexpr double told_over = 0.03;             // m over the board: from there on it is told of
+constexpr double told_over = 0.03;             // m: height above the board below which planes are reported
 constexpr double rubbing = 0.6;                // coefficient of friction
-constexpr std::uint32_t of_panels = 1u << 31;  // in ids: no other plane has it
+constexpr std::uint32_t of_panels = 1u << 31;  // bit in plane ids that only planes of panels have
 
-/// Returns the control under a place of the board; null: there is none.
+/// Returns the control at a position on the board, m; null: none.
 const ControlDesc* control_at(const Panel& panel, double x, double y) {
   for (const ControlDesc& control : panel_controls) {
     const Vec3 face =

@@ -1,6 +1,7 @@
 #pragma once
-// A panel under the finger of a hand that an arm moves. Its board stops the finger. A button's spring gives
-// way to where it is home, and the stop there is the click.
+// Contact planes of a panel under the index finger of a hand that a haptic arm moves. The board stops the
+// finger. A button has two planes: its spring, and the stop at the end of its travel, which is felt as the
+// click.
 
 #include <vector>
 
@@ -9,8 +10,8 @@
 
 namespace prosector {
 
-/// Returns what the index finger's tip meets of an open panel, or is about to. `pose`: of the hand as physics
-/// has it.
+/// Returns the planes of an open panel that the tip of the index finger touches, or is about to touch.
+/// `pose`: the simulated pose of the hand.
 std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, const HandPose& pose);
 
 }  // namespace prosector

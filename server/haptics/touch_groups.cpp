@@ -8,12 +8,14 @@
 namespace prosector {
 namespace {
 
-constexpr double agreement = 0.5;     // of forces: their sum over the sum of their sizes
-constexpr double hardly_pulls = 0.2;  // N: less has no direction to speak of
-constexpr std::size_t most_holds = max_contact_planes - 1;  // groups: what presses needs one
+constexpr double agreement =
+    0.5;  // of forces: least ratio of |sum| to sum of magnitudes that counts as one direction
+constexpr double hardly_pulls = 0.2;  // N: weaker holds get no direction from their force
+constexpr std::size_t most_holds =
+    max_contact_planes - 1;  // groups: one plane stays free for touches that press
 
-/// Adds a touch that presses, or is near. A group that nothing presses yet is where its touches are; else
-/// where they press.
+/// Adds a touch that presses, or is close. The group's point is the mean of its touches, weighted by force if
+/// any presses.
 void add_pressing(TouchGroup& group, const HandTouch& touch) {
   group.touches.push_back(touch);
   Vec3 pressing = Vec3::Zero(), rubbing = Vec3::Zero(), facing = Vec3::Zero(), pressed = Vec3::Zero(),
@@ -34,7 +36,8 @@ void add_pressing(TouchGroup& group, const HandTouch& touch) {
   group.normal = direction.norm() > 0 ? Vec3(direction.normalized()) : touch.normal;
 }
 
-/// Adds a place where the hand holds. The group is where it pulls.
+/// Adds a point at which the hand holds the body. The group's point is the mean of its touches, weighted by
+/// force if any pulls.
 void add_held(TouchGroup& group, const HandTouch& touch) {
   group.touches.push_back(touch);
   Vec3 pulled = Vec3::Zero(), middle = Vec3::Zero();
@@ -51,7 +54,8 @@ void add_held(TouchGroup& group, const HandTouch& touch) {
   group.normal = group.pressing > hardly_pulls ? Vec3(group.force / group.pressing) : Vec3(Vec3::UnitY());
 }
 
-/// Tells whether what presses the hand presses it one way, as a fingertip in tissue is. Else it is gripped.
+/// Returns whether all touches press the hand in about one direction, as tissue presses a fingertip.
+/// Otherwise the hand grips the body.
 bool one_way(std::span<const HandTouch> touches) {
   Vec3 sum = Vec3::Zero();
   double all = 0;
@@ -62,8 +66,8 @@ bool one_way(std::span<const HandTouch> touches) {
   return sum.norm() >= agreement * all;
 }
 
-/// Adds a body's touches, each side as a group of its own. Once there are as many groups as there may be,
-/// what presses goes to the one that faces it most: no force is left out.
+/// Adds a body's touches, with one group for each side. When there are `max_contact_planes` groups, further
+/// pressing touches join the group with the nearest normal, so that no force is left out.
 void add_sides(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) {
   for (const HandTouch& touch : touches) {
     TouchGroup* nearest = nullptr;
@@ -81,7 +85,8 @@ void add_sides(std::span<const HandTouch> touches, std::vector<TouchGroup>& out)
   }
 }
 
-/// Adds what the hand holds of one body. The last of as many groups as there may be takes the rest.
+/// Adds the points at which the hand holds one body. Once there are `most_holds` groups, further points join
+/// the last of them.
 void add_hold(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) {
   if (out.size() < most_holds) {
     out.emplace_back().body = touches.front().body;
@@ -90,7 +95,7 @@ void add_hold(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) 
   for (const HandTouch& touch : touches) add_held(out.back(), touch);
 }
 
-/// Adds what presses the hand of one body, or is near.
+/// Adds one body's touches that press the hand, or are close to it.
 void add_pressed(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) {
   if (!one_way(touches)) {
     add_sides(touches, out);

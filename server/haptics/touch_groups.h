@@ -1,5 +1,5 @@
 #pragma once
-// Points where a hand meets a body, put together to what one contact plane tells.
+// Groups the points where a hand touches a body; each group becomes one contact plane.
 
 #include <vector>
 
@@ -7,21 +7,21 @@
 
 namespace prosector {
 
-/// Touches of one body from one side, or all places where the hand holds it.
+/// Touches on one side of a body, or all points at which the hand holds the body.
 struct TouchGroup {
   BodyId body = 0;
-  bool holds = false;  // the hand pulls it as well as it presses
+  bool holds = false;  // the hand holds the body: forces pull as well as press
   std::vector<HandTouch> touches;
-  Vec3 normal = Vec3::UnitY();  // unit, towards the hand; of what is held and hardly pulls: upwards
-  Vec3 point = Vec3::Zero();    // m, room: on the hand
-  double pressing = 0;          // N: size of the sum of what presses or pulls, which is along the normal
-  Vec3 force = Vec3::Zero();    // N, on the hand, friction included
+  Vec3 normal = Vec3::UnitY();  // unit, towards the hand; upwards for a hold that hardly pulls
+  Vec3 point = Vec3::Zero();    // m, room frame: on the hand
+  double pressing = 0;        // N: magnitude of the resultant of the normal or holding forces, along `normal`
+  Vec3 force = Vec3::Zero();  // N, on the hand, friction included
 };
 
-inline constexpr double same_side = 0.7;  // cosine: normals that are nearer to each other are of one plane
+inline constexpr double same_side = 0.7;  // cosine: normals with a smaller angle belong to one plane
 
-/// Puts touches that become one plane together: those of a body, if they press one way, else those of a side.
-/// What the hand holds comes first. There are no more groups than planes are told.
+/// Groups touches into planes: all touches of a body if they press in one direction, else those of each side.
+/// Holds come first. Returns at most `max_contact_planes` groups.
 std::vector<TouchGroup> grouped(std::vector<HandTouch> touches);
 
 }  // namespace prosector

@@ -7,14 +7,15 @@
 #include <thread>
 
 #include "common/error.h"
-#include "server/physics/checkpoint.h"
-#include "server/physics/contact/fit_tissue.h"
-#include "server/physics/equilibrium.h"
-#include "server/physics/hands/touching.h"
-#include "server/physics/organs/cutting.h"
-#include "server/physics/organs/refining.h"
-#include "server/physics/step.h"
-#include "server/physics/take_over.h"
+#include "server/physics/stations/compile/compile.h"
+#include "server/physics/stations/compile/equilibrium.h"
+#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/refining.h"
+#include "server/physics/stations/hands/touching.h"
+#include "server/physics/stations/save/checkpoint.h"
+#include "server/physics/stations/save/take_over.h"
+#include "server/physics/stations/step.h"
+#include "server/physics/stations/touching/fit_tissue.h"
 
 namespace prosector {
 namespace {
@@ -161,9 +162,9 @@ std::uint64_t Simulation::state_hash() const {
   return hash_of(impl_->state);
 }
 
-std::vector<std::uint8_t> Simulation::save() const {
+std::vector<std::uint8_t> Simulation::save(RecordLabels* labels) const {
   ByteWriter out;
-  prosector::save(impl_->state, out);
+  prosector::save(impl_->state, out, labels);
   return out.bytes();
 }
 

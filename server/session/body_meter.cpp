@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/soft/integrators/substepper.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/integrators/substepper.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
 
-constexpr double telling_rate = 2;  // Hz
+constexpr double telling_rate = 2;  // Hz: rate of reports
 
-/// Returns how many substeps a tick of h s will be divided into, by what the body's method needs now; 0: it
-/// is solved at once.
+/// Returns how many substeps the body's method needs now for a tick of h s; 0: it is solved in one step.
 std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double h) {
   const Substepper* own = simulation.soft(body).substepper();
   if (own == nullptr) return 0;
@@ -93,7 +92,7 @@ std::vector<BodyStatus> BodyMeter::take(const Simulation& simulation) {
   return out;
 }
 
-/// Tells whether there is an estimate that wasn't told.
+/// Returns whether there is an estimate that was not reported yet.
 bool BodyMeter::news_of_rest(BodyId body, const Sum& sum) const {
   const LiveEstimate* estimate = estimates_.newest(body);
   return estimate != nullptr && estimate->tick != sum.told_estimate;
@@ -106,7 +105,7 @@ double BodyMeter::worst_error() const {
   return worst;
 }
 
-/// Returns the mean of what was gathered; starts anew.
+/// Returns the means since the last report, and resets them.
 BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
   BodyStatus out = sum.status;
   out.time = simulation.time();

@@ -1,9 +1,9 @@
 #include "server/session/collision_model.h"
 
 #include "common/primitives.h"
-#include "server/physics/collision/outlines/bounding.h"
-#include "server/physics/collision/shapes/fidelity.h"
-#include "server/physics/collision/shapes/shape.h"
+#include "server/physics/mechanics/collision/outlines/bounding.h"
+#include "server/physics/mechanics/collision/shapes/fidelity.h"
+#include "server/physics/mechanics/collision/shapes/shape.h"
 
 namespace prosector {
 namespace {
@@ -33,7 +33,7 @@ std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const Trian
     case Fidelity::mesh:
       return std::nullopt;
     case Fidelity::hull:
-      if (!body.parts.empty()) return std::nullopt;  // each part is convex by itself
+      if (!body.parts.empty()) return std::nullopt;  // each part is convex
       return convex_hull(surface.positions);
     case Fidelity::sphere:
       return outline(enclosing_sphere({&cloud, 1}));

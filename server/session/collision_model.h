@@ -1,5 +1,5 @@
 #pragma once
-// What bodies collide as, for people to see.
+// Outlines of the shapes that bodies collide as, for display.
 
 #include <optional>
 
@@ -9,9 +9,8 @@
 
 namespace prosector {
 
-/// Returns the outline that a rigid body collides as, in its own frame, where that is not its surface: a
-/// hull, or the sphere or box around it. The box along the room's axes is that of the body as the scene
-/// places it.
+/// Returns the outline of a rigid body's collision shape, in the body's frame, where it is not its surface: a
+/// hull, or the sphere or box around it. A box along the room's axes is that of the body in its initial pose.
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface);
 
 }  // namespace prosector

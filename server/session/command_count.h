@@ -1,5 +1,5 @@
 #pragma once
-// How many commands of each kind a session granted and refused.
+// Counts the commands of each kind that a session granted and refused.
 
 #include <array>
 #include <cstdint>

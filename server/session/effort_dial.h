@@ -1,5 +1,6 @@
 #pragma once
-// How exactly each soft body is solved: as the host wants it, but no more exactly than overload allows.
+// Combines the host's and the governor's settings of how exactly each soft body is solved. The less exact one
+// applies.
 
 #include <algorithm>
 #include <map>
@@ -10,19 +11,19 @@ namespace prosector {
 
 class EffortDial {
  public:
-  /// Takes what the host wants of a body; returns what counts from now on.
+  /// Stores the host's setting for a body. Returns the setting that applies from now on.
   EffortChange host(const EffortChange& wanted) {
     steps_[wanted.body].host = wanted.steps_down;
     return counts(wanted.body);
   }
-  /// Takes what the governor wants of a body; returns what counts from now on.
+  /// Stores the governor's setting for a body. Returns the setting that applies from now on.
   EffortChange overload(const EffortChange& wanted) {
     steps_[wanted.body].overload = wanted.steps_down;
     return counts(wanted.body);
   }
 
  private:
-  struct Steps {  // down
+  struct Steps {  // steps down
     int host = 0, overload = 0;
   };
   std::map<BodyId, Steps> steps_;

@@ -1,5 +1,5 @@
 #pragma once
-// A file that one process at a time works with, of those that ask here.
+// A lock on a file, held by one process at a time among those that use this class.
 
 #include <filesystem>
 
@@ -7,8 +7,8 @@ namespace prosector {
 
 class FileClaim {
  public:
-  /// Claims the file. Throws InputError when another process has claimed it. Where the file system knows no
-  /// such claims, none is made.
+  /// Locks the file. Throws InputError when another process holds the lock. On a file system without locks,
+  /// none is taken.
   explicit FileClaim(const std::filesystem::path& file);
   ~FileClaim();
   FileClaim(const FileClaim&) = delete;

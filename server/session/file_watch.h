@@ -1,5 +1,5 @@
 #pragma once
-// Files that may change on disk while somebody runs on what they held.
+// Detects changes of files on disk.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace prosector {
 
-/// Looks at files and says when they have changed, once a change has come to rest: editors write in pieces.
+/// Polls files and reports a change once it is complete: editors write in pieces.
 class FileWatch {
  public:
-  /// Watches the files that `files` returns at each look; one that isn't there counts as missing. What they
-  /// are now is no change.
+  /// Watches the files that `files` returns at each poll; one that doesn't exist counts as missing. Their
+  /// present state is no change.
   explicit FileWatch(std::function<std::vector<std::filesystem::path>()> files);
 
-  /// Looks. Returns true once per change: when the files are as at the look before, but not as they were when
-  /// this last returned true.
+  /// Polls the files. Returns true once per change: when the files are as at the poll before, but not as they
+  /// were when this last returned true.
   bool changed();
 
  private:

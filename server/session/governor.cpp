@@ -6,7 +6,7 @@
 namespace prosector {
 namespace {
 
-constexpr int undone = 10;  // ticks with room, by one without
+constexpr int undone = 10;  // ticks with room that one without room cancels
 
 }  // namespace
 

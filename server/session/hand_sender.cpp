@@ -7,8 +7,8 @@ namespace prosector {
 namespace {
 
 constexpr std::uint64_t user_refresh_ticks = 15;
-constexpr int let_go_updates = 10;       // "no longer touching" is repeated: samples get lost
-constexpr double min_hand_shift = 1e-5;  // m
+constexpr int let_go_updates = 10;  // updates in which "no longer touching" is repeated: samples get lost
+constexpr double min_hand_shift = 1e-5;  // m: smaller movements of a hand are not sent
 
 }  // namespace
 
@@ -22,8 +22,8 @@ void HandSender::update(const Snapshot& now, bool everything, std::vector<Messag
   for (const FeltPlanes& felt : now.felt) out.push_back(felt);
 }
 
-/// Appends contacts. What was let go is counted in updates, not in ticks: on a busy machine not every tick is
-/// published. The last word of a hand that is gone is that it touches nothing, too.
+/// Appends contacts. The end of a contact is repeated for some updates, not ticks: on a busy machine not
+/// every tick is published. A hand that vanished is reported as touching nothing, too.
 void HandSender::update_contacts(const Snapshot& now, std::vector<Message>& out) {
   for (auto& [key, updates] : let_go_) ++updates;
   for (const ContactSample& contact : now.contacts)

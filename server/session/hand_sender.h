@@ -1,5 +1,5 @@
 #pragma once
-// Which people and contacts travel this tick: what changes, at once; the rest now and then.
+// Selects the users and contacts to send this tick: changes immediately, everything else periodically.
 
 #include <cstdint>
 #include <map>
@@ -20,7 +20,7 @@ class HandSender {
     std::array<Vec3, 2> hands;
   };
   std::map<ParticipantId, Sent> users_;
-  std::map<std::pair<ParticipantId, std::uint8_t>, int> let_go_;  // updates since it touched something
+  std::map<std::pair<ParticipantId, std::uint8_t>, int> let_go_;  // updates since the hand touched something
 
   void update_user(const UserState& user, bool everything, std::vector<Message>& out);
   void update_contacts(const Snapshot& now, std::vector<Message>& out);

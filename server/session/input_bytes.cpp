@@ -8,12 +8,12 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint8_t said_of_hand = 2, arm_of_hand = 4;  // the bits above a hand's
+constexpr std::uint8_t said_of_hand = 2, arm_of_hand = 4;  // flags in the byte of a hand index
 constexpr const char* no_such_hand = "no such hand";
 
-// Each kind of input is described once, for writing and for reading: an Io takes the members of an entry in
-// the order of their bytes. Structured bindings name all members, so that a new one doesn't compile before it
-// is given its place here.
+// Each kind of input is described once, for writing and for reading: an Io processes the members of an entry
+// in the order of their bytes. Structured bindings name all members, so that a new member doesn't compile
+// until it is added here.
 
 class Writer {
  public:
@@ -28,12 +28,12 @@ class Writer {
   void numbers(const T* values, int count) {
     for (int k = 0; k < count; ++k) bytes_.add(values[k]);
   }
-  /// Adds a value up to `last`, as `Wire`.
+  /// Adds a value as `Wire`. The reader checks that it is at most `last`.
   template <class Wire, class T>
   void limited(const T& value, Wire, const char*) {
     bytes_.add(static_cast<Wire>(value));
   }
-  /// Adds a hand, a bit that is said of it, and whether a number is, as one byte.
+  /// Adds the index of a hand, a flag, and whether there is a number, as one byte.
   void hand(const std::size_t& hand, const bool& said, const std::optional<double>& number) {
     bytes_.add(static_cast<std::uint8_t>(hand | (said ? said_of_hand : 0) | (number ? arm_of_hand : 0)));
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t page_bytes = 4096;
 constexpr std::size_t part_bytes = std::size_t{256} * 1024;
-constexpr int kept_between = 3;  // newest checkpoints that are kept beside the regular ones
+constexpr int kept_between = 3;  // newest checkpoints that are kept in addition to the regular ones
 
 constexpr const char* schema = R"(
   CREATE TABLE meta(key TEXT PRIMARY KEY, value BLOB) WITHOUT ROWID;
@@ -29,7 +29,7 @@ constexpr const char* schema = R"(
   CREATE INDEX event_by_tick ON event(tick);
 )";
 
-/// Commits when all went well, else takes everything back.
+/// Runs `work` in a transaction. Commits it, or rolls it back if `work` throws.
 template <class Work>
 void in_one_go(SqliteDatabase& database, Work&& work) {
   database.execute("BEGIN");
@@ -40,14 +40,14 @@ void in_one_go(SqliteDatabase& database, Work&& work) {
     try {
       database.execute("ROLLBACK");
     } catch (const SqliteError&) {
-      // SQLite rolls back by itself on some errors, a full disk among them.
+      // After some errors, such as a full disk, SQLite has already rolled back.
     }
     throw;
   }
 }
 
-/// Sets write-ahead logging: a reader may look on, and a crash leaves a sound file. Another connection moves
-/// the log into the file (server/session/wal_mover.h): that waits for the disk.
+/// Sets write-ahead logging: others can read the file meanwhile, and a crash leaves it valid. Another
+/// connection moves the log into the file (server/session/wal_mover.h), since that waits for the disk.
 void configure(SqliteDatabase& database, std::uint64_t limit_bytes) {
   database.execute(
       "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=0; "
@@ -106,7 +106,7 @@ std::unique_ptr<JournalFile> JournalFile::reopen(const std::filesystem::path& fi
                                                  std::uint64_t limit_bytes) {
   auto database = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::write);
   configure(*database, limit_bytes);
-  // What a crash left of a checkpoint that was under way.
+  // Removes the parts of a checkpoint that a crash interrupted.
   database->execute("DELETE FROM checkpoint_part WHERE tick NOT IN (SELECT tick FROM checkpoint)");
   return std::unique_ptr<JournalFile>(new JournalFile(std::move(database)));
 }
@@ -114,7 +114,7 @@ std::unique_ptr<JournalFile> JournalFile::reopen(const std::filesystem::path& fi
 JournalFile::JournalFile(std::unique_ptr<SqliteDatabase> database) : database_(std::move(database)) {
   seal_ = std::stoull(answer(*database_, "SELECT value FROM meta WHERE key='seal'"), nullptr, 16);
   begin_reign();
-  // The file alone is a journal from now on, whatever becomes of its log.
+  // The file is a valid journal from now on, even if its log is lost.
   database_->execute("PRAGMA wal_checkpoint(TRUNCATE)");
 }
 
@@ -128,7 +128,7 @@ JournalFile::~JournalFile() {
   try {
     database_->execute("PRAGMA journal_mode=DELETE");
   } catch (const SqliteError&) {
-    // Somebody reads it, or the disk is full: the log stays beside the file, and both together are whole.
+    // A reader has the file open, or the disk is full. The log stays, and both together are complete.
   }
 }
 
@@ -176,8 +176,7 @@ bool JournalFile::write_part(WaitingCheckpoint& c) {
   return true;
 }
 
-/// Forgets checkpoints between the regular ones but the newest: they shorten a resume, and only the newest
-/// do.
+/// Deletes checkpoints between the regular ones, except for the newest: only these shorten a resume.
 void JournalFile::forget_old_checkpoints() {
   in_one_go(*database_, [&] {
     database_->execute(

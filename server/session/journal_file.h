@@ -1,5 +1,5 @@
 #pragma once
-// A journal's file as it is written: its tables, a batch of ticks at once, a checkpoint piece by piece.
+// The file of a journal that is written: its tables, batches of ticks, and checkpoints in parts.
 
 #include <array>
 #include <cstdint>
@@ -15,46 +15,47 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 14;
-/// Keys of the file's description, as they are sealed.
+inline constexpr std::uint64_t journal_version = 15;
+/// Keys of the file's description, in the order in which they are hashed.
 inline constexpr std::array journal_keys = {"format",  "scene_file", "scene_text", "session",  "content_hash",
                                             "choices", "identity",   "begins_at",  "beginning"};
 
 struct JournalHeader {
-  std::filesystem::path scene_file;  // absolute: what the scene names is found beside it
+  std::filesystem::path scene_file;  // absolute: files that the scene names are found relative to it
   std::string scene_text;
   std::string session;
-  ContentHash content_hash{};   // of the compiled scene
-  std::vector<Choice> choices;  // of bodies that were chosen by need: a replay takes them from here
-  std::uint64_t begins_at = 0;  // tick of the state that it begins with
+  ContentHash content_hash{};                // of the compiled scene
+  std::vector<Choice> choices;               // of bodies that were chosen by need: a replay uses these
+  std::uint64_t begins_at = 0;               // tick of the state that it begins with
   std::vector<std::uint8_t> beginning = {};  // that state; empty: the scene's
 };
 
-/// A state that is on its way into the file.
+/// A checkpoint that is being written to the file.
 struct WaitingCheckpoint {
   std::uint64_t tick = 0;
   std::vector<std::uint8_t> state;
-  std::size_t parts = 0;  // that are in the file
+  std::size_t parts = 0;  // parts that are in the file
 };
 
 class JournalFile {
  public:
-  /// Makes a new file, at most so large; 0: as large as the disk allows. Throws SqliteError.
+  /// Creates a new file of at most `limit_bytes`; 0: no limit but the disk. Throws SqliteError.
   static std::unique_ptr<JournalFile> create(const std::filesystem::path& file, const JournalHeader& header,
                                              std::uint64_t limit_bytes);
-  /// Opens one that has been read to its end. Throws SqliteError.
+  /// Opens a file that has been read to its end. Throws SqliteError.
   static std::unique_ptr<JournalFile> reopen(const std::filesystem::path& file, std::uint64_t limit_bytes);
-  /// Folds everything into one file.
+  /// Merges the write-ahead log into the file.
   ~JournalFile();
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  /// Returns how often the session was begun or gone on with: common/server_run.h.
+  /// Returns how often the session was started or resumed: see common/server_run.h.
   std::uint32_t reign() const { return reign_; }
 
-  /// Writes all of them or none: a file ends at a tick whose predecessors are all there. Throws SqliteError.
+  /// Writes all ticks of the batch or none: the predecessors of every tick in the file are in it, too. Throws
+  /// SqliteError.
   void write(const std::deque<JournalTick>& batch);
-  /// Writes one more part; returns true when the checkpoint is whole in the file. Parts are small, so that
+  /// Writes one more part; returns true when the checkpoint is complete in the file. Parts are small, so that
   /// ticks don't wait for a large state. Throws SqliteError.
   bool write_part(WaitingCheckpoint& checkpoint);
 

@@ -15,7 +15,7 @@ JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
   try {
     database_ = open_to_read(file);
     read_description();
-    // Rows that a damaged page hides would not be missed at the end.
+    // A damaged page may hide the last rows, whose absence would not be noticed otherwise.
     SqliteStatement check(*database_, "PRAGMA quick_check('tick')");
     if (!check.step() || check.text(0) != "ok") refuse(fmt::format("is damaged ({})", check.text(0)));
     if (no_log || damaged_log)
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> JournalReader::checkpoint_ticks() const {
     SqliteStatement query(*database_, "SELECT tick FROM checkpoint ORDER BY tick DESC");
     while (query.step()) out.push_back(query.number(0));
   } catch (const SqliteError&) {
-    // Those that could be listed.
+    // Returns the ticks that could be listed.
   }
   return out;
 }

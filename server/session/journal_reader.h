@@ -1,5 +1,5 @@
 #pragma once
-// A journal, read back: from any place that can be read, and no row is believed whose seal does not fit.
+// Reads a journal, also from media that can't be written. No row is used if its seal does not match.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,15 +20,15 @@ struct Checkpoint {
 
 class JournalReader {
  public:
-  /// Opens `file` to read. Throws InputError when it is no journal that this version reads, or damaged.
+  /// Opens `file` for reading. Throws InputError when it is not a journal of this version, or is damaged.
   explicit JournalReader(const std::filesystem::path& file);
 
   const JournalHeader& header() const { return header_; }
   const std::string& content_hash() const { return content_hash_; }  // hex, of the compiled scene
   std::uint64_t last_tick() const;                                   // 0: none
-  /// Returns what was read around, for people; empty when all is well.
+  /// Returns a message about missing or damaged data that was skipped; empty: none.
   const std::string& trouble() const { return trouble_; }
-  /// Returns the ticks of checkpoints, newest first; what they hold is proven by checkpoint().
+  /// Returns the ticks of checkpoints, newest first. checkpoint() verifies their data.
   std::vector<std::uint64_t> checkpoint_ticks() const;
   /// Returns the checkpoint; nothing when it is damaged.
   std::optional<Checkpoint> checkpoint(std::uint64_t tick) const;
@@ -36,10 +36,11 @@ class JournalReader {
   std::uint64_t state_hash(std::uint64_t tick) const;
   /// Returns a tick. Throws InputError when it is missing or damaged.
   JournalTick tick(std::uint64_t tick) const;
-  /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where one
-  /// is missing or damaged.
+  /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where a
+  /// tick is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;
-  /// Writes all of it to a new file, without a log beside it. Throws InputError when that can't be written.
+  /// Writes the whole journal to a new file, without a write-ahead log. Throws InputError when that can't be
+  /// written.
   void export_to(const std::filesystem::path& file) const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// What hands lost because their client stalled or its connection broke, so that they can have it back.
+// Remembers the bodies that hands lost because their client stalled or its connection broke, so that the
+// hands can grasp them again.
 
 #include <cstdint>
 #include <map>
@@ -18,18 +19,18 @@ class LostHolds {
     BodyId body = 0;
   };
 
-  /// Takes for how many ticks a loss is remembered.
+  /// Sets for how many ticks a loss is remembered.
   explicit LostHolds(std::uint64_t ticks) : ticks_(ticks) {}
 
-  /// Remembers what a hand lost at `tick`.
+  /// Stores the body that a hand lost at `tick`.
   void note(const HandRef& hand, BodyId body, std::uint64_t tick) { lost_[hand] = {body, tick}; }
-  /// Forgets a hand: its user opened it, or grasped something else.
+  /// Forgets the loss of a hand: its user opened it, or grasped something else.
   void forget(const HandRef& hand) { lost_.erase(hand); }
-  /// Returns the body that a hand which is back may have again, and forgets it; nullopt: none.
+  /// Returns the body that a returned hand may grasp again, and forgets it; nullopt: none.
   std::optional<BodyId> take(const HandRef& hand);
-  /// Returns what the hands of a participant lost.
+  /// Returns the losses of a participant's hands.
   std::vector<Lost> of(ParticipantId participant) const;
-  /// Forgets old losses, and those of bodies that another hand holds by now. Returns the latter.
+  /// Forgets old losses, and losses of bodies that a hand holds now. Returns the latter.
   std::vector<Lost> follow(std::span<const HandState> hands, std::uint64_t tick);
 
  private:

@@ -17,9 +17,9 @@
 #include "common/scene/load_scene.h"
 #include "common/session_name.h"
 #include "server/calibration/table_file.h"
-#include "server/physics/freed_memory.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/base/freed_memory.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
 #include "server/session/options.h"
 #include "server/session/place.h"
@@ -34,7 +34,7 @@ namespace prosector {
 namespace {
 
 std::atomic<bool> interrupted{false};  // the session ends
-std::atomic<bool> over{false};         // the run ends: so does the session, or another scene follows
+std::atomic<bool> over{false};         // the run ends: the session ends, or continues on another scene
 
 /// Ends the session.
 void end() {
@@ -56,7 +56,7 @@ CompileOptions sources(const ServerOptions& options) {
   return compile;
 }
 
-/// Returns how rungs are chosen: by what this machine is measured to do.
+/// Returns how rungs are chosen: by measurements on this machine.
 ChoiceOptions choosing(const ServerOptions& options) {
   const auto meter = std::make_shared<RungMeter>();
   return {.table_file = options.cache / "rungs.json",
@@ -70,13 +70,13 @@ std::unique_ptr<Simulation> compile(const SceneDesc& scene, const ServerOptions&
   return std::make_unique<Simulation>(scene, sources(options));
 }
 
-/// Compiles a scene with rungs that were chosen for it.
+/// Compiles a scene with the rungs that were chosen for it.
 ReadyScene ready(SceneDesc& scene, const std::vector<Choice>& choices, const ServerOptions& options) {
   adopt(choices, scene);
   return {choices, compile(scene, options)};
 }
 
-/// Says what the scene models, and at what cost.
+/// Prints what the scene models, and its cost.
 void describe(const Simulation& simulation) {
   const SceneDesc& scene = simulation.scene();
   Eigen::Index nodes = 0;
@@ -98,7 +98,7 @@ void tell_trouble(const JournalReader& journal) {
   if (!journal.trouble().empty()) say(journal.trouble());
 }
 
-/// Writes the whole of a journal as one file, proven tick by tick where it has arrived.
+/// Writes a whole journal as one file, and verifies that file tick by tick.
 void export_journal(const std::vector<std::filesystem::path>& from_to) {
   const JournalReader from(from_to[0]);
   tell_trouble(from);
@@ -113,7 +113,7 @@ void export_journal(const std::vector<std::filesystem::path>& from_to) {
                   damaged > 0 ? fmt::format(", {} of them damaged", damaged) : ""));
 }
 
-/// Takes a scene to the state that its journal begins with.
+/// Restores the state that the journal begins with.
 void begin_as_recorded(const JournalReader& journal, Simulation& simulation) {
   require_same_scene(journal, simulation);
   if (!journal.header().beginning.empty()) simulation.restore(journal.header().beginning);
@@ -139,19 +139,23 @@ int replay_journal(const ServerOptions& options) {
   });
   if (!result) {
     say(fmt::format("DIFFERENT: tick {} is the first whose state hash differs", *result.first_difference));
+    if (const auto& value = result.differing_value)
+      say(fmt::format("at the checkpoint of tick {} the first value that differs is: {}", value->tick,
+                      value->name));
     return 1;
   }
   say(fmt::format("equal: {} ticks, state hash {}", result.ticks, to_hex(result.last_hash)));
   return 0;
 }
 
-/// Lets a signal end the session in order. Before, while a scene is compiled, it ends the process at once.
+/// Makes signals end the session cleanly. Before, while a scene is compiled, a signal ends the process
+/// immediately.
 void end_session_on_signals() {
   std::signal(SIGINT, [](int) { end(); });
   std::signal(SIGTERM, [](int) { end(); });
 }
 
-/// Shows a recorded session to whoever joins.
+/// Plays a recorded session to the clients that join.
 void play_journal(const ServerOptions& options) {
   const JournalReader journal(options.play);
   const std::string session = options.session.empty() ? journal.header().session : options.session;
@@ -173,7 +177,7 @@ void play_journal(const ServerOptions& options) {
   if (rival) refuse_for(*rival, session);
 }
 
-/// Returns the journal's file beside `first` that is the first to be free: "demo-2.journal".
+/// Returns the first free file name that is numbered after `first`, in the same folder: "demo-2.journal".
 std::filesystem::path next_journal(const std::filesystem::path& first) {
   for (int number = 2;; ++number) {
     std::filesystem::path next = first;
@@ -191,14 +195,14 @@ void resume_journal(const JournalReader& journal, Simulation& simulation) {
   say(fmt::format("resumed at tick {}, state hash {}", simulation.time().tick, to_hex(result.last_hash)));
 }
 
-/// What a run is of, once and for all.
+/// Data of the hosted session that stay the same from run to run.
 struct Hosting {
   const ServerOptions& options;
   std::string scene_text;
   std::string session;
 };
 
-/// Opens the journal that a run writes to, if any. One that goes on with what was remodelled begins another
+/// Opens the journal that a run writes to, if any. A run that continues a remodelled session starts another
 /// file, with the state that was taken over.
 std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& scene, bool goes_on) {
   const ServerOptions& options = hosting.options;
@@ -213,7 +217,7 @@ std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& 
   if (!goes_on) return Journal::create(first, header, limits);
   header.begins_at = simulation.time().tick;
   try {
-    header.beginning = simulation.checkpoint();  // this run and one that restores it begin alike
+    header.beginning = simulation.checkpoint();  // this run and a restored one begin alike
   } catch (const InputError& error) {
     say(
         fmt::format("internal error: the state can't be saved; the session goes on without a journal. Please "
@@ -226,7 +230,7 @@ std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& 
   return Journal::create(file, header, limits);
 }
 
-/// Writes how a run went, for people and to the file that was asked for.
+/// Writes the figures of a run to the console, and to the requested file.
 void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulation& simulation,
             const Journal* journal) {
   const RunFigures f = loop.figures();
@@ -240,8 +244,8 @@ void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulati
     throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
 }
 
-/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0. `goes_on`: with
-/// what was taken over from another model of the scene.
+/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0. `goes_on`:
+/// continues with the state that was taken over from another model of the scene.
 void serve(const Hosting& hosting, ReadyScene& scene, bool goes_on, Remodeller& remodeller,
            std::unique_ptr<SessionWatch> watch, double seconds) {
   const ServerOptions& options = hosting.options;
@@ -267,7 +271,7 @@ void serve(const Hosting& hosting, ReadyScene& scene, bool goes_on, Remodeller& 
   sum_up(options, loop, simulation, journal.get());
 }
 
-/// Makes a scene anew when its files change, where that is asked for.
+/// Starts to reload the scene when its files change, if that is requested.
 std::unique_ptr<SceneReloader> reload_on_change(const ServerOptions& options, const SceneDesc& scene) {
   if (!options.watch) return nullptr;
   const auto load = [&] {
@@ -280,7 +284,7 @@ std::unique_ptr<SceneReloader> reload_on_change(const ServerOptions& options, co
       scene, options.data, SceneReloader::Hooks{.load = load, .ready = [] { over = true; }, .say = say});
 }
 
-/// Models bodies anew when the host wants them more or less accurate.
+/// Creates the remodeller, which changes the models of bodies at the host's request.
 std::unique_ptr<Remodeller> remodel_on_wish(const Hosting& hosting, const std::filesystem::path& file) {
   const ServerOptions& options = hosting.options;
   const auto described = [&options, &hosting, file] {
@@ -294,9 +298,8 @@ std::unique_ptr<Remodeller> remodel_on_wish(const Hosting& hosting, const std::f
                         .say = say});
 }
 
-/// Runs the session on one scene after the other, as the scene's files change or the host wants bodies
-/// modelled in another way. To clients each is a run of its own, as when a server was started again: who is
-/// there joins it by itself.
+/// Runs the session on one scene after the other, as the scene's files or the models of bodies change. To
+/// clients each is a new run, as after a restart of the server: they rejoin automatically.
 void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::unique_ptr<SessionWatch> watch) {
   const ServerOptions& options = hosting.options;
   const auto started = std::chrono::steady_clock::now();
@@ -323,7 +326,7 @@ void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::uniqu
   }
 }
 
-/// Warns where compiled meshes can't be kept.
+/// Warns if compiled meshes can't be cached.
 void warn_of_cache(const std::filesystem::path& cache) {
   std::error_code error;
   std::filesystem::create_directories(cache, error);
@@ -343,7 +346,7 @@ void host(const ServerOptions& options) {
   check_session_name(session);
   warn_of_cache(options.cache);
   std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
-  // A session that goes on keeps its rungs, whatever this machine would choose.
+  // A resumed session keeps its rungs, whatever this machine would choose.
   ReadyScene scene =
       ready(desc, past ? past->header().choices : choose_rungs(desc, choosing(options)), options);
   describe(*scene.simulation);
@@ -353,8 +356,8 @@ void host(const ServerOptions& options) {
   if (options.check) return;
 
   end_session_on_signals();
-  // Steps that wait for a compiler or a browser are late, and so is the journal's thread, which is as urgent;
-  // not being allowed is no error.
+  // A compiler or a browser must not delay steps, nor the journal's thread, which is as urgent. If raising
+  // the priority is not permitted, that is no error.
   setpriority(PRIO_PROCESS, 0, -5);
   const Hosting hosting{options, text, session};
   serve_while_it_changes(hosting, std::move(scene), std::move(watch));

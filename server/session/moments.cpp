@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t most_ranges = 16;  // that a person reads
+constexpr std::size_t most_ranges = 16;  // in a message to a user
 
 }  // namespace
 
@@ -19,8 +19,8 @@ void Moments::keep(std::uint64_t tick, std::vector<Revision> revisions, std::vec
   while (bytes_ > budget_ && moments_.size() > 2) thin_out();
 }
 
-/// Drops the one whose neighbours are nearest to each other, measured by its age: what remains lies ever
-/// farther apart the older it is.
+/// Drops the state whose neighbours are closest to each other, relative to its age. The older states are, the
+/// farther apart they stay.
 void Moments::thin_out() {
   const std::uint64_t now = moments_.back().tick;
   const auto spacing = [&](std::size_t i) {
@@ -53,7 +53,7 @@ std::string Moments::kept(BodyId body) const {
     }
   std::string out;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (ranges.size() > most_ranges && i == 1) {  // the newest say most
+    if (ranges.size() > most_ranges && i == 1) {  // the newest are the most useful
       i = ranges.size() - most_ranges + 1;
       out += ", …";
     }

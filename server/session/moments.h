@@ -1,5 +1,6 @@
 #pragma once
-// States that the host can go back to: one for every tick that changed a topology, as far as memory goes.
+// Saved states ("moments") to which the host can rewind: one for every tick that changed a topology, within a
+// memory budget.
 
 #include <cstdint>
 #include <memory>
@@ -15,22 +16,22 @@ inline constexpr std::size_t moments_budget = 256 * 1024 * 1024;  // bytes of st
 class Moments {
  public:
   using State = std::shared_ptr<const std::vector<std::uint8_t>>;
-  struct Revision {  // that a body got
+  struct Revision {  // a revision that a body reached
     BodyId body = 0;
     std::uint32_t revision = 0;
   };
 
   explicit Moments(std::size_t budget = moments_budget) : budget_(budget) {}
 
-  /// Keeps the state in which these bodies had just got these revisions, in order of ticks. Where states take
-  /// more than the budget, older ones give way where they are densest for their age; the first and the newest
-  /// stay.
+  /// Stores the state in which these bodies had just reached these revisions. Calls are in the order of
+  /// ticks. Beyond the budget, older states are dropped where they are densest for their age. The first and
+  /// the newest stay.
   void keep(std::uint64_t tick, std::vector<Revision> revisions, std::vector<std::uint8_t> state);
-  /// Returns the state; null: not kept.
+  /// Returns the state; null: not stored.
   State find(BodyId body, std::uint32_t revision) const;
-  /// Returns the first state that was kept; null: none.
+  /// Returns the first state that was stored; null: none.
   State first() const { return moments_.empty() ? nullptr : moments_.front().state; }
-  /// Returns, for people, which revisions of a body there are states of: "0, 3 to 7 and 9".
+  /// Returns, as text, the revisions of a body of which states are stored: "0, 3 to 7 and 9".
   std::string kept(BodyId body) const;
   std::size_t bytes() const { return bytes_; }
 

@@ -65,10 +65,10 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   auto* resume = app.add_option("--resume", o.resume, "Go on where a journal ends, in the same file");
   auto* play =
       app.add_option("--play", o.play, "Show a journal's session to whoever joins: they seek, stop, step");
-  watch->excludes(journal)->excludes(replay)->excludes(resume)->excludes(play);  // a journal is of one scene
+  watch->excludes(journal)->excludes(replay)->excludes(resume)->excludes(play);  // one scene per journal
   play->type_name("FILE")->group(record)->excludes(journal)->excludes(replay)->excludes(resume)->excludes(
       scene);
-  play->excludes(summary)->excludes(check);  // of a session that runs
+  play->excludes(summary)->excludes(check);  // only for live sessions
   replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 

@@ -1,5 +1,5 @@
 #pragma once
-// How simulated time goes by, as the host has it: at a share of real time, tick by tick, or not at all.
+// Pace of simulated time, which the host sets: a share of real time, tick by tick, or stopped.
 
 #include <cstdint>
 
@@ -10,27 +10,27 @@ namespace prosector {
 
 class Pacing {
  public:
-  /// Takes the most that may be asked for, simulated seconds a real one.
+  /// Sets the largest pace that may be requested, simulated seconds per real second.
   explicit Pacing(double most = 1) : most_(most) {}
 
-  /// Obeys set_pace and step_ticks. Refuses other than the host, and what is out of bounds.
+  /// Executes set_pace and step_ticks. Refuses senders other than the host, and values out of bounds.
   Refusal obey(const Command& command, Role role);
-  /// Lets the next tick run though time stands still.
+  /// Runs the next tick even if time is stopped.
   void run_one_tick() { steps_ += stands() ? 1 : 0; }
 
-  /// Lets time run at this pace from now on, 0: not at all, whoever had it otherwise.
+  /// Sets the pace from now on, whatever the host set before; 0: stopped.
   void set(double pace) { pace_ = pace, steps_ = 0; }
 
-  /// Returns simulated seconds a real one.
+  /// Returns simulated seconds per real second.
   double pace() const { return pace_; }
-  /// Tells whether no tick is due until the host asks for one.
+  /// Returns whether time is stopped and the host has requested no tick.
   bool stands() const { return pace_ == 0 && steps_ == 0; }
-  /// Takes that a tick was run.
+  /// Counts a tick that was run.
   void finish_tick() { steps_ -= pace_ == 0 && steps_ > 0 ? 1 : 0; }
 
  private:
   double most_, pace_ = 1;
-  std::uint32_t steps_ = 0;  // ticks still to run while time stands still
+  std::uint32_t steps_ = 0;  // ticks still to run while time is stopped
 };
 
 }  // namespace prosector

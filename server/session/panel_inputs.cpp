@@ -10,11 +10,11 @@
 namespace prosector {
 namespace {
 
-constexpr double head_step = 0.01;  // m that a head moves before it is worth telling
-constexpr double head_turn = 0.05;  // the same of the change of the direction that it faces
+constexpr double head_step = 0.01;  // m: smaller movements of a head are not passed on
+constexpr double head_turn = 0.05;  // smaller changes of a head's unit direction are not passed on
 
-/// Returns the level unit vector of the direction that a head faces, however steeply it looks; zero if it
-/// lies on its side.
+/// Returns the horizontal unit vector of the direction that a head faces, also when it looks steeply up or
+/// down; zero if it lies on its side.
 Vec3 direction_ahead(const Pose& head) {
   const Vec3 level = Vec3::UnitY().cross(head.q * Vec3::UnitX());
   return level.norm() > 0.1 ? Vec3(level.normalized()) : Vec3::Zero();
@@ -51,7 +51,7 @@ void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands)
     moved_.push_back({who, thing, true, input.held[k].pose});
     held_[{who, thing}] = 0;
   }
-  if (!has_hands) told_.erase(who);  // the simulation forgets it, too
+  if (!has_hands) told_.erase(who);  // the simulation forgets the head, too
   if (!input.head_tracked || !has_hands) return;
   const HeadPlace head{who, input.head.p, direction_ahead(input.head)};
   const auto [told, is_new] = told_.try_emplace(who, head);

@@ -6,7 +6,7 @@
 namespace prosector {
 namespace {
 
-constexpr double least_move = 1e-3;  // of a control's way
+constexpr double least_move = 1e-3;  // of a control's range
 
 bool same(const Panel& a, const Panel& b) {
   if (a.body != b.body || a.pose.p != b.pose.p || a.pose.q.coeffs() != b.pose.q.coeffs()) return false;

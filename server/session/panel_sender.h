@@ -1,6 +1,6 @@
 #pragma once
-// Which panels travel this tick, and whether the room's light and pace do: what changed. Both stay for late
-// joiners.
+// Selects the panels to send this tick, and decides whether to send the room's light and pace: those that
+// changed. Late joiners receive the last samples of both.
 
 #include <map>
 #include <vector>
@@ -11,7 +11,8 @@ namespace prosector {
 
 class PanelSender {
  public:
-  /// Appends what changed since the last call; what closed goes to `ended`, for its instance to end.
+  /// Appends the changes since the last call. Closed panels go to `ended`, so that their instances are
+  /// disposed of.
   void update(const Snapshot& now, std::vector<Message>& out, std::vector<Message>& ended);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// PartState: what people made of each body and who holds it, whenever that changes.
+// Sends PartState, what users made of each body and which hands hold it, whenever that changes.
 
 #include <vector>
 
@@ -10,8 +10,7 @@ namespace prosector {
 
 class PartSender {
  public:
-  /// Returns the states that differ from what was last taken; for bodies that nobody ever changed or held,
-  /// none.
+  /// Returns the states that changed since the last call. A body that was never changed or held has none.
   std::vector<Outgoing> take(const Simulation& simulation);
 
  private:
@@ -20,7 +19,7 @@ class PartSender {
     std::vector<HandRef> holders;
     bool operator==(const Told&) const = default;
   };
-  std::vector<Told> told_;  // by body; those who know nothing take a body to be as a Told{} has it
+  std::vector<Told> told_;  // by body; clients without a PartState assume `Told{}`
 };
 
 }  // namespace prosector

@@ -10,10 +10,11 @@
 namespace prosector {
 namespace {
 
-constexpr std::chrono::milliseconds time_to_find{600};  // a server that runs is heard in half of it
-constexpr std::chrono::seconds time_to_yield{10};  // in which servers that started together find each other
+constexpr std::chrono::milliseconds time_to_find{600};  // a running server is discovered in half of that time
+constexpr std::chrono::seconds time_to_yield{10};       // time to discover servers that started together
 
-/// Returns the first free place among this host's servers, after making sure that nobody hosts this session.
+/// Returns settings with the first free server index of this host, after making sure that no other server
+/// hosts this session.
 BusConfig find_place(const ServerOptions& options, const std::string& session, const SessionWatch& watch) {
   if (const auto other = watch.other(time_to_find))
     throw InputError(fmt::format(
@@ -28,7 +29,7 @@ BusConfig find_place(const ServerOptions& options, const std::string& session, c
   return config;
 }
 
-/// Returns what a client has to be told beside the session's name.
+/// Returns the options that a client needs besides the session's name.
 std::string more_words(const BusConfig& config) {
   std::string more = config.domain != 0 ? fmt::format(" --domain {}", config.domain) : "";
   if (config.profile == "lan") more += " --lan";
@@ -57,7 +58,7 @@ std::unique_ptr<SessionWatch> watch_for_others(const ServerOptions& options, con
   return std::make_unique<SessionWatch>(config);
 }
 
-// Somebody may take the place between finding it and opening it.
+// Another server may take the index between finding and opening it; then the next one is tried.
 std::unique_ptr<Bus> open_bus(const ServerOptions& options, const std::string& session,
                               const SessionWatch& watch, BusConfig& place) {
   constexpr int tries = 3;

@@ -1,5 +1,5 @@
 #pragma once
-// The place of a session on the network: that nobody else hosts it, and how people find it.
+// The place of a session on the network: ensures that only one server hosts it, and describes how to join.
 
 #include <functional>
 #include <memory>
@@ -11,23 +11,23 @@
 
 namespace prosector {
 
-/// Listens for other servers of the session, while the scene is compiled: both take their time.
+/// Listens for other servers of the session while the scene is compiled, since both take time.
 std::unique_ptr<SessionWatch> watch_for_others(const ServerOptions& options, const std::string& session);
 
-/// Opens the network and says where in `place`. Throws InputError when somebody hosts this session, or no
-/// place is left.
+/// Opens the network, and sets `place` to its settings. Throws InputError when another server hosts this
+/// session, or no server index is free.
 std::unique_ptr<Bus> open_bus(const ServerOptions& options, const std::string& session,
                               const SessionWatch& watch, BusConfig& place);
 
-/// Calls `yield` when it turns out that another server, which started at the same moment, hosts the session.
+/// Calls `yield` when another server, which started at the same moment, turns out to host the session.
 void guard_place(SessionWatch& watch, std::uint64_t server_run,
                  const std::function<void(const SessionInfo& other)>& yield);
-/// Throws InputError that says so.
+/// Throws InputError with a message about the other server.
 [[noreturn]] void refuse_for(const SessionInfo& rival, const std::string& session);
 
-/// Returns the lines that tell people how to come.
+/// Returns lines of text that describe how to join.
 std::string how_to_join(const BusConfig& config);
-/// Returns the same of a recorded session, in which nobody takes part.
+/// Returns lines of text that describe how to watch a recorded session, in which nobody participates.
 std::string how_to_watch(const BusConfig& config);
 
 }  // namespace prosector

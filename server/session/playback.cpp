@@ -19,9 +19,8 @@ namespace {
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::int64_t status_period_ns = second_ns / 10;
 constexpr std::int64_t picture_period_ns =
-    second_ns / 75;  // a faster pace shows fewer ticks, not more pictures
-constexpr std::int64_t way_ns =
-    30'000'000;  // of ticks on the way to another time, between two looks at the bus
+    second_ns / 75;                          // a faster pace publishes fewer of its ticks, not more snapshots
+constexpr std::int64_t way_ns = 30'000'000;  // longest run of ticks of a seek between two polls of the bus
 
 SessionRules rules_for(const Simulation& simulation, const std::string& session) {
   SessionRules rules = rules_of(simulation.scene(), session);
@@ -86,7 +85,7 @@ void Playback::turn() {
   if (!way_to_) offer_snapshot(news);
 }
 
-/// Takes what people say. Returns whether there is news for them.
+/// Processes received messages. Returns whether there is news to publish.
 bool Playback::hear() {
   bus_.take(received_);
   (void)session_.consume(received_, ++turns_);
@@ -104,7 +103,8 @@ void Playback::begin_with_the_first() {
   session_.set_pace(1);
 }
 
-/// Begins the way to where somebody wants to go; whoever lets time run at the end begins again.
+/// Begins a seek that a viewer requested. If time is started again at the end, playback seeks to the
+/// beginning.
 void Playback::take_wishes() {
   std::optional<std::uint64_t> wish = session_.take_seek();
   if (!wish && !way_to_ && begun_ && session_.pacing().pace() > 0 && player_.tick() >= player_.last_tick())
@@ -133,7 +133,8 @@ std::vector<Outgoing> Playback::play_tick() {
   return out;
 }
 
-/// Runs ticks that nobody sees, for a moment; says what has changed when it is there.
+/// Runs ticks of a seek without publishing them, for up to `way_ns`. Returns the changes when the seek is
+/// complete.
 std::vector<Outgoing> Playback::go_on_the_way() {
   const std::int64_t until = monotonic_ns() + way_ns;
   while (player_.tick() < *way_to_ && !player_.at_end() && monotonic_ns() < until) player_.step();
@@ -141,8 +142,8 @@ std::vector<Outgoing> Playback::go_on_the_way() {
   return there ? arrive() : std::vector<Outgoing>();
 }
 
-/// Says all that is otherwise at this time of the recording than at the one that was left. To clients it is
-/// an epoch of its own, as after a rewind.
+/// Returns messages for everything that differs from the time before the seek. Clients get a new epoch, as
+/// after a rewind.
 std::vector<Outgoing> Playback::arrive() {
   const double rate = simulation_.scene().tick_rate;
   if (way_to_)
@@ -159,7 +160,7 @@ std::vector<Outgoing> Playback::arrive() {
   return out;
 }
 
-/// Tells who came, who left and who has another role at this time of the recording.
+/// Appends the changes of the roster between the previous and the present time of the recording.
 void Playback::meet_people(std::vector<Outgoing>& out) {
   Roster now = index_.people_at(player_.tick());
   for (const auto& [id, member] : people_.members())
@@ -182,7 +183,7 @@ std::vector<Outgoing> Playback::words_of_bodies() {
   return out;
 }
 
-/// Lets time stand at the end. Returns whether it ran.
+/// Stops time at the end of the recording. Returns whether it was running.
 bool Playback::stand_at_the_end() {
   if (way_to_ || !player_.at_end()) return false;
   if (player_.differs() && !std::exchange(told_difference_, true))
@@ -194,7 +195,7 @@ bool Playback::stand_at_the_end() {
   return ran;
 }
 
-/// Offers what is to be seen now, no oftener than screens show it.
+/// Publishes the present state, at most as often as displays show it.
 void Playback::offer_snapshot(bool news) {
   const std::int64_t now = monotonic_ns();
   const bool status_due = now - status_ns_ >= status_period_ns;

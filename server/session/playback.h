@@ -1,7 +1,7 @@
 #pragma once
-// A recorded session, shown to whoever joins: its ticks are run again and told as those of a live session
-// are, with the people who were there. Who watches joins as an observer, and has time in hand: the pace,
-// steps, and any other moment.
+// Plays back a recorded session: runs its ticks again and publishes them as those of a live session, with the
+// recorded participants. Viewers join as observers. They control time: the pace, single steps, and jumps to
+// any tick.
 
 #include <atomic>
 #include <cstdint>
@@ -23,20 +23,20 @@ namespace prosector {
 
 class Playback {
  public:
-  /// What is played, and how it was compiled.
+  /// The journal to play, and the simulation that was compiled from it.
   struct Source {
     const JournalReader& journal;
-    Simulation& simulation;  // at its beginning
+    Simulation& simulation;  // at the journal's beginning
   };
-  /// Reads the whole journal, and announces the session on the bus. All outlive the playback. `say` gets
-  /// lines for people. Throws InputError when the journal is damaged or of another scene or build.
+  /// Reads the whole journal, and announces the session on the bus. All arguments outlive the playback. `say`
+  /// gets lines of text. Throws InputError when the journal is damaged or of another scene or build.
   Playback(const Source& source, Bus& bus, const std::string& session,
            std::function<void(const std::string&)> say);
 
-  /// Hears what people say, and goes on by a tick, or on the way to where they want to go. Time begins when
-  /// somebody comes, and stands at the end.
+  /// Processes received messages, and runs a tick, or some ticks of a seek. Time starts when the first viewer
+  /// joins, and stops at the end.
   void turn();
-  /// Takes turns at the pace that people have it until `stop`, or for `seconds` of wall time when above 0.
+  /// Runs turns at the pace that viewers set until `stop`, or for `seconds` of wall time when above 0.
   /// `each_second` gets a line for the console.
   void run(const std::atomic<bool>& stop, double seconds,
            const std::function<void(const std::string&)>& each_second);
@@ -59,18 +59,18 @@ class Playback {
   StepMeter meter_;
   std::map<std::string, Prospect> expected_;
   BodyMeter body_meter_;
-  std::size_t metered_;  // bodies
+  std::size_t metered_;  // number of bodies in body_meter_
   PartSender parts_;
-  Roster people_;  // who is there at this time of the recording
+  Roster people_;  // recorded participants at the present tick
   std::optional<std::uint64_t> way_to_;
-  std::uint32_t epoch_shift_ = 0;  // from the simulation's epochs to those that clients are told
-  std::uint32_t epoch_left_ = 0;   // that clients were told last before the way began
+  std::uint32_t epoch_shift_ = 0;  // added to the simulation's epoch for clients
+  std::uint32_t epoch_left_ = 0;   // epoch last sent to clients before the seek began
   std::uint64_t turns_ = 0;
   bool begun_ = false, told_difference_ = false;
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::int64_t offered_ns_ = 0, status_ns_ = 0, way_begun_ns_ = 0;
-  Publisher publisher_;  // last: its thread ends before what it reads
+  Publisher publisher_;  // last member: its thread ends before the data that it reads
 
   bool hear();
   void begin_with_the_first();

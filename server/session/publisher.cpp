@@ -6,8 +6,8 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t max_waiting_snapshots = 2;
-constexpr std::chrono::milliseconds felt_interval{5};   // between repeats
-constexpr std::chrono::milliseconds longest_felt{250};  // then what was felt is no sign of life any more
+constexpr std::chrono::milliseconds felt_interval{5};   // between repeats of contact planes
+constexpr std::chrono::milliseconds longest_felt{250};  // older planes are not repeated: ticks have stopped
 
 }  // namespace
 

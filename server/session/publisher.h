@@ -1,12 +1,12 @@
 #pragma once
-// Snapshots as samples, on a thread of its own: whatever the network does, the step never waits.
+// Publishes snapshots as samples on a separate thread: the step never waits for the network.
 //
-// What must arrive (answers, roster) is queued without loss; snapshots are a queue of two, from which the
-// stale one is dropped. What is sent of a snapshot depends on what was sent before, not on the snapshots
-// between, so a dropped one loses nothing but time.
+// Messages that must arrive (answers, roster) are queued without loss. Snapshots are in a queue of two, from
+// which the older one is dropped. The samples of a snapshot depend on what was sent before, not on the
+// snapshots in between, so a dropped one loses nothing but time.
 //
-// What hands with an arm feel is sent again and again until there is something newer. So a lost message is
-// made up for within milliseconds, and an arm soon knows that the server is gone.
+// Contact planes for haptic arms are sent repeatedly until there are newer ones. So a lost message is
+// replaced within milliseconds, and an arm soon detects that the server is gone.
 
 #include <chrono>
 #include <condition_variable>
@@ -35,10 +35,10 @@ struct PublisherCounters {
 
 class Publisher {
  public:
-  /// Publishes the session, the scene, its assets and the topology log, in this order, before any state.
+  /// Publishes the session, the scene, the topology log and the assets, in this order, before any state.
   /// `bus` and `content` outlive the publisher.
   Publisher(Bus& bus, const SessionInfo& info, const SceneContent& content);
-  /// Sends what is queued, takes the session off the network, and ends.
+  /// Sends what is queued, removes the session from the network, and ends the thread.
   ~Publisher();
   Publisher(const Publisher&) = delete;
   Publisher& operator=(const Publisher&) = delete;
@@ -60,7 +60,7 @@ class Publisher {
   PanelSender panels_;
   bool newcomer_ = false;
   std::vector<FeltPlanes> felt_;                        // of the newest snapshot
-  std::chrono::steady_clock::time_point felt_at_ = {};  // when it was sent first
+  std::chrono::steady_clock::time_point felt_at_ = {};  // when felt_ was first sent
 
   mutable std::mutex mutex_;
   std::condition_variable wake_, idle_;

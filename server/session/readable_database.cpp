@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, gone at the end.
+/// A new temporary folder, which the destructor removes.
 struct TemporaryFolder {
   fs::path path;
   TemporaryFolder() {
@@ -21,8 +21,8 @@ struct TemporaryFolder {
   }
 };
 
-/// Opens a copy. A log that nobody can work off where it lies is worked off beside the copy, which stays
-/// readable while it is open, though its name goes.
+/// Opens a copy. The write-ahead log can't be merged where it is stored, so it is merged into the copy. The
+/// copy stays readable while it is open, although its folder is removed.
 std::unique_ptr<SqliteDatabase> open_copy(const fs::path& file, const fs::path& log) {
   const TemporaryFolder folder;
   const fs::path copy = folder.path / "journal";
@@ -45,7 +45,7 @@ std::unique_ptr<SqliteDatabase> open_to_read(const fs::path& file) {
     database->execute("SELECT 1 FROM sqlite_schema");
     return database;
   } catch (const SqliteError&) {
-    // No database, or no place for SQLite's locks beside it: only the latter has another way.
+    // Not a database, or no write access for SQLite's locks: only the latter is handled below.
   }
   database.reset();
   const fs::path log = file.string() + "-wal";

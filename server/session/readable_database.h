@@ -1,5 +1,6 @@
 #pragma once
-// Opens a SQLite file wherever it lies: on a medium that can't be written, or in somebody else's folder.
+// Opens a SQLite file for reading wherever it is stored: also on a read-only medium, or in a folder without
+// write access.
 
 #include <filesystem>
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace prosector {
 
-/// Opens the file to read. Throws SqliteError when there is no way to read it.
+/// Opens the file for reading. Throws SqliteError when it can't be read.
 std::unique_ptr<SqliteDatabase> open_to_read(const std::filesystem::path& file);
 
 }  // namespace prosector

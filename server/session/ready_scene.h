@@ -1,5 +1,5 @@
 #pragma once
-// A scene that can be hosted.
+// A compiled scene that is ready to be hosted.
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace prosector {
 
 struct ReadyScene {
-  std::vector<Choice> choices;  // of bodies that are not modelled as the scene's text says
+  std::vector<Choice> choices;  // of bodies whose model differs from the scene's text
   std::unique_ptr<Simulation> simulation;
 };
 

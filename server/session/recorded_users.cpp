@@ -3,9 +3,9 @@
 namespace prosector {
 namespace {
 
-constexpr double least_distance = 0.01;  // m from the eyes to what they look at
+constexpr double least_distance = 0.01;  // m from the eyes to their target
 
-/// Returns eyes at `from` that look at `target`, upright.
+/// Returns the pose of an upright head with its eyes at `from`, looking at `target`.
 Pose look_at(const Vec3& from, const Vec3& target) {
   const Vec3 back = from - target;
   if (back.norm() < least_distance) return {from, Quat::Identity()};

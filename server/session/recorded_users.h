@@ -1,5 +1,5 @@
 #pragma once
-// The people of a recorded session, as clients are told where they are.
+// States of the users of a recorded session, as published to clients.
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace prosector {
 
-/// Returns everyone of `people` who took part, as the simulation has their hands. A journal keeps where eyes
-/// are, not where they look: the head is turned to the hands. Who has no hands in the room, or whose eyes are
-/// not known, has no head. Times are the simulation's.
+/// Returns the state of every participant of `people`, with its simulated hands. A journal stores the
+/// positions of eyes, but not their direction: the head is turned to the hands. A user without hands in the
+/// room, or with an unknown position of the eyes, has no head. Times are the simulation's.
 std::vector<UserState> recorded_users(const Simulation& simulation, const Roster& people,
                                       const RecordingIndex& index);
 

@@ -8,9 +8,10 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint64_t least_marks_apart = 60;  // ticks, of one kind and person
+constexpr std::uint64_t least_marks_apart = 60;  // ticks between marks of one kind and person
 
-/// Lets go of whoever has the name: who comes under it has taken their place, for instance after a crash.
+/// Removes the member with that name: a new one with the same name has replaced it, for instance after a
+/// crash.
 void make_room(Roster& roster, const std::string& name) {
   for (const auto& [id, member] : roster.members())
     if (member.presence.name == name) {
@@ -79,7 +80,7 @@ void RecordingIndex::take_topology(const JournalTick& tick) {
   }
 }
 
-/// Adds a mark, unless one like it is just before it: a stroke makes a revision a tick.
+/// Adds a mark, unless there is an equal one shortly before it: a stroke makes a revision in each tick.
 void RecordingIndex::mark(std::uint64_t tick, MarkKind kind, const std::string& who) {
   for (auto before = marks_.rbegin(); before != marks_.rend(); ++before) {
     if (tick - before->tick >= least_marks_apart) break;

@@ -1,6 +1,6 @@
 #pragma once
-// What a journal tells of a session without being run: who was there when, where their eyes were, what
-// happened. Made in one pass, which proves every tick's seal.
+// Index of a journal, which does not need to be run: participants, positions of their eyes, and events over
+// time. Made in one pass, which verifies every tick's seal.
 
 #include <cstdint>
 #include <functional>
@@ -16,22 +16,22 @@ namespace prosector {
 
 class RecordingIndex {
  public:
-  /// Reads the journal to its end. `progress` hears of each tick; may be empty. Throws InputError when a tick
-  /// is missing or damaged, or there is none.
+  /// Reads the journal to its end. `progress` is called with each tick; may be empty. Throws InputError when
+  /// a tick is missing or damaged, or there is none.
   RecordingIndex(const JournalReader& journal, const std::function<void(std::uint64_t tick)>& progress);
 
   std::uint64_t last_tick() const { return last_tick_; }
-  /// Returns what clients are told: marks of one kind and person that are closer than can be seen are one.
+  /// Returns the description of the recording for clients, with at most max_recording_marks of its marks.
   Recording recording() const;
-  /// Returns who took part or watched at the end of `tick`, with the colours that they had.
+  /// Returns the participants and observers at the end of `tick`, with their colours.
   Roster people_at(std::uint64_t tick) const;
-  /// Returns where a person's eyes were at the end of `tick`, m, world frame; nullopt: not known.
+  /// Returns the position of a person's eyes at the end of `tick`, m, world frame; nullopt: not known.
   std::optional<Vec3> head_at(ParticipantId who, std::uint64_t tick) const;
   /// Returns the first revision of a piece that was cut off; null: no such piece.
   const TopologyRevision* beginning_of(BodyId piece) const;
 
  private:
-  struct Coming {  // or going
+  struct Coming {  // a join, a leave, or a change of role
     std::uint64_t tick = 0;
     SessionEvent event;
   };

@@ -41,7 +41,7 @@ void RecordingPlayer::approach(std::uint64_t tick) {
     difference_ = this->tick();
 }
 
-/// Takes the recorded state of this tick, where it is known: from here on it is exact again.
+/// Restores the recorded state of this tick, if it is known: from here on playback is exact again.
 bool RecordingPlayer::meet_known_state() {
   const auto kept = kept_.find(tick());
   std::optional<Checkpoint> checkpoint;
@@ -52,7 +52,7 @@ bool RecordingPlayer::meet_known_state() {
   return true;
 }
 
-/// Returns the state from which the fewest ticks are left to run; empty: the present one.
+/// Returns the known state from which the fewest ticks remain to be run; empty: the present one.
 RecordingPlayer::State RecordingPlayer::state_before(std::uint64_t tick) {
   const bool can_go_on = this->tick() <= tick && !differs();
   const auto before = [&](std::uint64_t known) {
@@ -69,7 +69,7 @@ RecordingPlayer::State RecordingPlayer::state_before(std::uint64_t tick) {
   return can_go_on ? State() : beginning_;
 }
 
-/// Keeps the present state. Those that come often enough to fill the memory are thinned out.
+/// Stores the present state. Beyond the memory budget, every second stored state is dropped.
 void RecordingPlayer::keep(State state) {
   const auto [at, is_new] = kept_.try_emplace(tick(), std::move(state));
   if (!is_new) return;

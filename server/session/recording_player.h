@@ -1,7 +1,7 @@
 #pragma once
-// Runs a recorded session, and goes to any of its ticks: from the nearest state before it that is known, the
-// journal's inputs are run again. Every state hash is compared with the recorded one. The journal is only
-// read.
+// Runs a recorded session, and seeks to any of its ticks: it restores the nearest known state before the
+// tick, and runs the journal's inputs from there. Every state hash is compared with the recorded one. The
+// journal is only read.
 
 #include <cstdint>
 #include <map>
@@ -17,31 +17,33 @@ namespace prosector {
 
 class RecordingPlayer {
  public:
-  // States are kept of ticks that were passed, so that they are near another time. Where they take more than
-  // this, each second one gives way.
+  // States of passed checkpoints are stored, so that a seek starts near its target. When they take more than
+  // this, every second one is dropped.
   static constexpr std::size_t kept_budget = 256 * 1024 * 1024;  // bytes
 
-  /// Takes a simulation at its beginning; both outlive the player. Throws InputError when the simulation was
-  /// not compiled from what the journal recorded.
+  /// Prepares playback with a simulation at its beginning; both arguments outlive the player. Throws
+  /// InputError when the simulation was not compiled from what the journal recorded.
   RecordingPlayer(const JournalReader& journal, Simulation& simulation);
 
   std::uint64_t tick() const { return simulation_.time().tick; }
   std::uint64_t last_tick() const { return last_tick_; }
-  /// Tells whether the next tick can't be run: there is none, or the last one differs from the recorded one.
+  /// Returns whether the next tick can't be run: there is none, or the last one differs from the recorded
+  /// one.
   bool at_end() const { return tick() >= last_tick_ || differs(); }
-  /// Tells whether the state that is shown is not the recorded one: another build or machine ran it.
+  /// Returns whether the present state is not the recorded one: another build or machine ran the recording.
   bool differs() const { return difference_.has_value(); }
   /// Returns the tick that differs.
   std::optional<std::uint64_t> difference() const { return difference_; }
 
-  /// Tells whether the beginning was gone back to and no known state was met since. A scene's first ticks run
-  /// on caches that compiling made; after a restore the last bits may differ, so hashes are not compared.
+  /// Returns whether playback went back to the beginning and has met no known state since. A scene's first
+  /// ticks run on caches from its compilation. After a restore the last bits may differ, so hashes are not
+  /// compared.
   bool is_near_enough() const { return near_enough_; }
 
-  /// Runs the next tick. Throws InputError when it can't be read any more.
+  /// Runs the next tick. Throws InputError when it can't be read.
   const StepReport& step();
-  /// Goes as near before `tick` as a known state is, unless it is nearer already. The ticks that are left are
-  /// the caller's to run.
+  /// Restores the known state that is nearest before `tick`, unless the present state is nearer. The caller
+  /// runs the remaining ticks.
   void approach(std::uint64_t tick);
 
  private:

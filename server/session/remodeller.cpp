@@ -16,21 +16,21 @@
 namespace prosector {
 namespace {
 
-constexpr int gives_way = 10;  // of a nice value
+constexpr int gives_way = 10;  // nice value of the thread
 
-/// Returns the choices with that one in place of the body's earlier one.
+/// Returns the choices with `choice` in place of the body's earlier one.
 std::vector<Choice> with(std::vector<Choice> choices, const Choice& choice) {
   std::erase_if(choices, [&](const Choice& c) { return c.body == choice.body; });
   choices.push_back(choice);
   return choices;
 }
 
-/// Thrown out of a proof that something else comes before.
+/// Thrown to interrupt a verification for a more urgent task.
 struct PutOff {};
 
-/// Tells whether a proof changed what is chosen, or what is told of it.
+/// Returns whether a verification changed the choice, or its expected error by more than a tenth.
 bool differ(const Choice& told, const Choice& proved) {
-  constexpr double alike = 0.1;  // of the error
+  constexpr double alike = 0.1;  // of the error: smaller changes don't count
   return !(told.rung == proved.rung) || told.cell != proved.cell || told.grade != proved.grade ||
          std::abs(proved.expected.error - told.expected.error) > alike * told.expected.error;
 }
@@ -74,8 +74,8 @@ std::optional<ReadyScene> Remodeller::take() {
 }
 
 void Remodeller::run(const std::stop_token& stop) {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), gives_way);  // not being allowed is no error
-  tbb::task_arena alone(1);  // the session's threads are the session's
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), gives_way);  // failure is no error
+  tbb::task_arena alone(1);  // the other threads are left to the session
   std::unique_lock lock(mutex_);
   while (asked_.wait(lock, stop, [&] { return !wishes_.empty() || unproved_; })) {
     if (wishes_.empty()) {
@@ -94,8 +94,8 @@ void Remodeller::run(const std::stop_token& stop) {
   }
 }
 
-/// Proves what the scene's bodies were chosen by, which is kept, and says what it changes. Puts that off
-/// while there are wishes.
+/// Verifies the choices for the scene's bodies and reports what changes; the results are cached. Postponed
+/// while there are requests.
 void Remodeller::prove(const std::stop_token& stop) {
   ChoiceOptions options = hooks_.choosing;
   options.sources.progress = {};
@@ -104,7 +104,7 @@ void Remodeller::prove(const std::stop_token& stop) {
     if (!wishes_.empty()) unproved_ = true;
     if (unproved_ || stop.stop_requested()) throw PutOff{};
   };
-  RungTable measured;  // what the kept table lacks: both choices are by the same
+  RungTable measured;  // rows that the cached table lacks: both choices use the same ones
   options.measure = [&](const RungTrial& trial) {
     if (const RungFigures* known = measured.find(trial)) return *known;
     options.before_step();
@@ -131,7 +131,7 @@ void Remodeller::prove(const std::stop_token& stop) {
   }
 }
 
-/// Finds what the body can have and makes what was wished, or says why not.
+/// Finds the errors and costs that the body can have, and remodels it as requested, or returns why not.
 AccuracyAnswer Remodeller::answer(const AccuracyWish& wish) {
   AccuracyAnswer out{wish, {}};
   std::vector<Choice> choices;
@@ -163,7 +163,7 @@ AccuracyAnswer Remodeller::answer(const AccuracyWish& wish) {
   return out;
 }
 
-/// Compiles the scene with that choice. Returns what to say of it.
+/// Compiles the scene with that choice. Returns a message about the result.
 std::string Remodeller::remodel(const AccuracyWish& wish, const SceneDesc& scene, const Choice& choice,
                                 std::vector<Choice> choices) {
   choices = with(std::move(choices), choice);

@@ -1,7 +1,7 @@
 #pragma once
-// A session's bodies modelled in other ways while it runs: ways are tried and the scene is compiled beside
-// it, on a thread that gives way to the session. That thread also proves, while nobody wishes for anything,
-// what was chosen when the scene was loaded; from the next start on bodies are modelled by what it finds.
+// Changes the models of a session's bodies while it runs. Trials and the compilation of the scene run on a
+// thread of low priority. While there are no requests, that thread verifies the choices made when the scene
+// was loaded; its results apply from the next start on.
 
 #include <condition_variable>
 #include <deque>
@@ -18,40 +18,40 @@
 
 namespace prosector {
 
-/// What a host wants of a body.
+/// A host's request for the accuracy of a body.
 struct AccuracyWish {
   ParticipantId asker = 0;
   BodyId body = 0;
   std::string name;    // of the body
-  double percent = 0;  // to be off by at most; 0: only what it can have
+  double percent = 0;  // largest error allowed; 0: only report what is possible
 };
 
-/// What came of a wish.
+/// The result of a request.
 struct AccuracyAnswer {
   AccuracyWish wish;
-  std::string words;  // for who asked
+  std::string words;  // text for the asker
 };
 
 class Remodeller {
  public:
   struct Hooks {
-    std::function<SceneDesc()> describe;  // the scene as its text says; throws InputError
+    std::function<SceneDesc()> describe;  // reads the scene from its text; throws InputError
     ChoiceOptions choosing;
     std::function<std::unique_ptr<Simulation>(const SceneDesc&)> compile;
-    std::function<void()> ready;                       // called when a scene is there to take()
-    std::function<void(const std::string&)> say = {};  // what a proof finds; may be called by any thread
+    std::function<void()> ready;                       // called when a scene is available from take()
+    std::function<void(const std::string&)> say = {};  // gets results of verifications, on any thread
   };
 
   explicit Remodeller(Hooks hooks);
 
-  /// Says with which choices the session runs now, and has what the scene asks for proved.
+  /// Sets the choices with which the session runs now, and starts to verify those of the scene.
   void begin(std::vector<Choice> choices);
   void ask(AccuracyWish wish);
-  /// Returns what bodies can have, of those that were asked about, by name.
+  /// Returns the errors and costs that bodies can have, of those that were asked about, by name.
   std::map<std::string, std::vector<Price>> prices() const;
-  /// Returns what came of wishes since the last call.
+  /// Returns the results of requests since the last call.
   std::vector<AccuracyAnswer> take_answers();
-  /// Takes the scene in which a body is modelled as it was wished; none: there is none, or it was taken.
+  /// Returns the scene in which a body is modelled as requested; none: there is none, or it was taken.
   std::optional<ReadyScene> take();
 
  private:
@@ -64,7 +64,7 @@ class Remodeller {
   std::vector<Choice> choices_;
   std::optional<ReadyScene> made_;
   bool unproved_ = false;
-  std::jthread thread_;  // last: it ends before what it uses
+  std::jthread thread_;  // last member: it ends before the data that it uses
 
   void run(const std::stop_token& stop);
   AccuracyAnswer answer(const AccuracyWish& wish);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/error.h"
+#include "server/physics/base/record.h"
 
 namespace prosector {
 
@@ -24,6 +25,31 @@ bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vec
   });
 }
 
+namespace {
+
+/// Returns the tick of the first checkpoint from `tick` on; `tick` where there is none.
+std::uint64_t next_checkpoint(const JournalReader& journal, std::uint64_t tick) {
+  std::uint64_t next = tick;
+  for (const std::uint64_t at : journal.checkpoint_ticks())  // newest first
+    if (at >= tick) next = at;
+  return next;
+}
+
+std::optional<ReplayResult::Value> differing_value(const JournalReader& journal, const Simulation& simulation,
+                                                   std::uint64_t tick) {
+  const auto ticks = journal.checkpoint_ticks();
+  if (std::ranges::find(ticks, tick) == ticks.end()) return std::nullopt;
+  const std::optional<Checkpoint> checkpoint = journal.checkpoint(tick);
+  if (!checkpoint) return std::nullopt;
+  RecordLabels labels;
+  const std::vector<std::uint8_t> own = simulation.save(&labels);
+  const auto [at, recorded] = std::ranges::mismatch(own, checkpoint->state);
+  if (at == own.end() && recorded == checkpoint->state.end()) return std::nullopt;
+  return ReplayResult::Value{tick, labels.at(static_cast<std::size_t>(at - own.begin()))};
+}
+
+}  // namespace
+
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress) {
   require_same_scene(journal, simulation);
@@ -34,8 +60,11 @@ ReplayResult replay(const JournalReader& journal, Simulation& simulation,
     const bool same = same_topology(tick.topology, report.topology);
     if (tick.rebuilt) simulation.checkpoint();
     result.last_hash = simulation.state_hash();
-    if (result.last_hash != tick.state_hash || !same) {
+    if (!result.first_difference && (result.last_hash != tick.state_hash || !same))
       result.first_difference = tick.tick;
+    if (result.first_difference) {
+      if (tick.tick < next_checkpoint(journal, *result.first_difference)) return true;
+      result.differing_value = differing_value(journal, simulation, tick.tick);
       return false;
     }
     ++result.ticks;

@@ -5,8 +5,8 @@ namespace {
 
 constexpr int settled_repeats = 5;
 constexpr std::uint64_t moving_refresh_ticks = 15, resting_refresh_ticks = 60;
-constexpr double min_shift = 1e-5;  // m
-constexpr double min_turn = 1e-4;   // rad
+constexpr double min_shift = 1e-5;  // m: smaller movements are not sent
+constexpr double min_turn = 1e-4;   // rad: smaller rotations are not sent
 
 bool apart(const Pose& a, const Pose& b) {
   return (a.p - b.p).norm() > min_shift || a.q.angularDistance(b.q) > min_turn;
@@ -16,7 +16,7 @@ bool apart(const Pose& a, const Pose& b) {
 
 void RigidSender::update(const RigidBodyState& now, SimTime time, bool everything,
                          std::vector<Message>& out) {
-  if (time.epoch != epoch_) settled_left_ = settled_repeats;  // clients dropped what they had
+  if (time.epoch != epoch_) settled_left_ = settled_repeats;  // clients dropped the body's state
   epoch_ = time.epoch;
   const bool displaced = apart(now.pose, scene_pose_);
   const bool moved = apart(now.pose, sent_pose_);

@@ -1,7 +1,7 @@
 #pragma once
-// Whether a rigid body's state travels this tick. It does so in motion each tick; then a few times that it
-// has settled, since each sample may get lost. Then it does once a second while it lies elsewhere than the
-// scene says, for those who come late.
+// Decides whether to send a rigid body's state this tick. In motion it is sent each tick. After the body has
+// settled it is repeated a few times, since samples may get lost. Then it is sent once a second for late
+// joiners, while the body's pose is not that of the scene.
 
 #include <cstdint>
 #include <vector>
@@ -21,7 +21,7 @@ class RigidSender {
   Pose scene_pose_, sent_pose_ = scene_pose_;
   std::uint64_t sent_tick_ = 0;
   std::uint32_t epoch_ = 0;
-  int settled_left_ = 0;  // how often "settled" is still to be said
+  int settled_left_ = 0;  // remaining repeats of the settled state
 };
 
 }  // namespace prosector

@@ -7,8 +7,8 @@
 namespace prosector {
 namespace {
 
-/// Colours that stay apart from tissue and from each other, also for the colour-blind (after Okabe and Ito);
-/// given out from the top, the first free one.
+/// Colours that differ from tissue and from each other, also for the colour-blind (after Okabe and Ito). The
+/// first free one is assigned.
 constexpr std::array<std::array<double, 3>, 8> colors = {{{0.00, 0.17, 0.45},
                                                           {0.90, 0.35, 0.00},
                                                           {0.00, 0.34, 0.17},

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "common/server_run.h"
-#include "server/physics/collision/shapes/fidelity.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/collision/shapes/fidelity.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/collision_model.h"
 
 namespace prosector {
@@ -38,7 +38,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   return body;
 }
 
-/// Returns the ends of the body's cutting edges, two by two, without triangles. Beams have no edge.
+/// Returns the end points of the body's cutting edges, in pairs, without triangles. Beams have no edge.
 TriangleMesh ends_of_edges(const RigidDesc& desc) {
   TriangleMesh out;
   for (const EdgeDesc& edge : desc.edges)

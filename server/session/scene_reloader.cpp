@@ -40,8 +40,8 @@ void SceneReloader::run(const std::stop_token& stop, const std::filesystem::path
     if (watch.changed()) reload();
 }
 
-/// Returns the scene's file and those that it names now. One that no folder has counts by its name alone:
-/// when it comes, that is a change.
+/// Returns the scene's file and those that it names now. A missing file is listed by its name alone, so that
+/// its appearance is a change.
 std::vector<std::filesystem::path> SceneReloader::files_of(const std::filesystem::path& file) const {
   std::vector<std::filesystem::path> out = {file};
   try {
@@ -51,7 +51,7 @@ std::vector<std::filesystem::path> SceneReloader::files_of(const std::filesystem
       out.push_back(found.empty() ? std::filesystem::path(name) : found);
     }
   } catch (const InputError&) {
-    // What is wrong with it is told by whoever loads it.
+    // reload() reports the error.
   }
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A scene that is made ready again when its files change, beside the session that runs on the old one.
+// Reloads a scene when its files change, in the background of the session that runs on the old one.
 
 #include <functional>
 #include <mutex>
@@ -16,16 +16,16 @@ namespace prosector {
 class SceneReloader {
  public:
   struct Hooks {
-    std::function<ReadyScene()> load;  // reads and compiles the scene anew; throws InputError
-    std::function<void()> ready;       // called when a new scene is there to take()
+    std::function<ReadyScene()> load;  // reads and compiles the scene again; throws InputError
+    std::function<void()> ready;       // called when a new scene is available from take()
     std::function<void(const std::string&)> say;
   };
 
-  /// Watches the scene's file, the tables and meshes that it names, and where they would be (`data_dirs`).
-  /// Loads on a thread of its own; what does not load is told of, once per change.
+  /// Watches the scene's file, the tables and meshes that it names, and the folders where they would be
+  /// (`data_dirs`). Loads on a separate thread. A failure to load is reported once per change.
   SceneReloader(const SceneDesc& scene, std::vector<std::filesystem::path> data_dirs, Hooks hooks);
 
-  /// Takes the new scene; none: there is none, or it was taken.
+  /// Returns the new scene; none: there is none, or it was taken.
   std::optional<ReadyScene> take();
 
  private:
@@ -33,7 +33,7 @@ class SceneReloader {
   std::vector<std::filesystem::path> data_dirs_;
   std::mutex mutex_;
   std::optional<ReadyScene> made_;
-  std::jthread thread_;  // last: it ends before what it uses
+  std::jthread thread_;  // last member: it ends before the data that it uses
 
   void run(const std::stop_token& stop, const std::filesystem::path& file);
   std::vector<std::filesystem::path> files_of(const std::filesystem::path& file) const;

@@ -1,17 +1,17 @@
 #pragma once
-// Which samples of a stream are newer than those taken before.
+// Detects which samples of a stream are newer than those received before.
 
 #include <cstdint>
 
 namespace prosector {
 
-/// Takes the sequence numbers of a stream that may overtake each other on the way. One damaged number that is
+/// Checks the sequence numbers of a stream whose samples may overtake each other. One damaged number that is
 /// far ahead must not silence the stream: after `patience` older samples in a row the numbering restarts.
 class SequenceGate {
  public:
   enum class Verdict : std::uint8_t { newer, overtaken, restarted };
 
-  static constexpr std::uint32_t patience = 120;  // samples: one second of hands
+  static constexpr std::uint32_t patience = 120;  // samples: one second of hand inputs
 
   Verdict judge(std::uint64_t number) {
     const bool first = !any_, newer = number > last_;

@@ -10,8 +10,8 @@
 #include "common/counted.h"
 #include "common/error.h"
 #include "common/percent_text.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/take_over.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/stations/save/take_over.h"
 #include "server/session/session_lines.h"
 #include "server/session/session_status.h"
 #include "server/session/simulated_shapes.h"
@@ -22,20 +22,20 @@ namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::int64_t status_period_ns = second_ns / 10;
-constexpr std::int64_t longest_replay_ns = second_ns;  // of ticks, until a resumed session is where it was
+constexpr std::int64_t longest_replay_ns = second_ns;  // longest replay of ticks when a session is resumed
 constexpr const char* journal_is_late = "the journal is behind the session: the disk is slow";
 constexpr double journal_interval = 60;  // s between two reports that the journal is late
 constexpr double line_interval = 10;     // s between two lines of one kind
-constexpr double death_timeout = 1.5;    // s after which a dead client is known to be: its lease is 1 s
-constexpr double stall_timeout = 5;     // s that the hands of a silent client stay: its lease has not run out
-constexpr double regrasp_timeout = 30;  // s for which a hand may have back what a stall made it lose
-constexpr double presence_timeout = 2;  // s that a join waits for its Presence
+constexpr double death_timeout = 1.5;    // s after which a dead client has been detected: its lease is 1 s
+constexpr double stall_timeout = 5;      // s that the hands of a silent client stay while its lease is valid
+constexpr double regrasp_timeout = 30;   // s for which a hand may grasp again what it lost in a stall
+constexpr double presence_timeout = 2;   // s that a join waits for its Presence
 
 void append(std::vector<Outgoing>& out, std::vector<Outgoing> more) {
   out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// Returns the bodies whose scene allows it, with what a restored state says of them.
+/// Returns the bodies whose scene allows stepping down, with their steps in a restored state.
 std::map<BodyId, int> may_step_down(const Simulation& simulation) {
   std::map<BodyId, int> out;
   for (BodyId b = 0; b < simulation.body_count(); ++b)
@@ -44,7 +44,7 @@ std::map<BodyId, int> may_step_down(const Simulation& simulation) {
   return out;
 }
 
-/// Returns the hands that arms move, with what was last heard of them.
+/// Returns the hands that haptic arms move, with the number of their newest input.
 std::vector<FeelingHand> feeling_hands(const Session& session) {
   std::vector<FeelingHand> out;
   for (const auto& [id, member] : session.roster().members())
@@ -103,7 +103,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation.body_count(); ++piece)
     session_.add_body(simulation.name(piece), simulation.soft(piece).desc().part);
   for (const auto& [body, steps] : governor_.steps_down()) (void)dial_.overload({body, steps});
-  session_.vanish(simulation.hands());  // of a state that was restored
+  session_.vanish(simulation.hands());  // hands of a restored state
   session_.see_panels(simulation.panels());
   keep_beginning();
   tell_prices();
@@ -111,7 +111,8 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
   publisher_.offer(last_snapshot_);
 }
 
-/// Passes on how accurate the host wants bodies to be, and what came of earlier wishes to who is here.
+/// Passes the host's requests for accuracy to the remodeller, and the results of earlier requests to the
+/// askers that are in the session.
 void ServerLoop::remodel() {
   Remodeller* remodeller = options_.remodeller;
   if (remodeller == nullptr) return;
@@ -141,7 +142,7 @@ void ServerLoop::tell_prices() {
       body_meter_.set_prices(body, known->second);
 }
 
-/// Keeps the state that this run began with: the scene, or the end of the session that it goes on with.
+/// Stores the state that this run began with: that of the scene, or of the session that it continues.
 void ServerLoop::keep_beginning() {
   std::vector<Moments::Revision> revisions;
   for (BodyId body = 0; body < simulation_.body_count(); ++body)
@@ -219,7 +220,8 @@ void ServerLoop::offer_snapshot(std::vector<FeltPlanes> felt) {
   last_snapshot_ = std::move(snapshot);
 }
 
-/// Makes a checkpoint at the regular ticks, and with a journal once what lies behind takes long to run again.
+/// Makes a checkpoint at the regular ticks. With a journal, also makes one when the ticks since the last one
+/// would take long to run again.
 std::vector<std::uint8_t> ServerLoop::checkpoint_if_due() {
   const bool regular = simulation_.time().tick % checkpoint_ticks == 0;
   const bool long_ago = journal_ != nullptr && since_checkpoint_ns_ > longest_replay_ns;
@@ -228,13 +230,13 @@ std::vector<std::uint8_t> ServerLoop::checkpoint_if_due() {
   return checkpoint();
 }
 
-/// Returns a checkpoint, or nothing if its own bytes can't be restored: then the session goes on from the
-/// state as it is, and the journal from its last checkpoint.
+/// Returns a checkpoint, or nothing if its own bytes can't be restored. Then the session continues from its
+/// present state, and the journal from its last checkpoint.
 std::vector<std::uint8_t> ServerLoop::checkpoint() {
   try {
     return options_.checkpoint ? options_.checkpoint() : simulation_.checkpoint();
   } catch (const InputError& error) {
-    if (std::has_single_bit(++figures_.refused_checkpoints))  // else the console would hold nothing else
+    if (std::has_single_bit(++figures_.refused_checkpoints))  // at powers of two: must not flood the console
       say_(fmt::format(
           "internal error: the checkpoint of tick {} can't be restored and is skipped ({} so far); "
           "the session goes on. Please report this: {}",
@@ -251,7 +253,7 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
                    std::move(checkpoint));
 }
 
-/// Waits for the journal: what people see is in it first, unless the disk is too slow for that.
+/// Waits for the journal: a tick is in the file before users see it, unless the disk is too slow for that.
 void ServerLoop::settle_journal() {
   if (journal_ == nullptr || !journal_trouble_.empty()) return;
   journal_late_ = !journal_->settle();
@@ -281,7 +283,7 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
   since_checkpoint_ns_ += last_end_ns_ - begun_ns;
 }
 
-/// Makes what the clock said of this tick an input of the next.
+/// Makes the duration of this tick an input of the next.
 void ServerLoop::govern(const StepReport& report, std::int64_t begun_ns) {
   efforts_.clear();
   if (governor_.steps_down().empty()) return;
@@ -308,7 +310,7 @@ void ServerLoop::govern(const StepReport& report, std::int64_t begun_ns) {
                          : "has some room again"));
 }
 
-/// Returns who is solved less exactly, for the status.
+/// Returns the bodies that are solved less exactly, for the status.
 std::string ServerLoop::stepped_down() const {
   std::string out;
   for (const auto& [body, steps] : governor_.steps_down())
@@ -325,8 +327,8 @@ std::vector<Outgoing> ServerLoop::words_of_bodies(const StepReport& report) {
   return out;
 }
 
-/// Returns what is to be said of cuts. It goes before the tick's own answers and state: clients have the
-/// shape when they are told where it is.
+/// Returns the messages about cuts. They are sent before the tick's own answers and state: clients need a
+/// shape before its positions.
 std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation_.body_count(); ++piece) {
     session_.add_body(simulation_.name(piece), simulation_.soft(piece).desc().part);
@@ -367,7 +369,7 @@ void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
 
 void ServerLoop::finish() {
   if (journal_ == nullptr || simulation_.time().tick % checkpoint_ticks == 0) return;
-  // The last tick of the run is one more step, at whose end the state is saved.
+  // The run ends with one more step, at whose end the state is saved.
   simulation_.step({});
   std::vector<std::uint8_t> saved = checkpoint();
   state_hash_ = simulation_.state_hash();
@@ -400,7 +402,7 @@ ServerStatus ServerLoop::status() const {
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out.degraded += (out.degraded.empty() ? "" : "; ") + text;
   };
-  const bool own_pace = last_end_ns_ >= own_pace_ns_;  // else it is as slow as the host has it
+  const bool own_pace = last_end_ns_ >= own_pace_ns_;  // else the host has set a slow pace
   if (own_pace && out.real_time_factor > 0 && out.real_time_factor < 0.98)
     add(fmt::format("simulated time slowed to {:.2f} of real time", out.real_time_factor));
   add(stepped_down());

@@ -1,6 +1,6 @@
 #pragma once
-// One tick after the other: take, consume, step, journal, snapshot, wait. The only place where the session,
-// the physics and a clock meet.
+// The loop of a live session: in each tick it receives, consumes, steps, journals, publishes a snapshot, and
+// waits. The only place where the session, the physics and a clock meet.
 
 #include <atomic>
 #include <cstdint>
@@ -31,49 +31,49 @@
 
 namespace prosector {
 
-/// Returns the rules that a scene sets. `remodels`: bodies can be modelled in another way while it runs.
+/// Returns the session rules of a scene. `remodels`: models of bodies can be changed while it runs.
 SessionRules rules_of(const SceneDesc& scene, const std::string& session, bool remodels = false);
 
 struct RunFigures {
   std::uint64_t ticks = 0, late_ticks = 0, slips = 0;
-  std::uint32_t participants = 0, observers = 0;      // most at once; observers apart
+  std::uint32_t participants = 0, observers = 0;      // most at a time; observers separately
   double real_time_factor = 0;                        // over the whole run
-  double real_time_factor_with_participants = 0;      // since the first one came; 0: nobody did
-  std::map<std::string, double> max_displacement_mm;  // soft body → most over the run
+  double real_time_factor_with_participants = 0;      // since the first member joined; 0: none did
+  std::map<std::string, double> max_displacement_mm;  // by soft body: maximum over the run
   std::uint64_t invalid_dropped = 0, hand_timeouts = 0;
-  std::uint64_t refused_checkpoints = 0;  // own ones that can't be restored
+  std::uint64_t refused_checkpoints = 0;  // checkpoints of this run that can't be restored
   CommandCounts commands{};
   std::uint64_t state_hash = 0;  // of the last tick
 };
 
-/// What a loop may be given beyond what it needs.
+/// Optional settings of a loop.
 struct LoopOptions {
   std::vector<Choice> choices;                         // of the scene's bodies that were chosen by need
-  std::function<std::int64_t()> clock = monotonic_ns;  // how late ticks are
-  std::uint32_t reign = first_reign;                   // of the session: common/server_run.h
-  Remodeller* remodeller = nullptr;                    // null: bodies stay as they are modelled
+  std::function<std::int64_t()> clock = monotonic_ns;  // measures how late ticks are
+  std::uint32_t reign = first_reign;                   // of the session: see common/server_run.h
+  Remodeller* remodeller = nullptr;                    // null: models of bodies can't be changed
   // Makes a checkpoint; throws InputError where it can't be restored. Null: Simulation::checkpoint().
   std::function<std::vector<std::uint8_t>()> checkpoint = nullptr;
 };
 
 class ServerLoop {
  public:
-  /// Keeps references: all outlive the loop; `journal` may be null. `say` gets the session's log lines: who
-  /// came, who left, what is solved less exactly.
+  /// Keeps references: all arguments outlive the loop; `journal` may be null. `say` gets the session's log
+  /// lines: joins, leaves, and bodies that are solved less exactly.
   ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
              std::function<void(const std::string&)> say, LoopOptions options = {});
 
-  /// Runs one tick, now; while time stands still, only hears what people say.
+  /// Runs one tick immediately; while time is stopped, only processes messages.
   void turn() { session_.pacing().stands() ? listen() : tick(); }
-  /// Runs one tick, now.
+  /// Runs one tick immediately.
   void tick();
-  /// Takes what people say, and tells them, without a tick.
+  /// Processes and answers messages without a tick.
   void listen();
   /// Runs ticks at the scene's rate until `stop`, or for `seconds` of wall time when above 0. `each_second`
   /// gets a line for the console.
   void run(const std::atomic<bool>& stop, double seconds,
            const std::function<void(const std::string&)>& each_second);
-  /// Ends the journal at a checkpoint, so that a resumed session goes on exactly here.
+  /// Ends the journal at a checkpoint, so that a resumed session continues exactly here.
   void finish();
 
   RunFigures figures() const;
@@ -88,7 +88,7 @@ class ServerLoop {
   Publisher& publisher() { return publisher_; }
 
  private:
-  struct Count {  // ticks and wall time since some moment
+  struct Count {  // tick and wall time of an event
     std::uint64_t tick;
     std::int64_t ns;
   };
@@ -106,21 +106,21 @@ class ServerLoop {
   EffortDial dial_;
   PartSender parts_;
   FeltHands felt_;
-  std::vector<EffortChange> efforts_;    // for the next tick
-  std::vector<AccuracyAnswer> unheard_;  // by who isn't here
-  std::vector<SessionEvent> heard_;      // while time stood still: for the next tick's record
+  std::vector<EffortChange> efforts_;    // changes for the next tick
+  std::vector<AccuracyAnswer> unheard_;  // for askers that are not in the session
+  std::vector<SessionEvent> heard_;      // while time was stopped: for the next tick's record
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
-  std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
+  std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: the tick that ended at last_end_ns_
   std::int64_t status_ns_ = 0, last_end_ns_ = 0, since_checkpoint_ns_ = 0;
-  std::int64_t own_pace_ns_ = 0;  // since when time runs at its own pace
+  std::int64_t own_pace_ns_ = 0;  // from then on a slow pace is not the host's choice
   std::optional<Count> start_, first_arrival_;
   RunFigures figures_;
   std::string journal_trouble_;
   bool journal_late_ = false;
   ReportedState journal_lateness_;
   RepeatedLines repeated_;
-  Publisher publisher_;  // last: its thread ends before what it reads
+  Publisher publisher_;  // last member: its thread ends before the data that it reads
 
   void keep_beginning();
   void remodel();

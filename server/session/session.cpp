@@ -11,13 +11,13 @@
 namespace prosector {
 namespace {
 
-// A visitor costs memory, and anyone can be one.
+// Limits memory, since any process can become a visitor.
 constexpr std::size_t max_visitors = 1024;
-// Nobody presses more buttons than this in a tick; what comes beyond is a flood.
+// More commands in a tick than a user can give; any more are dropped.
 constexpr std::uint32_t max_commands_per_tick = 16;
-constexpr std::size_t max_events = 4096, max_outgoing = 4096;  // between two ticks
+constexpr std::size_t max_events = 4096, max_outgoing = 4096;  // limits between two ticks
 
-/// Returns what a command asks of a part; none for those that don't.
+/// Returns the kind of part event that a command requests; none for other commands.
 std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
   switch (kind) {
     case CommandKind::detach:
@@ -47,7 +47,7 @@ ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t
   take_all(received);
 
   ConsumedInput out;
-  // Who left comes first: an id that rejoins in the same tick starts with new hands.
+  // Hands of members that left come first: an id that rejoins in the same tick starts with new hands.
   std::stable_sort(vanishing_.begin(), vanishing_.end(), [](const HandEvent& a, const HandEvent& b) {
     return std::pair(a.participant, a.hand) < std::pair(b.participant, b.hand);
   });
@@ -76,7 +76,7 @@ void Session::take_all(std::span<const Received> received) {
 void Session::take(const Received& received) {
   if (received.writer == 0) return drop("from an unknown process");
   if (const auto* p = std::get_if<Presence>(&received.message)) return take(*p, received);
-  if (received.liveness == Liveness::gone) return;  // an ended stream says nothing: Presence decides
+  if (received.liveness == Liveness::gone) return;  // the end of a stream is ignored: Presence decides
   if (const auto* input = std::get_if<HandInput>(&received.message)) return take(*input, received.writer);
   if (const auto* command = std::get_if<Command>(&received.message)) return take(*command, received.writer);
   if (const auto* force = std::get_if<ArmForce>(&received.message)) return take(*force, received.writer);
@@ -91,7 +91,7 @@ void Session::take(const Presence& presence, const Received& received) {
     const std::uint64_t owner = member != nullptr       ? member->writer
                                 : it != visitors_.end() ? it->second.writer
                                                         : 0;
-    if (owner == 0) return;  // of someone who was refused long ago
+    if (owner == 0) return;  // of a visitor that was forgotten
     if (received.writer != owner) return drop("Presence: ended by another process");
     if (member != nullptr)
       leave(id, SessionEvent::Kind::lost);
@@ -103,7 +103,7 @@ void Session::take(const Presence& presence, const Received& received) {
     if (member->writer != received.writer) return drop("Presence: another process's participant");
     if (presence.name != member->presence.name || presence.role != member->presence.role)
       return drop("Presence: name or role changed while in the session");
-    member->presence = presence;  // a role that it was given since stays
+    member->presence = presence;  // a role assigned since then stays
     outgoing_.push_back({Roster::entry(*member)});
     return;
   }
@@ -114,7 +114,7 @@ void Session::take(const Presence& presence, const Received& received) {
 void Session::take(const HandInput& input, std::uint64_t writer) {
   const Participant* member = roster_.find(input.participant);
   if (member == nullptr) {
-    // Samples overtake their Presence, and some are under way when their sender leaves.
+    // Samples may arrive before their Presence, or after their sender has left.
     const auto it = visitors_.find(input.participant);
     if (it == visitors_.end()) return drop("HandInput: participant not in the session");
     if (it->second.writer != writer) return drop("HandInput: another process's participant");
@@ -152,7 +152,7 @@ void Session::join(const Command& command, std::uint64_t writer) {
   }
   Visitor* v = visitor(command.participant, writer, "Command: another process's participant");
   if (v == nullptr) return;
-  if (!v->join) v->join_tick = tick_;  // asking again does not start the wait again
+  if (!v->join) v->join_tick = tick_;  // a repeated request does not restart the wait
   v->join = command;
 }
 
@@ -194,10 +194,10 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   if (command.kind != CommandKind::grasp && command.kind != CommandKind::release)
     return answer(command, "no such command");
   if (command.hand > right_hand) return answer(command, fmt::format("no hand {}", command.hand));
-  // Whoever opens the hand or takes something else wants nothing back.
+  // A user that opens the hand or grasps something else no longer wants the lost body.
   lost_holds_.forget({command.participant, command.hand});
   const bool grasp = command.kind == CommandKind::grasp;
-  if (!seat.hands[command.hand].present)  // such a hand holds nothing: it need not let go
+  if (!seat.hands[command.hand].present)  // such a hand holds nothing to release
     return answer(command, grasp ? Refusal("the hand is not tracked") : Refusal());
   HandEvent::Kind kind = grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release;
   if (grasp && command.revision == grasps_body) kind = HandEvent::Kind::grasp_body;
@@ -209,7 +209,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     answer(command, {});
 }
 
-/// Gives out a role, which only the host does; whoever is handed the host's gives theirs for it.
+/// Assigns a role, which only the host may do. A host that assigns the host's role gives up its own.
 void Session::hand_out(const Command& command, const Participant& member) {
   if (member.role != Role::host) {
     drop("Command: roles are the host's to give");
@@ -227,7 +227,7 @@ void Session::hand_out(const Command& command, const Participant& member) {
   give(command.subject, command.role);
 }
 
-/// Gives the role at this tick. Whoever becomes an observer loses hands and holds.
+/// Assigns the role at this tick. A member that becomes an observer loses hands and holds.
 void Session::give(ParticipantId id, Role role) {
   Participant& member = *roster_.find(id);
   member.role = role;
@@ -243,7 +243,7 @@ void Session::give(ParticipantId id, Role role) {
     events_.push_back({SessionEvent::Kind::role, id, member.presence.name, role_word(role)});
 }
 
-/// Obeys what the host wants of time, which concerns everyone.
+/// Executes the host's control of time, which affects everyone.
 void Session::ask_pace(const Command& command, const Participant& member) {
   const double before = pacing_.pace();
   const Refusal refusal = pacing_.obey(command, role_over_time(member));
@@ -256,7 +256,7 @@ void Session::ask_pace(const Command& command, const Participant& member) {
                            : fmt::format("lets time run at {:g} of its pace", pacing_.pace())});
 }
 
-/// Obeys what the host wants of how exactly tissue is solved, from the next tick on.
+/// Executes the host's setting of how exactly tissue is solved, from the next tick on.
 void Session::ask_effort(const Command& command, const Participant& member) {
   if (member.role != Role::host) {
     drop("Command: how exactly tissue is solved is the host's to say");
@@ -282,7 +282,7 @@ void Session::ask_effort(const Command& command, const Participant& member) {
                      steps == 0 ? "as described" : fmt::format("{} steps less exactly", steps))});
 }
 
-/// Passes on how accurate the host wants a body to be.
+/// Passes on the host's request for a body's accuracy.
 void Session::ask_accuracy(const Command& command, const Participant& member) {
   if (member.role != Role::host) {
     drop("Command: how accurate tissue is, is the host's to say");
@@ -304,7 +304,7 @@ void Session::ask_accuracy(const Command& command, const Participant& member) {
                      fmt::format("wants body {} within {:g} %", command.body, command.value)});
 }
 
-/// Obeys who wants another time of a recording.
+/// Executes a request for another time of a recording.
 void Session::ask_seek(const Command& command, const Participant& member) {
   if (!rules_.recording) return answer(command, "this session is live: only a recording has times to go to");
   if (role_over_time(member) != Role::host) return answer(command, "only the host goes to another time");
@@ -312,7 +312,7 @@ void Session::ask_seek(const Command& command, const Participant& member) {
   answer(command, {});
 }
 
-/// Returns the role that counts for who has time in hand. That of a recording is everybody's while nobody is
+/// Returns the role that counts for the control of time. In a recording without a host, everyone counts as
 /// host.
 Role Session::role_over_time(const Participant& member) const {
   const bool has_host =
@@ -326,8 +326,7 @@ void Session::ask_part(const Command& command, Seat& seat) {
   seat.parts.push_back(command);
 }
 
-/// Takes what is asked of cuts. Everyone takes back what they cut; what everyone did is the host's to take
-/// back.
+/// Queues a command about cuts. Everyone may undo their own cuts; only the host may rewind everyone's.
 void Session::ask_cut(const Command& command, const Participant& member, Seat& seat) {
   if (command.kind != CommandKind::undo && member.role != Role::host) {
     drop("Command: rewinding is the host's");
@@ -358,7 +357,7 @@ void Session::vanish_hands(ParticipantId id, Seat& seat) {
     if (seat.hands[h].present) vanishing_.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
 }
 
-/// Decides on joins after everything that arrived was read, since Presence and join travel apart.
+/// Decides on joins after all received samples were read, since Presence and join arrive separately.
 void Session::settle_joins() {
   for (auto it = visitors_.begin(); it != visitors_.end();) {
     const ParticipantId id = it->first;
@@ -372,7 +371,7 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   Refusal refusal;
   if (v.presence) {
     refusal = roster_.refusal(*v.presence);
-    // Whoever was killed and comes back at once meets itself: its lease has not run out.
+    // A client that was killed and returns immediately meets its own entry, whose lease has not expired.
     if (roster_.in_anothers_place(*v.presence) && tick_ - v.join_tick < rules_.death_timeout) return;
   } else {
     if (tick_ - v.join_tick < rules_.presence_timeout) return;
@@ -394,7 +393,7 @@ void Session::try_join(ParticipantId id, Visitor& v) {
     tell(id, fmt::format("your connection was lost, and your hand let go of the {}", name_of(lost.body)));
 }
 
-/// Frees everything that the participant had; its hands vanish at this tick.
+/// Removes the participant and its state. Its hands vanish at this tick.
 void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   const Participant member = *roster_.find(id);
   vanish_hands(id, seats_[id]);
@@ -403,13 +402,13 @@ void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   outgoing_.push_back({Roster::entry(member), true});
   seats_.erase(id);
   roster_.remove(id);
-  // Remembered as a visitor: it may come back over a mended network without a new Presence.
+  // Stored as a visitor: after a network failure it may return without a new Presence.
   if (Visitor* v = visitor(id, member.writer, "")) v->presence = member.presence;
 }
 
 void Session::take(const ArmForce& force, std::uint64_t writer) {
   const Participant* member = roster_.find(force.participant);
-  if (member == nullptr) return;  // it overtakes Presence, or its sender is leaving
+  if (member == nullptr) return;  // it arrived before Presence, or its sender is leaving
   if (member->writer != writer) return drop("ArmForce: another process's participant");
   if (member->role == Role::observer) return drop("ArmForce: from an observer");
   if ((member->presence.arms >> force.hand & 1) == 0) return drop("ArmForce: of a hand that no arm moves");
@@ -419,24 +418,24 @@ void Session::take(const ArmForce& force, std::uint64_t writer) {
   reaction.force = force.force.norm();
 }
 
-/// Tells whether a sample is the newest of its stream. A stream whose numbers had run far ahead counts again,
-/// and that is counted as `what`.
+/// Returns whether a sample is the newest of its stream. If the stream's numbering restarts, that is counted
+/// as `what`.
 bool Session::admits(SequenceGate& sequences, std::uint64_t number, const char* what) {
   const SequenceGate::Verdict verdict = sequences.judge(number);
   if (verdict == SequenceGate::Verdict::restarted) drop(what);
   return verdict != SequenceGate::Verdict::overtaken;
 }
 
-/// Returns with which force an arm pushes the hand back, N; nothing: no arm moves it. What was told too long
-/// ago counts as none.
+/// Returns the force with which an arm pushes the hand back, N; nothing: no arm moves it. Too old a force
+/// counts as 0.
 std::optional<double> Session::reaction(ParticipantId id, const Seat& seat, std::size_t hand) const {
   if ((roster_.members().at(id).presence.arms >> hand & 1) == 0) return std::nullopt;
   const Reaction& last = seat.reactions[hand];
   return tick_ - last.tick > rules_.input_timeout ? 0 : last.force;
 }
 
-/// Lets a hand follow its newest pose, come and go. A client that stalls leaves its hands where they are,
-/// with what they hold: only after `stall_timeout` do they let go.
+/// Makes a hand appear, follow its newest pose, or vanish. A stalled client's hands stay where they are, with
+/// what they hold, until `stall_timeout`.
 void Session::consume_hand(ParticipantId id, std::size_t h, Seat& seat, TickInput& out) {
   Hand& hand = seat.hands[h];
   const bool is_seen = seat.input && seat.input->hands[h].tracked;
@@ -543,7 +542,8 @@ std::string Session::name_of(BodyId body) const {
   return body < rules_.names.size() ? rules_.names[body] : fmt::format("body {}", body);
 }
 
-/// Takes that a hand lost its hold. What a stall or a broken connection made it lose it may have again.
+/// Processes a hand's loss of its hold. After a stall or a broken connection the hand may grasp the body
+/// again.
 void Session::take_loss(const LetGo& let_go) {
   const HandRef hand{let_go.participant, static_cast<std::uint8_t>(let_go.hand)};
   const bool is_cut_off = cut_off_.contains(let_go.participant);
@@ -556,8 +556,7 @@ void Session::take_loss(const LetGo& let_go) {
   tell_of_loss(let_go);
 }
 
-/// Tells the user that the hand lost what it held, unless it was asked to let go or its user is an observer
-/// now.
+/// Informs the user that the hand lost its hold, unless a command opened it or the user is an observer now.
 void Session::tell_of_loss(const LetGo& let_go) {
   const Seat& seat = seats_.at(let_go.participant);
   const Hand& hand = seat.hands[let_go.hand];
@@ -569,7 +568,7 @@ void Session::tell_of_loss(const LetGo& let_go) {
                                                                   : "it was no longer tracked"));
 }
 
-/// Tells whose hand could not take again what a stall had made it lose.
+/// Informs users if a hand could not grasp again what it lost in a stall.
 void Session::finish_hands(std::span<const HandState> hands) {
   for (auto& [id, seat] : seats_)
     for (std::size_t h = 0; h < 2; ++h) {
@@ -594,8 +593,8 @@ void Session::vanish(std::span<const HandState> hands) {
     vanishing_.push_back({HandEvent::Kind::vanish, h.participant, h.hand, BodyId{0}});
 }
 
-/// Returns the visitor. Null when the id is another process's (counted as `what`) or when too many are at the
-/// door.
+/// Returns the visitor. Null when the id belongs to another process (counted as `what`), or when there are
+/// too many visitors.
 Session::Visitor* Session::visitor(ParticipantId id, std::uint64_t writer, const char* what) {
   if (id == 0) {
     drop("participant id 0");
@@ -617,7 +616,7 @@ Session::Visitor* Session::visitor(ParticipantId id, std::uint64_t writer, const
   return &it->second;
 }
 
-/// Forgets who has been quiet for long, which makes room; who came just now waits its turn.
+/// Forgets visitors that have been silent for long, if there are many visitors.
 void Session::forget_visitors() {
   if (visitors_.size() < max_visitors / 2) return;
   std::erase_if(visitors_,

@@ -1,10 +1,10 @@
 #pragma once
-// The session: from samples that arrived to what one tick consumes. It reads no clock and knows no network;
+// The session: converts received samples to the inputs of a tick. It reads no clock and knows no network;
 // time is the tick, so a journal of what it returned replays the run.
 //
-// Joining is Presence (who I am) and Command join (let me in), in either order; the answer is a
-// CommandResult, and a RosterEntry tells everyone. A participant's id belongs to the process that named it
-// first: samples from another process in its name are refused and counted.
+// Joining takes Presence (the client's identity) and Command join (its request), in either order. The answer
+// is a CommandResult, and a RosterEntry informs everyone. A participant's id belongs to the process that used
+// it first: samples from another process in its name are refused and counted.
 
 #include <array>
 #include <cstdint>
@@ -28,25 +28,25 @@
 
 namespace prosector {
 
-/// What the server has to say because of what it took; published in this order.
+/// A message that the server publishes, in the order of creation.
 struct Outgoing {
   Message message;
-  bool dispose = false;  // end the instance instead
+  bool dispose = false;  // dispose of the instance instead
 };
 
-/// The newest sample of each participant that a tick consumed.
+/// A participant, and the number of its newest sample that a tick consumed.
 struct InputKey {
   ParticipantId participant = 0;
   std::uint64_t sequence = 0;
 };
 
-/// Everything that a tick consumes: what the journal keeps.
+/// Everything that a tick consumes, as the journal stores it.
 struct ConsumedInput {
   TickInput input;
   std::vector<InputKey> keys;
 };
 
-/// A line of the session's own log.
+/// An entry of the session's log.
 struct SessionEvent {
   enum class Kind : std::uint8_t {
     joined,
@@ -65,42 +65,44 @@ struct SessionEvent {
   } kind;
   ParticipantId participant = 0;
   std::string name;
-  std::string detail;  // role, or why not; which hand; why it let go; to what
+  std::string detail;  // by kind: the role, the reason, the hand, or the target
 };
 
 class Session {
  public:
   explicit Session(const SessionRules& rules);
 
-  /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
+  /// Processes the samples that arrived before `tick`. Returns the inputs of that tick's step, in canonical
+  /// order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
-  /// Takes what arrived while time stands still: who comes and goes, and what the host wants of time.
+  /// Processes the samples that arrived while time is stopped: joins, leaves, and the host's control of time.
   void listen(std::span<const Received> received);
-  /// Answers, after the step, grasps by what the hands hold now, and what was asked of parts and cuts by
+  /// Answers commands after the step: grasps by what the hands hold now, commands for parts and cuts by
   /// `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
 
-  /// Takes, after the step, whose panels are open. Those that nobody here may work close at the next tick.
+  /// Updates, after the step, the list of open panels. Panels whose owner may not use them close at the next
+  /// tick.
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
   const Pacing& pacing() const { return pacing_; }
-  /// Lets time run at this pace until people have it otherwise; 0: not at all.
+  /// Sets the pace until a participant changes it; 0: stopped.
   void set_pace(double pace) { pacing_.set(pace); }
-  /// Returns the tick of a recording that was asked for last since the last call; nullopt: none was.
+  /// Returns the tick of a recording that was requested most recently since the last call; nullopt: none was.
   std::optional<std::uint64_t> take_seek() { return std::exchange(seek_, std::nullopt); }
   std::size_t bodies() const { return rules_.bodies; }
-  /// Adds a body that a cut made; the next id is its.
+  /// Adds a body that a cut made, with the next id.
   void add_body(const std::string& name, bool is_part);
-  /// Returns the wishes of accuracy since the last call: commands with body and value, in order.
+  /// Returns the requests for accuracy since the last call: commands with body and value, in order.
   std::vector<Command> take_accuracy_wishes() { return std::exchange(accuracy_wishes_, {}); }
-  /// Tells a participant something that is no answer to a command.
+  /// Sends a participant a message that is not the answer to a command.
   void tell(ParticipantId participant, const std::string& words);
-  /// Returns what the host can rewind to.
+  /// Returns the states to which the host can rewind.
   Moments& moments() { return moments_; }
-  /// Returns the bodies of which clients asked for a keyframe since the last call.
+  /// Returns the bodies for which clients requested a keyframe since the last call.
   std::set<BodyId> take_keyframe_requests();
 
-  /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
+  /// Makes the hands of a restored state, which no member owns, vanish at the next tick.
   void vanish(std::span<const HandState> hands);
 
   std::vector<Outgoing> take_outgoing();
@@ -110,10 +112,10 @@ class Session {
   /// Returns the newest input of a participant, for UserState; null before the first.
   const HandInput* newest_input(ParticipantId id) const;
   std::uint64_t hand_timeouts() const { return hand_timeouts_; }
-  /// Returns how many samples contradicted the session, by reason.
+  /// Returns how many samples were dropped as invalid, by reason.
   const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
   std::uint64_t dropped_total() const { return dropped_total_; }
-  /// Returns the commands that were answered.
+  /// Returns how many commands were answered.
   const CommandCounts& commands() const { return commands_; }
 
  private:
@@ -122,31 +124,31 @@ class Session {
     bool present = false;
     std::uint64_t tracked_tick = 0;
     HandTarget target;
-    Loss loss = Loss::none;               // why it vanished in this tick
-    std::optional<BodyId> regrasps = {};  // in this tick, after a stall
+    Loss loss = Loss::none;               // why the hand vanished in this tick
+    std::optional<BodyId> regrasps = {};  // body that it grasps again in this tick, after a stall
   };
-  struct Reaction {  // of a haptic arm
+  struct Reaction {  // force of a haptic arm
     SequenceGate sequences = {};
-    std::uint64_t tick = 0;  // when it came
+    std::uint64_t tick = 0;  // tick of the newest sample
     double force = 0;        // N
   };
-  struct Seat {  // of a member
+  struct Seat {  // state of a member
     std::optional<HandInput> input;
     SequenceGate sequences;
     bool fresh = false;
-    std::uint64_t heard_tick = 0;  // of the newest input
+    std::uint64_t heard_tick = 0;  // tick of the newest input
     std::array<Hand, 2> hands;
-    std::vector<HandEvent> asked;       // by its commands since the last tick
-    std::array<bool, 2> opens{};        // hands that were asked to let go in this tick
+    std::vector<HandEvent> asked;       // requested by its commands since the last tick
+    std::array<bool, 2> opens{};        // hands that a command opened in this tick
     std::vector<Command> grasps;        // waiting for the step
     std::vector<Command> parts;         // waiting for the step
     std::vector<Command> cuts;          // waiting for the step: undo, rewind
-    std::uint32_t commands = 0;         // this tick
-    std::array<Reaction, 2> reactions;  // of arms
+    std::uint32_t commands = 0;         // in this tick
+    std::array<Reaction, 2> reactions;  // forces of haptic arms, by hand
   };
-  struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
+  struct Visitor {  // a sender that isn't a member (yet, or any more)
     std::uint64_t writer = 0;
-    std::uint64_t seen = 0;  // tick
+    std::uint64_t seen = 0;  // tick of the newest sample
     std::optional<Presence> presence;
     std::optional<Command> join;
     std::uint64_t join_tick = 0;
@@ -155,15 +157,15 @@ class Session {
   SessionRules rules_;
   Roster roster_;
   LostHolds lost_holds_;
-  std::set<ParticipantId> cut_off_;  // who lost their connection since the last step
+  std::set<ParticipantId> cut_off_;  // members whose connection broke since the last step
   std::map<ParticipantId, Seat> seats_;
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
-  std::vector<EffortChange> efforts_;  // that the host asked for
+  std::vector<EffortChange> efforts_;  // requested by the host
   std::vector<Command> accuracy_wishes_;
-  std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
-  std::vector<Command> cutting_;   // whose cut events the step of this tick obeys, in their order
-  std::set<BodyId> keyframes_;     // asked for
+  std::vector<Command> stepping_;  // part commands whose events this tick consumes, in order
+  std::vector<Command> cutting_;   // cut commands whose events this tick consumes, in order
+  std::set<BodyId> keyframes_;     // bodies with a requested keyframe
   PanelInputs panels_;
   Moments moments_;
   Pacing pacing_;

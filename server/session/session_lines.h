@@ -1,5 +1,5 @@
 #pragma once
-// What happens in a session, as lines for people.
+// Converts events of a session to lines of text.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Returns an event in words.
+/// Returns an event as a line of text.
 std::string line_of(const SessionEvent& event);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// What every server tells of itself, live or with a recording.
+// The status that every server reports, of a live session or a recording.
 
 #include "idl/bus.h"
 #include "server/session/session.h"
@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Returns the status but for the time, the state's hash and what is degraded.
+/// Returns the status without the time, the state's hash, the error and what is degraded.
 ServerStatus status_of(const StepMeter& meter, const Session& session, const Bus& bus);
 
 }  // namespace prosector

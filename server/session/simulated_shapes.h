@@ -1,7 +1,7 @@
 #pragma once
-// Soft bodies as a simulation has them, for the log of topology.
+// Soft bodies of a simulation, as input of the topology log.
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/topology_log.h"
 
 namespace prosector {

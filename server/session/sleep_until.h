@@ -1,12 +1,12 @@
 #pragma once
-// Waiting for a moment of the clock that monotonic_ns() reads.
+// Waits for a time of the clock that monotonic_ns() reads.
 
 #include <cstdint>
 #include <ctime>
 
 namespace prosector {
 
-/// Waits until monotonic_ns() is `ns`; not at all when it is later than that.
+/// Waits until monotonic_ns() is `ns`. Returns immediately if it is later already.
 inline void sleep_until(std::int64_t ns) {
   constexpr std::int64_t second_ns = 1'000'000'000;
   const timespec due{static_cast<time_t>(ns / second_ns), static_cast<long>(ns % second_ns)};

@@ -1,7 +1,7 @@
 #include "server/session/snapshot.h"
 
 #include "common/mesh.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
@@ -27,7 +27,7 @@ SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const Topology
         std::make_shared<SparseMap>(sources_of(*out.stream, simulation.soft(body).anatomy().embedding));
   out.asleep = simulation.asleep(body);
   const Motion& motion = simulation.soft_state(body).motion;
-  // A reset moves a body without waking it, so a sleeping one is compared rather than trusted.
+  // A reset moves a body without waking it, so the positions of a sleeping body are compared, too.
   if (out.asleep && before != nullptr && before->asleep && before->revision == out.revision &&
       before->rehung == out.rehung && *before->x == motion.x) {
     out.x = before->x;

@@ -1,5 +1,5 @@
 #pragma once
-// Everything that clients may know of one tick; made after the step, never changed, read by the publisher's
+// State of one tick for clients. It is made after the step, never changed, and read by the publisher's
 // thread.
 
 #include <memory>
@@ -22,10 +22,10 @@ struct SoftSnapshot {
   BodyId body = 0;
   bool asleep = false;
   std::uint32_t revision = 0;
-  std::shared_ptr<const VecX> x, v;               // of all nodes; a sleeping body shares its last snapshot's
+  std::shared_ptr<const VecX> x, v;  // of all nodes; a sleeping body shares those of its last snapshot
   std::shared_ptr<const SurfaceStream> stream;    // of this revision
-  std::uint64_t rehung = 0;                       // as Simulation::rehung()
-  std::shared_ptr<const SparseMap> sources = {};  // of one that was; else null: the stream's
+  std::uint64_t rehung = 0;                       // as in Simulation::rehung()
+  std::shared_ptr<const SparseMap> sources = {};  // if rehung > 0; null: use the stream's
 };
 
 struct Snapshot {
@@ -34,14 +34,14 @@ struct Snapshot {
   std::vector<SoftSnapshot> soft;
   std::vector<UserState> users;
   std::vector<ContactSample> contacts;
-  std::vector<FeltPlanes> felt;  // of hands that arms move
-  std::vector<Panel> panels;     // open ones
-  double lights = 1;             // the room's
+  std::vector<FeltPlanes> felt;  // for hands that haptic arms move
+  std::vector<Panel> panels;     // open panels
+  double lights = 1;             // brightness of the room's lights
   double pace = 1;               // of simulated time
   std::optional<ServerStatus> status;
 };
 
-/// Takes a snapshot. `topology` has followed the simulation to now; `previous` lends the shapes of bodies
+/// Takes a snapshot. `topology` has followed the simulation to now. `previous` provides the shapes of bodies
 /// that slept since; may be null.
 std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
                                         const TopologyLog& topology, const Snapshot* previous);

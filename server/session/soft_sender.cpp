@@ -18,7 +18,7 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
     stream_ = now.stream;
     grow();
   }
-  const bool rewound = time.epoch != epoch_;  // clients drop what they have
+  const bool rewound = time.epoch != epoch_;  // clients drop the body's state
   epoch_ = time.epoch;
   if (rewound) settled_.reset();
   if (now.asleep && settled_ != nullptr && is_same(*settled_, *now.x)) return;
@@ -37,7 +37,7 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
   known_points_ = stream_->points;
 }
 
-/// Makes room for points that came with a new revision: they are at the end.
+/// Makes room for points that a new revision appended.
 void SoftSender::grow() {
   for (auto* v : {&x_, &v_, &sent_x_, &sent_v_}) v->resize(stream_->points, Vec3::Zero());
   settled_.reset();

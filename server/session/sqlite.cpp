@@ -13,7 +13,7 @@ void check(int code, sqlite3* database) {
   if (code != SQLITE_OK) throw SqliteError(database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
-/// Returns SQLite's file URI: what is no letter, digit or plain sign is escaped.
+/// Returns SQLite's URI of the file. Characters other than letters, digits and `/.-_` are escaped.
 std::string uri_of(const std::filesystem::path& file, const std::string& parameters) {
   std::string out = "file:";
   for (const char c : std::filesystem::absolute(file).string()) {
@@ -34,7 +34,7 @@ SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Mode mode) {
                                                               flags | SQLITE_OPEN_URI, nullptr)
                                             : sqlite3_open_v2(file.c_str(), &handle_, flags, nullptr);
   if (code == SQLITE_OK) {
-    // A file may come from anybody: what its schema says is not obeyed.
+    // The file may be untrusted: its schema must not run functions or damage the database.
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     return;

@@ -1,5 +1,5 @@
 #pragma once
-// SQLite with owners and exceptions; the only place that includes its header is sqlite.cpp.
+// SQLite with RAII and exceptions; the only place that includes its header is sqlite.cpp.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace prosector {
 
-/// What SQLite could not do, in its words: "database or disk is full".
+/// An error of SQLite, with its message: "database or disk is full".
 class SqliteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,8 +22,8 @@ class SqliteError : public std::runtime_error {
 
 class SqliteDatabase {
  public:
-  // Mode write creates the file when there is none. Mode unchanging reads one that nothing can write
-  // meanwhile, such as one on a medium that can't be written, where SQLite finds no place for its locks.
+  // Mode write creates the file when there is none. Mode unchanging reads a file that nothing can write
+  // meanwhile, such as one on a read-only medium, where SQLite can't create its locks.
   enum class Mode : std::uint8_t { read, unchanging, write };
   SqliteDatabase(const std::filesystem::path& file, Mode mode);
   ~SqliteDatabase();
@@ -48,7 +48,7 @@ class SqliteStatement {
   SqliteStatement& bind(int parameter, std::uint64_t value);
   SqliteStatement& bind(int parameter, const std::string& value);
   SqliteStatement& bind(int parameter, std::span<const std::uint8_t> value);
-  /// Returns true: a row is there. False: done, and the statement is ready for the next use.
+  /// Returns true if a row is available. False: the statement is done, and ready for the next use.
   bool step();
 
   std::uint64_t number(int column) const;

@@ -9,8 +9,8 @@
 namespace prosector {
 namespace {
 
-constexpr double smallest_ms = 1e-4;  // of bin 0
-constexpr double ratio = 1.01;        // between bins
+constexpr double smallest_ms = 1e-4;  // lower bound of bin 0
+constexpr double ratio = 1.01;        // of the bounds of successive bins
 constexpr std::size_t max_degraded_length = 400;
 
 const char* trouble(const BodyReport& body) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the steps cost: over the last second, for the status; over the whole run, for the summary.
+// Measures the cost of steps: over the last second, for the status; over the whole run, for the summary.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/physics/step_report.h"
+#include "server/physics/base/step_report.h"
 
 namespace prosector {
 
@@ -31,12 +31,12 @@ struct LastSecond {
   double step_ms_p50 = 0, step_ms_p99 = 0;
   std::array<double, step_phases> phase_ms{};  // mean
   double solver_residual = 0;                  // worst
-  std::string degraded;                        // by name; empty is well
+  std::string degraded;                        // bodies and what is wrong with them; empty: nothing
 };
 
-/// How bodies were after the last step.
+/// State of the bodies after the last step.
 struct LastStep {
-  double energy = 0;                    // J: kinetic, elastic and of gravity
+  double energy = 0;                    // J: kinetic, elastic and gravitational
   std::uint32_t awake = 0, asleep = 0;  // bodies
 };
 
@@ -44,7 +44,8 @@ class StepMeter {
  public:
   explicit StepMeter(double tick_rate) : dt_(1 / tick_rate) {}
 
-  /// Adds a tick. `begun_ns` and `ended_ns`: the whole tick with intake and snapshot, monotonic.
+  /// Adds a tick. `begun_ns` and `ended_ns`: start and end of the whole tick with intake and snapshot,
+  /// monotonic clock.
   void add(const StepReport& report, bool tissue_awake, std::int64_t begun_ns, std::int64_t ended_ns);
   LastSecond last_second() const;
   const LastStep& last_step() const { return last_step_; }

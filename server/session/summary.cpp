@@ -16,7 +16,7 @@ bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, co
   out["observers"] = f.observers;
   out["real_time_factor"] = f.real_time_factor;
   out["real_time_factor_with_participants"] = f.real_time_factor_with_participants;
-  // Whoever reads one figure wants the cost of tissue in motion; without any, that of the run.
+  // The main figure is the cost of ticks with tissue in motion; if there are none, that of all ticks.
   const DurationHistogram& awake = meter.awake().count() > 0 ? meter.awake() : meter.all();
   out["step_ms_p50"] = awake.quantile(0.5);
   out["step_ms_p99"] = awake.quantile(0.99);

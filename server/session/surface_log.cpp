@@ -12,7 +12,7 @@ std::uint32_t number_of(const std::vector<std::uint32_t>& numbers, std::size_t i
   return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index];
 }
 
-/// Counts the nodes that have numbers: those after these are on edges of quadratic elements.
+/// Counts the nodes that have numbers; later nodes are on edges of quadratic elements.
 std::size_t numbered_nodes(const Anatomy& anatomy) {
   if (anatomy.tets.tets.empty()) return anatomy.tets.positions.size();
   std::size_t count = 0;
@@ -21,7 +21,7 @@ std::size_t numbered_nodes(const Anatomy& anatomy) {
   return count;
 }
 
-/// Returns nodes or vertices that the surface follows from, in the order in which it first does.
+/// Returns the nodes or vertices that determine the surface, in the order of their first use.
 std::vector<std::uint32_t> carriers_of(const Anatomy& anatomy, bool of_nodes) {
   std::vector<std::uint32_t> out;
   std::vector<bool> seen(anatomy.tets.positions.size());
@@ -37,8 +37,8 @@ std::vector<std::uint32_t> carriers_of(const Anatomy& anatomy, bool of_nodes) {
   return out;
 }
 
-/// Returns, for each point that nothing hangs on any more, one of its chunk that is in use, else any; none
-/// where the body has become nothing. The others follow themselves.
+/// Returns a leader for each point. A point in use leads itself. An unused one gets a used point of its chunk
+/// if possible, else any used point; none where no point is in use.
 std::vector<std::uint32_t> leaders(const std::vector<bool>& used, std::uint32_t chunk_points) {
   std::vector<std::uint32_t> out(used.size(), none);
   const auto first = static_cast<std::uint32_t>(std::find(used.begin(), used.end(), true) - used.begin());
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> SurfaceLog::slots_of(std::span<const std::uint32_t> c
   return out;
 }
 
-/// Places the streamed points. One that is gone keeps its place in its chunk, at rest and as it is told.
+/// Updates the streamed points. A removed point keeps its slot, at the rest position that clients have.
 void SurfaceLog::place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,
                               SurfaceStream& stream, std::vector<std::uint32_t>& slot_of) {
   const std::vector<SparseMap::Row>& W = anatomy.embedding.rows;
@@ -143,7 +143,7 @@ void SurfaceLog::place_points(const Anatomy& anatomy, const Numbering& numbering
   std::vector<bool> used;
   for (const std::uint32_t carrier : stream.carriers) {
     used.push_back(carrier != none);
-    SparseMap::Row row;  // of a point that is gone: nothing
+    SparseMap::Row row;  // empty for a removed point
     if (carrier != none) row = stream.of_nodes ? SparseMap::Row{{carrier}, {1}} : W[carrier];
     stream.sources.rows.push_back(row);
   }

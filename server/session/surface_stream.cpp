@@ -57,7 +57,7 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
         new_index[row.node[k]] = 0;
         streamed.push_back(row.node[k]);
       }
-  if (W.empty()) streamed.push_back(0);  // of a body that has become nothing: a stream has a point
+  if (W.empty()) streamed.push_back(0);  // an empty body: a stream needs a point
   const bool nodes = W.empty() || (what == Streamed::fewest && streamed.size() <= W.size());
   if (!nodes) {
     streamed.resize(W.size());

@@ -1,10 +1,12 @@
 #pragma once
-// Which points of a deformable travel, in which order, and how its surface follows from them.
+// Selects the points of a deformable that are streamed, and their order, and defines how the surface follows
+// from them.
 //
-// The surface hangs on the elements' nodes (x_surface = W·q), so the nodes that W uses say all there is to
-// see. Where the surface is coarser than that, its own vertices are fewer. Where nodes come and go while the
-// surface stays (refine, docs/decisions/0025) they are its vertices. Chosen per body, once: when it is cut,
-// points are appended (SurfaceLog).
+// The surface follows from the elements' nodes (x_surface = W·q), so the nodes that W uses determine
+// everything that is visible. Where the surface has fewer vertices than that, its vertices are streamed
+// instead. They are also streamed where nodes are added and removed while the surface stays (refine,
+// docs/decisions/0025). The choice is made once for each body: when it is cut, points are appended
+// (SurfaceLog).
 
 #include <cstdint>
 #include <vector>
@@ -16,13 +18,14 @@ namespace prosector {
 
 struct SurfaceStream {
   SparseMap sources;         // streamed point ← nodes of the body
-  StreamedSurface surface;   // the client's asset; rest as the client will have it, to float32
-  std::uint32_t points = 0;  // streamed
+  StreamedSurface surface;   // the client's asset; rest positions rounded to float32, as the client has them
+  std::uint32_t points = 0;  // number of streamed points
   std::uint32_t chunk_points = 0;
-  bool of_nodes = false;                // streamed are nodes, else surface vertices …
-  std::vector<std::uint32_t> carriers;  // … which ones, by point; ~0: it is gone
-  /// The point that each point is displaced like. It is itself, but for one that is gone: so it makes its
-  /// chunk's box no larger. ~0: none is left, it stays at rest. Empty: all are in use.
+  bool of_nodes = false;                // true: nodes are streamed; false: surface vertices
+  std::vector<std::uint32_t> carriers;  // by point: its node or vertex; ~0: the point was removed
+  /// By point: the point whose displacement it takes. This is the point itself, except for a removed point:
+  /// following another keeps its chunk's box small. ~0: no point is left, it stays at rest. Empty: all points
+  /// are in use.
   std::vector<std::uint32_t> leaders;
 
   std::uint32_t chunks() const { return (points + chunk_points - 1) / chunk_points; }
@@ -30,11 +33,11 @@ struct SurfaceStream {
 
 enum class Streamed : std::uint8_t { fewest, vertices };
 
-/// Returns the rows by which the streamed vertices follow from the body's nodes, which are others now.
+/// Returns the rows by which the streamed vertices follow from the body's nodes, after these have changed.
 SparseMap sources_of(const SurfaceStream& of_vertices, const SparseMap& embedding);
 
-/// Makes the stream. Chunks are compact in space: what a hand presses is in few of them, and each has a small
-/// box to quantise.
+/// Makes the stream. Chunks are compact in space: a hand presses only a few of them, and each has a small box
+/// for quantisation.
 SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points,
                                   Streamed what = Streamed::fewest);
 

@@ -1,12 +1,12 @@
 #pragma once
-// When the next tick starts. Sees only the times it is told, so that tests need no clock.
+// Schedules the start of ticks. It gets all times as arguments, so that tests need no clock.
 
 #include <cstdint>
 
 namespace prosector {
 
-/// A fixed rate that doesn't spiral. A late tick may be caught up by the following ones while the lag is at
-/// most one period; beyond that the schedule slips, which slows simulated time.
+/// A fixed rate at which lag does not accumulate. A late tick may be caught up by the following ones while
+/// the lag is at most one period; beyond that the schedule slips, which slows simulated time.
 class TickSchedule {
  public:
   TickSchedule(double tick_rate, std::int64_t start_ns)
@@ -14,12 +14,12 @@ class TickSchedule {
         period_ns_(static_cast<std::int64_t>(period_at_full_pace_ns_)),
         due_ns_(start_ns) {}
 
-  /// Sets how many simulated seconds go by in a real one, from the tick after the next on.
+  /// Sets the simulated seconds per real second, from the tick after the next on.
   void set_pace(double pace) { period_ns_ = static_cast<std::int64_t>(period_at_full_pace_ns_ / pace); }
 
   /// Returns when the current tick should start.
   std::int64_t due_ns() const { return due_ns_; }
-  /// Takes that the tick that was due has ended at `now_ns`.
+  /// Records that the current tick ended at `now_ns`.
   void finished(std::int64_t now_ns) {
     due_ns_ += period_ns_;
     const std::int64_t slip = now_ns - due_ns_ - period_ns_;

@@ -1,5 +1,5 @@
 #pragma once
-// Turns of a session in wall time, at the rate of its scene and the pace of its people.
+// Runs a session's turns in wall time, at the rate of its scene and the pace that participants set.
 
 #include <atomic>
 #include <cstdint>
@@ -8,15 +8,15 @@
 namespace prosector {
 
 struct TimedTurns {
-  double tick_rate = 0;  // 1/s, of turns while simulated time is as fast as real time
+  double tick_rate = 0;  // 1/s, of turns at real-time pace
   double seconds = 0;    // of wall time; 0: no end
   std::function<void()> turn;
-  std::function<double()> pace;       // of simulated time, after a turn; 0: it stands still
-  std::function<void()> each_second;  // after a turn
+  std::function<double()> pace;       // returns the pace of simulated time, after a turn; 0: stopped
+  std::function<void()> each_second;  // called each second, after a turn
 };
 
-/// Takes turns until `stop`, or until the time is over. While simulated time stands still, turns come as
-/// often as it would run. Returns how often a turn was too late to be caught up.
+/// Runs turns until `stop`, or until the time is over. While simulated time is stopped, turns continue at the
+/// scene's rate. Returns how often a turn was too late to be caught up.
 std::uint64_t take(const TimedTurns& turns, const std::atomic<bool>& stop);
 
 }  // namespace prosector

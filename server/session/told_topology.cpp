@@ -3,7 +3,7 @@
 namespace prosector {
 namespace {
 
-/// Soft bodies as the simulation has them; those that it has not are nothing.
+/// Soft bodies of the simulation; those that it does not have are empty.
 class ShapesAtThatTime final : public SoftShapes {
  public:
   explicit ShapesAtThatTime(const Simulation& simulation) : simulation_(simulation), shapes_(simulation) {}
@@ -69,7 +69,7 @@ ToldTopology::Told ToldTopology::now(BodyId body) const {
   return {simulation_.revision(body), simulation_.topology_hash(body)};
 }
 
-/// Returns the change that makes clients know a piece, as it is now.
+/// Returns the change that introduces a piece to clients, in its present state.
 TopologyChange ToldTopology::beginning_of(BodyId piece) const {
   TopologyChange out;
   out.body = piece;

@@ -1,7 +1,7 @@
 #pragma once
-// The topology of a recorded session as clients are told. The recording goes back and forth; what clients
-// follow only grows. So a body that has become another, forwards or backwards, gets a revision of its own. A
-// piece that is not there yet is told to be nothing.
+// The topology of a recorded session as sent to clients. The recording may jump back and forth, but revisions
+// that clients follow only rise. So a body that changed, forwards or backwards, gets a new revision. A piece
+// that does not exist at the present time is sent as empty.
 
 #include <map>
 #include <span>
@@ -14,13 +14,14 @@ namespace prosector {
 
 class ToldTopology {
  public:
-  /// Takes the content that was announced, which is of the simulation as it is now. All outlive this.
+  /// Starts with the content that was announced, which describes the simulation as it is now. All arguments
+  /// outlive this.
   ToldTopology(const SceneContent& content, const Simulation& simulation, const RecordingIndex& index);
 
-  /// Follows a tick that was run; `people`: who was there. Appends what has to be said, in order.
+  /// Follows a tick that was run; `people`: the recorded participants. Appends the messages, in order.
   void follow(std::span<const TopologyChange> changes, SimTime time, const Roster& people,
               std::vector<Outgoing>& out);
-  /// Follows to another time of the recording.
+  /// Follows a jump to another time of the recording. Appends the messages, in order.
   void jump(SimTime time, const Roster& people, std::vector<Outgoing>& out);
 
   TopologyLog& log() { return log_; }
@@ -28,14 +29,14 @@ class ToldTopology {
 
  private:
   struct Told {
-    std::uint32_t revision = 0;  // the recording's
+    std::uint32_t revision = 0;  // revision in the recording
     std::uint64_t content_hash = 0;
     bool operator==(const Told&) const = default;
   };
   const Simulation& simulation_;
   const RecordingIndex& index_;
   TopologyLog log_;
-  std::map<BodyId, Told> told_;  // of soft bodies that clients know; a piece that is not there: Told{}
+  std::map<BodyId, Told> told_;  // of soft bodies that clients know; a piece that does not exist: `Told{}`
 
   Told now(BodyId body) const;
   TopologyChange beginning_of(BodyId piece) const;

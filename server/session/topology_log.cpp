@@ -48,7 +48,7 @@ void TopologyLog::follow(const SoftShapes& shapes, std::span<const TopologyChang
   }
 }
 
-/// Adds a piece. Its meshes and its first revision come before the scene that names it.
+/// Adds a piece. Its meshes and its first revision are sent before the scene that names it.
 void TopologyLog::add_piece(const SoftShapes& shapes, const TopologyChange& change, SimTime time,
                             const Roster& roster, std::vector<Outgoing>& out) {
   const SoftShapes::Shape now = shapes.shape(change.body);
@@ -81,15 +81,15 @@ void TopologyLog::send_keyframes(SimTime now, std::vector<Outgoing>& out) {
   std::erase_if(asked_, [&](BodyId id) {
     Body& body = bodies_.at(id);
     const double since = static_cast<double>(now.tick - body.keyframe_tick) / tick_rate_;
-    if (body.keyframe_tick > 0 && since < keyframe_interval) return false;  // in its turn
+    if (body.keyframe_tick > 0 && since < keyframe_interval) return false;  // too early: it stays requested
     body.keyframe_tick = now.tick;
     send_keyframe(body, out);
     return true;
   });
 }
 
-/// Sends the newest revision, to be entered without those before; they and the last keyframe are kept no
-/// longer.
+/// Sends the newest revision as a keyframe, which clients can use without earlier revisions. These and the
+/// last keyframe are disposed of.
 void TopologyLog::send_keyframe(Body& body, std::vector<Outgoing>& out) {
   TopologyRevision revision = body.surface.newest();
   const auto assets = body.surface.keyframe();

@@ -1,6 +1,6 @@
 #pragma once
-// What cuts make of the scene, as clients are told. There are revisions of each soft body, keyframes for
-// those who come late or lost their way, and pieces as bodies of the scene.
+// The scene's changes by cuts, as sent to clients: revisions of each soft body, keyframes for clients that
+// join late or can't follow, and pieces as bodies of the scene.
 
 #include <map>
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace prosector {
 
-// A late joiner takes a keyframe and at most this many revisions after it; older ones are no longer kept.
+// A late joiner receives a keyframe and at most this many revisions after it; older ones are not stored.
 inline constexpr std::uint32_t keyframe_revisions = 16;
-inline constexpr double keyframe_interval = 1;  // s, at least, between two of a body that clients ask for
+inline constexpr double keyframe_interval = 1;  // s: least time between two requested keyframes of a body
 
-/// Where the log looks up what soft bodies have become.
+/// Interface through which the log reads the present shapes of soft bodies.
 class SoftShapes {
  public:
   struct Shape {
@@ -30,24 +30,24 @@ class SoftShapes {
   };
   virtual ~SoftShapes() = default;
   virtual Shape shape(BodyId body) const = 0;
-  /// Describes a piece, as clients are told of it.
+  /// Describes a piece for clients.
   virtual SceneBody describe(BodyId body, const SurfaceLog& surface) const = 0;
 };
 
 class TopologyLog {
  public:
-  /// Takes the content that was announced.
+  /// Starts with the content that was announced.
   TopologyLog(const SceneContent& content, double tick_rate);
 
-  /// Follows what a step did that ended at `time`; appends what has to be said of it, in order.
+  /// Follows the changes of a step that ended at `time`. Appends the messages, in order.
   void follow(const SoftShapes& shapes, std::span<const TopologyChange> changes, SimTime time,
               const Roster& roster, std::vector<Outgoing>& out);
-  /// Notes that somebody's copy of the body doesn't fit.
+  /// Records that a client's copy of the body does not match.
   void ask_keyframe(BodyId body);
-  /// Appends the keyframes that were asked for and are due.
+  /// Appends the requested keyframes that are due.
   void send_keyframes(SimTime now, std::vector<Outgoing>& out);
 
-  /// Returns the revisions that follow() made since the last call, without patches: what the journal keeps.
+  /// Returns the revisions that follow() made since the last call, without patches, for the journal.
   std::vector<TopologyRevision> take_records();
 
   bool knows(BodyId body) const { return bodies_.contains(body); }
@@ -62,9 +62,9 @@ class TopologyLog {
   };
   struct Body {
     SurfaceLog surface;
-    std::uint32_t first_kept = 0;       // revision; those before were disposed of
-    std::vector<KeptAsset> keyframe{};  // of the newest keyframe that isn't the scene's
-    std::uint64_t keyframe_tick = 0;    // of the last one that was asked for
+    std::uint32_t first_kept = 0;       // first stored revision; earlier ones were disposed of
+    std::vector<KeptAsset> keyframe{};  // assets of the newest keyframe that isn't the scene's
+    std::uint64_t keyframe_tick = 0;    // tick of the last requested one
   };
   double tick_rate_;
   SceneInfo scene_;

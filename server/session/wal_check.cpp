@@ -11,7 +11,7 @@ namespace {
 
 // The layout is SQLite's (https://www.sqlite.org/fileformat2.html, "The Write-Ahead Log").
 constexpr std::size_t header_bytes = 32, frame_header_bytes = 24;
-constexpr std::uint32_t magic = 0x377f0682;  // its last bit: checksums of big-endian words
+constexpr std::uint32_t magic = 0x377f0682;  // last bit set: checksums use big-endian words
 
 std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at, bool big_endian = true) {
   std::uint32_t out = 0;
@@ -39,7 +39,7 @@ struct Checksum {
 bool log_is_damaged(const std::filesystem::path& log) {
   std::ifstream in(log, std::ios::binary);
   const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(in)), {});
-  if (bytes.size() <= header_bytes) return false;  // nothing in it
+  if (bytes.size() <= header_bytes) return false;  // empty
   const std::span<const std::uint8_t> all(bytes), header = all.first(header_bytes);
   Checksum sum{(word(header, 0) & 1) != 0};
   sum.add(header.first(24));
@@ -49,7 +49,7 @@ bool log_is_damaged(const std::filesystem::path& log) {
   for (std::size_t at = header_bytes; at + frame_bytes <= all.size(); at += frame_bytes) {
     const std::span<const std::uint8_t> frame = all.subspan(at, frame_bytes);
     const bool of_this_log = word(frame, 8) == word(header, 16) &&
-                             word(frame, 12) == word(header, 20);  // else left of an older one
+                             word(frame, 12) == word(header, 20);  // else it is left from an older log
     sum.add(frame.first(8));
     sum.add(frame.subspan(frame_header_bytes));
     proven = proven && of_this_log && sum.is(frame, 16);
@@ -60,7 +60,7 @@ bool log_is_damaged(const std::filesystem::path& log) {
 }
 
 bool log_is_missing(const std::filesystem::path& file) {
-  constexpr std::size_t read_version = 19;  // of the file's header; 2: with a write-ahead log
+  constexpr std::size_t read_version = 19;  // offset in the file's header; value 2: with a write-ahead log
   std::array<char, read_version + 1> head{};
   std::ifstream in(file, std::ios::binary);
   in.read(head.data(), head.size());

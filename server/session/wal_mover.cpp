@@ -7,10 +7,10 @@
 namespace prosector {
 namespace {
 
-// A machine that loses its power loses at most this: what is in the log alone is not on the disk yet.
+// A power failure loses at most this much time: what is only in the log is not on the disk yet.
 constexpr std::chrono::seconds period{5};
 
-/// Moves the log. What can't be moved now, because the disk is full or somebody reads, can be later.
+/// Moves the log. If the disk is full or a reader is active, a later call moves the rest.
 void move(const std::filesystem::path& file) {
   try {
     SqliteDatabase database(file, SqliteDatabase::Mode::write);

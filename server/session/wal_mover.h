@@ -1,6 +1,6 @@
 #pragma once
-// Moves a journal's write-ahead log into its file now and then. That waits for the disk, so a thread and a
-// connection of their own do it: ticks are written meanwhile.
+// Moves a journal's write-ahead log into its file periodically. That waits for the disk, so a separate thread
+// and connection do it: ticks are written meanwhile.
 
 #include <condition_variable>
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace prosector {
 
 class WalMover {
  public:
-  /// Starts the mover; `file` exists, and outlives it.
+  /// Starts the mover. `file` must exist as long as it runs.
   explicit WalMover(std::filesystem::path file);
   ~WalMover();
   WalMover(const WalMover&) = delete;

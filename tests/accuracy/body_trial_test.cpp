@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "server/accuracy/outer_surface.h"
-#include "server/physics/grading.h"
-#include "server/physics/soft/soft_matter.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
+#include "server/physics/stations/compile/grading.h"
 #include "tests/accuracy/boxes.h"
 
 namespace prosector {

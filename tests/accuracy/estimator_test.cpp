@@ -12,9 +12,9 @@
 #include "server/accuracy/bubbles.h"
 #include "server/accuracy/error_grid.h"
 #include "server/accuracy/law_difference.h"
-#include "server/physics/soft/elements/edge_nodes.h"
-#include "server/physics/soft/laws/polar.h"
-#include "server/physics/soft/soft_matter.h"
+#include "server/physics/mechanics/soft/elements/edge_nodes.h"
+#include "server/physics/mechanics/soft/laws/polar.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
 #include "tests/accuracy/boxes.h"
 
 namespace prosector {

@@ -14,6 +14,21 @@ namespace {
 
 using namespace testing_files;
 
+const std::string gmsh1 = R"($NOD
+5
+10 0 0 0
+20 1 0 0
+30 0 1 0
+40 0 0 1
+50 1 1 1
+$ENDNOD
+$ELM
+3
+1 2 0 1 3 10 20 30
+2 4 0 1 4 10 20 30 40
+3 4 0 1 4 20 30 40 50
+$ENDELM
+)";
 const std::string gmsh2 = R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -134,7 +149,8 @@ struct Format {
   const char* file;
   std::string text;
 };
-const std::vector<Format> formats = {{"a.msh", gmsh2},
+const std::vector<Format> formats = {{"one.msh", gmsh1},
+                                     {"a.msh", gmsh2},
                                      {"b.msh", gmsh4},
                                      {"c.vtk", vtk},
                                      {"d.vtk", vtk5},
@@ -216,6 +232,10 @@ TEST(TetFiles, BadFilesAreRefusedWithTheirLine) {
   EXPECT_NE(error_of("x.msh", replaced(gmsh2, "50 1 1 1", "50 1 nan 1")), "accepted");
   EXPECT_NE(error_of("x.msh", gmsh2.substr(0, gmsh2.size() / 2)), "accepted");
   EXPECT_NE(error_of("x.msh", "").find("MeshFormat"), std::string::npos);
+  EXPECT_NE(
+      error_of("x.msh", replaced(gmsh1, "4 20 30 40 50", "5 20 30 40 50 10")).find("5 nodes; allowed: 4"),
+      std::string::npos);
+  EXPECT_NE(error_of("x.msh", gmsh1.substr(0, gmsh1.find("$ELM"))).find("no $ELM"), std::string::npos);
   EXPECT_NE(error_of("x.vtk", replaced(vtk, "4 1 2 3 4", "4 1 2 3 5")).find("point 5; allowed: below 5"),
             std::string::npos);
   EXPECT_NE(error_of("x.vtk", replaced(vtk, "ASCII", "BINARY")), "accepted");

@@ -14,14 +14,14 @@
 #include <optional>
 #include <utility>
 
-#include "server/physics/contact/surface_detector.h"
-#include "server/physics/cutting/cut_through.h"
-#include "server/physics/cutting/missing_nodes.h"
-#include "server/physics/cutting/tet_shape.h"
-#include "server/physics/organs/organ.h"
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/soft/mesh_follower.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/contact/surface_detector.h"
+#include "server/physics/mechanics/cutting/cut_through.h"
+#include "server/physics/mechanics/cutting/missing_nodes.h"
+#include "server/physics/mechanics/cutting/tet_shape.h"
+#include "server/physics/mechanics/organs/organ.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/soft/mesh_follower.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
 #include "tests/physics/scenes.h"
 

@@ -15,7 +15,7 @@
 #include "server/accuracy/body_trial.h"
 #include "server/calibration/choose_scene.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
 #include "tests/bench/crowd.h"
 #include "tests/bench/subjects.h"

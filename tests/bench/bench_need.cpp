@@ -5,7 +5,7 @@
 
 #include "common/scene/load_scene.h"
 #include "server/calibration/redial.h"
-#include "server/physics/sources.h"
+#include "server/physics/stations/compile/sources.h"
 #include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "common/error.h"
-#include "server/physics/sources.h"
+#include "server/physics/stations/compile/sources.h"
 #include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/rungs.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/subjects.h"

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/laws/constitutive_law.h"
-#include "server/physics/soft/make_model.h"
-#include "server/physics/soft/matrices/block_matrix.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/make_model.h"
+#include "server/physics/mechanics/soft/matrices/block_matrix.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 #include "tests/soft/kuhn.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "server/accuracy/displacement.h"
-#include "server/physics/grading.h"
+#include "server/physics/stations/compile/grading.h"
 #include "tests/bench/soft_run.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/weighed_body.h"

@@ -15,8 +15,8 @@
 #include <set>
 
 #include "common/error.h"
-#include "server/physics/soft/elements/tet4.h"
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/elements/tet4.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 namespace {

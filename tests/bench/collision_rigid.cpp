@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/rigid/collision_shape.h"
-#include "server/physics/rigid/rigid_world.h"
+#include "server/physics/mechanics/rigid/collision_shape.h"
+#include "server/physics/mechanics/rigid/rigid_world.h"
 #include "tests/bench/collision_cases.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/pair_errors.h"

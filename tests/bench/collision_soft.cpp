@@ -1,10 +1,11 @@
 // Soft bodies against rigid ones and each other, as sessions find them.
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/contact/fit_tissue.h"
-#include "server/physics/contact/margins.h"
-#include "server/physics/contact/rigid_soft_contacts.h"
-#include "server/physics/contact/soft_contact_finder.h"
+#include "server/physics/mechanics/contact/margins.h"
+#include "server/physics/stations/compile/compile.h"
+#include "server/physics/stations/touching/fit_tissue.h"
+#include "server/physics/stations/touching/rigid_soft_contacts.h"
+#include "server/physics/stations/touching/soft_contact_finder.h"
 #include "tests/bench/collision_cases.h"
 #include "tests/bench/pair_errors.h"
 #include "tests/collision/reference/narrow_phase.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 
 namespace prosector {

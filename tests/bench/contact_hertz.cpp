@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 #include "tests/bench/finite_layer.h"
 #include "tests/physics/pressed_layer.h"

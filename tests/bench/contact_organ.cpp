@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "common/paths.h"
-#include "server/physics/soft/elements/edge_nodes.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/sources.h"
+#include "server/physics/mechanics/soft/elements/edge_nodes.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/stations/compile/sources.h"
 #include "tests/bench/contact_run.h"
 #include "tests/physics/under_ball.h"
 

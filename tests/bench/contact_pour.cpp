@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "server/physics/collision/surface/triangle_surface.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/collision/surface/triangle_surface.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 
 namespace prosector {

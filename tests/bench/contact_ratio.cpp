@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "server/physics/soft/mechanical_energy.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 
 namespace prosector {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/text_table.h"
 
 namespace prosector {

@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "common/hand.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/random.h"
 
 namespace prosector {

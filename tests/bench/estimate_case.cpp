@@ -11,9 +11,9 @@
 #include "server/accuracy/body_trial.h"
 #include "server/accuracy/foot.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/elements/edge_nodes.h"
-#include "server/physics/soft/soft_matter.h"
-#include "server/physics/sources.h"
+#include "server/physics/mechanics/soft/elements/edge_nodes.h"
+#include "server/physics/mechanics/soft/soft_matter.h"
+#include "server/physics/stations/compile/sources.h"
 
 namespace prosector {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/paths.h"
 #include "common/version.h"
-#include "server/physics/freed_memory.h"
+#include "server/physics/base/freed_memory.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/trade_case.h"

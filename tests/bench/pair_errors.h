@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "server/physics/collision/primitives/proximity.h"
+#include "server/physics/mechanics/collision/primitives/proximity.h"
 #include "tests/bench/report.h"
 
 namespace prosector {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "server/physics/soft/integrators/explicit_integrators.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/integrators/explicit_integrators.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 namespace {

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "common/paths.h"
 #include "server/accuracy/body_trial.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/pressed_layer.h"
 #include "tests/physics/under_ball.h"
 

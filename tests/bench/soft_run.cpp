@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
 
 namespace prosector {
 namespace {

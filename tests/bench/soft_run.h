@@ -1,7 +1,7 @@
 #pragma once
 // One soft body stepped by the server's island solver, and what its steps cost.
 
-#include "server/physics/coupled/island_solver.h"
+#include "server/physics/mechanics/coupled/island_solver.h"
 #include "tests/bench/report.h"
 #include "tests/bench/text_table.h"
 

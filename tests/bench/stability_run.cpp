@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/integrators/time_integrator.h"
+#include "server/physics/mechanics/soft/integrators/time_integrator.h"
 #include "tests/bench/text_table.h"
 #include "tests/bench/two_organs.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "server/physics/soft/integrators/time_integrator.h"
-#include "server/physics/soft/laws/constitutive_law.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/integrators/time_integrator.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/rungs.h"
 
 namespace prosector {
 namespace {

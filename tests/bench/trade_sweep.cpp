@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "server/physics/soft/integrators/time_integrator.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/integrators/time_integrator.h"
+#include "server/physics/mechanics/soft/rungs.h"
 
 namespace prosector {
 namespace {

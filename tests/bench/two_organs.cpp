@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "server/calibration/stopwatch.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/physics/simulation.h"
-#include "server/physics/soft/soft_body.h"
 #include "tests/play/judge.h"
 
 namespace prosector {

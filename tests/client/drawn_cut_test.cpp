@@ -11,7 +11,7 @@
 
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/client/acted_desk.h"
 #include "tests/folders.h"
 #include "tests/real_data.h"

@@ -12,7 +12,7 @@
 #include "client/app/console.h"
 #include "client/app/controls.h"
 #include "common/scene/load_scene.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/client/acted_desk.h"
 #include "tests/folders.h"
 

@@ -1,6 +1,6 @@
 // What encloses encloses.
 
-#include "server/physics/collision/outlines/bounding.h"
+#include "server/physics/mechanics/collision/outlines/bounding.h"
 
 #include <gtest/gtest.h>
 

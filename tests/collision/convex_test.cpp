@@ -1,6 +1,6 @@
 // Convex shapes: what Bullet's single precision is worth behind our planes.
 
-#include "server/physics/collision/narrow/convex_contact.h"
+#include "server/physics/mechanics/collision/narrow/convex_contact.h"
 
 #include <gtest/gtest.h>
 

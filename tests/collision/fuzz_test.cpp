@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/error.h"
-#include "server/physics/collision/narrow/convex_contact.h"
+#include "server/physics/mechanics/collision/narrow/convex_contact.h"
 #include "tests/collision/reference/narrow_phase.h"
 #include "tests/collision/reference/self_contact.h"
 #include "tests/collision/shapes.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "server/physics/collision/surface/space_order.h"
+#include "server/physics/mechanics/collision/surface/space_order.h"
 #include "tests/random.h"
 
 namespace prosector {

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "server/physics/collision/primitives/triangle_crossing.h"
+#include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
 #include "tests/collision/reference/self_contact.h"
 #include "tests/collision/shapes.h"
 

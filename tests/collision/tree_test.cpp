@@ -5,7 +5,7 @@
 #include <map>
 
 #include "common/error.h"
-#include "server/physics/collision/broad/broad_phase.h"
+#include "server/physics/mechanics/collision/broad/broad_phase.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

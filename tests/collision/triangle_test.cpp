@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/collision/primitives/triangle_crossing.h"
+#include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

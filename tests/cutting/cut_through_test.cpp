@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "server/physics/cutting/cut_through.h"
-#include "server/physics/cutting/missing_nodes.h"
-#include "server/physics/cutting/pieces.h"
+#include "server/physics/mechanics/cutting/cut_through.h"
+#include "server/physics/mechanics/cutting/missing_nodes.h"
+#include "server/physics/mechanics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/strokes.h"
 #include "tests/random.h"

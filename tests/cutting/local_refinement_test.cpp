@@ -1,6 +1,6 @@
 // Tetrahedra that are smaller where a body is touched.
 
-#include "server/physics/cutting/local_refinement.h"
+#include "server/physics/mechanics/cutting/local_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -121,10 +121,7 @@ TEST(LocalRefinement, RandomTouchingKeepsAllSoundAndGoesOnAlike) {
         ASSERT_TRUE(is_sound(mesh.complex(), before));
       }
       if (read) {
-        ByteWriter one, other;
-        mesh.save(one);
-        read->save(other);
-        ASSERT_EQ(one.bytes(), other.bytes());
+        ASSERT_EQ(mesh.edges(), read->edges());
         ASSERT_EQ(mesh.added(), read->added());
       }
     }
@@ -166,21 +163,21 @@ TEST(LocalRefinement, WhatIsTouchedNowTakesTheRoomOfWhatWas) {
   }));
 }
 
-TEST(LocalRefinement, BrokenBytesAreRefused) {
+TEST(LocalRefinement, EdgesThatAreNotThereAreRefused) {
   const TetMesh rest = ball_mesh(0.02);
   LocalRefinement mesh(rest, mesh_density, limits());
   settle(mesh, at({mesh.complex().rest(0)}));
-  ByteWriter good;
-  mesh.save(good);
+  const std::vector<RefinedEdge> good = mesh.edges();
   std::mt19937_64 random(1);
   int refused = 0;
   for (int i = 0; i < 100; ++i) {
-    auto bad = good.bytes();
-    for (int k = 0; k < 4; ++k) bad[random() % bad.size()] = static_cast<std::uint8_t>(random());
+    std::vector<RefinedEdge> bad = good;
+    RefinedEdge& edge = bad[random() % bad.size()];
+    for (std::uint32_t* number : {&edge.a, &edge.b, &edge.left})
+      if (random() % 2 == 0) *number ^= 1u << (random() % 32);
     LocalRefinement other = mesh.unrefined(rest);
     try {
-      ByteReader in(bad, "a refinement");
-      other.load(in);
+      other.bisect(bad);
       other.take_back();
       EXPECT_EQ(other.added(), 0u);  // whatever was split
     } catch (const InputError&) {

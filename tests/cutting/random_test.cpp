@@ -7,7 +7,7 @@
 #include <iostream>
 #include <utility>
 
-#include "server/physics/cutting/pieces.h"
+#include "server/physics/mechanics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
 #include "tests/cutting/strokes.h"

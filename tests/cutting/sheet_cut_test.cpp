@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "common/anatomy/fabric.h"
-#include "server/physics/cutting/carry.h"
-#include "server/physics/cutting/pieces.h"
-#include "server/physics/cutting/sheet_mass.h"
+#include "server/physics/mechanics/cutting/carry.h"
+#include "server/physics/mechanics/cutting/pieces.h"
+#include "server/physics/mechanics/cutting/sheet_mass.h"
 #include "tests/cutting/strokes.h"
 #include "tests/random.h"
 

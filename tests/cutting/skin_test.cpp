@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "server/physics/cutting/skin.h"
-#include "server/physics/cutting/touched.h"
+#include "server/physics/mechanics/cutting/skin.h"
+#include "server/physics/mechanics/cutting/touched.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
 #include "tests/cutting/strokes.h"

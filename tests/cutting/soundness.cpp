@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "server/physics/cutting/mesh_cut.h"
-#include "server/physics/cutting/pieces.h"
-#include "server/physics/cutting/tet_shape.h"
+#include "server/physics/mechanics/cutting/mesh_cut.h"
+#include "server/physics/mechanics/cutting/pieces.h"
+#include "server/physics/mechanics/cutting/tet_shape.h"
 
 namespace prosector {
 namespace {

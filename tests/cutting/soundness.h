@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/cutting/tet_complex.h"
+#include "server/physics/mechanics/cutting/tet_complex.h"
 
 namespace prosector {
 

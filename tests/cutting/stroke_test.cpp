@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/cutting/pieces.h"
+#include "server/physics/mechanics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
 #include "tests/cutting/strokes.h"

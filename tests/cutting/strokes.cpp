@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "server/physics/cutting/carry.h"
+#include "server/physics/mechanics/cutting/carry.h"
 #include "tests/cutting/meshes.h"
 
 namespace prosector {

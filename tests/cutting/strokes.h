@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "server/physics/cutting/mesh_cut.h"
+#include "server/physics/mechanics/cutting/mesh_cut.h"
 
 namespace prosector {
 

@@ -13,8 +13,8 @@
 #include "common/anatomy/surface_field.h"
 #include "common/error.h"
 #include "common/scene/load_scene.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/physics/simulation.h"
-#include "server/physics/soft/soft_body.h"
 #include "tests/anatomy/files.h"
 #include "tests/draft/surface_texts.h"
 

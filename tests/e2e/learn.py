@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import signal
 import sys
@@ -15,7 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 import asked_part
 import newcomer
 from desk_person import act
-from lesson import Lesson
+from lesson import ROOT, Lesson
 
 BESIDE, BELOW = (820, 0), (0, 640)  # places of further windows on the screen
 ROUND, PRESSES = 24, 10             # s: of the scripts of deploy/demo, and from their begin until the hand is in the liver
@@ -198,6 +199,23 @@ def researcher(lesson):
     print(said)
 
 
+def programmer(lesson):
+    lesson.block("deploy/build.sh")  # what it builds is what this installs
+    release = lesson.folder / "build" / "release"
+    built = (release / "bin").resolve().parent
+    (release / "bin").unlink()
+    release.rmdir()
+    release.symlink_to(built)
+    lesson.run("cmake --install", "install.log", 120)
+    said = lesson.run("cp -r prosector", "example.log", 300)
+    page = (ROOT / "docs" / "learn" / "programmer.md").read_text()
+    said += lesson.run("sed -i", "stiffer.log", 300)
+    lines = re.findall(r"(?:beam|ball|kidney): .*", said)
+    assert len(lines) == 6 and lines[1:3] == lines[4:], said
+    for line in lines:
+        assert f"`{line}`" in page, f"programmer.md does not have: {line}"
+
+
 def webcam(lesson):
     lesson.run("prosector-board", "boards.log", 120)
     said = lesson.run("camera record", "camera.log", 300)
@@ -219,7 +237,7 @@ def webcam(lesson):
     print(said)
 
 
-LESSONS = {"host": host, "headset": headset, "desk": desk, "observer": observer, "researcher": researcher, "webcam": webcam}
+LESSONS = {"host": host, "headset": headset, "desk": desk, "observer": observer, "researcher": researcher, "webcam": webcam, "programmer": programmer}
 
 
 def main():

@@ -4,7 +4,7 @@
 #include "common/index_tip.h"
 #include "common/panel.h"
 #include "server/haptics/felt_panel.h"
-#include "server/physics/panel/panel_motion.h"
+#include "server/physics/mechanics/panel/panel_motion.h"
 
 namespace prosector {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/rungs.h"
 #include "tests/physics/scalpel.h"
 #include "tests/physics/scenes.h"
 

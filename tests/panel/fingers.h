@@ -1,7 +1,7 @@
 #pragma once
 // A finger that works a panel.
 
-#include "server/physics/panel/panel_world.h"
+#include "server/physics/mechanics/panel/panel_world.h"
 
 namespace prosector::test {
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/physics/base/record.h"
 #include "tests/panel/fingers.h"
 
 namespace prosector::test {
@@ -46,10 +47,19 @@ struct Room {
   }
   std::vector<std::uint8_t> saved() const {
     ByteWriter out;
-    world.save(out);
+    RecordWriter io(out);
+    world.save(io);
     return out.bytes();
   }
 };
+
+/// Reads a saved world, all of its bytes. Throws InputError.
+inline void load(PanelWorld& world, std::span<const std::uint8_t> bytes, std::size_t bodies) {
+  ByteReader in(bytes, "panels");
+  RecordReader io(in);
+  world.load(io, bodies);
+  in.end();
+}
 
 inline PanelHand hand(ParticipantId who, std::optional<BodyId> touches = {}) {
   PanelHand out;

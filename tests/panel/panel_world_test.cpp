@@ -372,10 +372,7 @@ TEST(PanelWorld, GoesOnTheSameAfterRestoreWhileItIsCarried) {
   room.step(palm_at(ada, room.head, false));
   room.step(palm_at(ada, room.head, true), 3);
   Room restored;
-  const auto bytes = room.saved();
-  ByteReader in(bytes, "panels");
-  restored.world.load(in, 10);
-  EXPECT_TRUE(in.done());
+  load(restored.world, room.saved(), 10);
   const auto both = [&](const PanelHand& hand) {
     room.step(hand);
     restored.step(hand);
@@ -395,10 +392,7 @@ TEST(PanelWorld, GoesOnTheSameAfterRestore) {
   for (const double height : {0.03, 0.012, 0.007})
     room.step(at_panel(room, ada, over(PanelControl::attach, height)));
   Room restored;
-  const auto bytes = room.saved();
-  ByteReader in(bytes, "panels");
-  restored.world.load(in, 10);
-  EXPECT_TRUE(in.done());
+  load(restored.world, room.saved(), 10);
   for (const double height : {0.004, -0.002, 0.01, 0.02}) {
     const PanelHand finger = at_panel(room, ada, over(PanelControl::attach, height));
     room.step(finger);
@@ -420,13 +414,11 @@ TEST(PanelWorld, BrokenStatesAreRefused) {
   const std::span<const std::uint8_t> all = good;
   for (std::size_t size = 0; size < good.size(); ++size) {
     Room other;
-    ByteReader in(all.first(size), "panels");
-    EXPECT_THROW(other.world.load(in, 10), InputError) << size;
+    EXPECT_THROW(load(other.world, all.first(size), 10), InputError) << size;
     EXPECT_TRUE(other.world.panels().empty());
   }
   Room other;
-  ByteReader in(good, "panels");
-  EXPECT_THROW(other.world.load(in, liver), InputError) << "a body that isn't there";
+  EXPECT_THROW(load(other.world, good, liver), InputError) << "a body that isn't there";
 }
 
 TEST(PanelWorld, SomeoneGoneLeavesNothing) {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/panel.h"
-#include "server/physics/panel/panel_place.h"
+#include "server/physics/mechanics/panel/panel_place.h"
 
 namespace prosector {
 namespace {

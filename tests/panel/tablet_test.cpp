@@ -198,8 +198,7 @@ TEST(Tablet, GoesOnAfterARestoreAsIfThereHadBeenNone) {
     if (i != told.size() / 2) continue;
     const auto saved = run.saved();
     PanelWorld back(tick);
-    ByteReader in(saved, "test");
-    back.load(in, 10);
+    load(back, saved, 10);
     run.world = back;
     EXPECT_EQ(run.saved(), saved);
   }

@@ -7,8 +7,8 @@
 
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 #include "tests/folders.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "server/physics/contact/memory.h"
-#include "server/physics/coupled/rigid_block.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/contact/memory.h"
+#include "server/physics/mechanics/coupled/rigid_block.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

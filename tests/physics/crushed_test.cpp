@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-#include "server/physics/soft/recovery_law.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/soft/recovery_law.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"

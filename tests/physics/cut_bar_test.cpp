@@ -8,8 +8,8 @@
 #include <iostream>
 #include <map>
 
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -7,8 +7,8 @@
 
 #include "common/error.h"
 #include "common/primitives.h"
-#include "server/physics/rigid/cut_surface.h"
-#include "server/physics/rigid/triangulate.h"
+#include "server/physics/mechanics/rigid/cut_surface.h"
+#include "server/physics/mechanics/rigid/triangulate.h"
 
 namespace prosector {
 namespace {

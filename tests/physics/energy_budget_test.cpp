@@ -9,7 +9,7 @@
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/kuhn_box.h"
 #include "common/anatomy/quartered.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/coupled/island_system.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/coupled/island_system.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

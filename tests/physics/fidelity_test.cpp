@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/rigid/collision_shape.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/rigid/collision_shape.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

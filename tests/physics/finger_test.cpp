@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/hand.h"
-#include "server/physics/hands/finger_drive.h"
+#include "server/physics/mechanics/hands/finger_drive.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

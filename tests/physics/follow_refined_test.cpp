@@ -5,8 +5,8 @@
 
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/rest_stretch.h"
-#include "server/physics/organs/refined_body.h"
-#include "server/physics/soft/mesh_follower.h"
+#include "server/physics/mechanics/organs/refined_body.h"
+#include "server/physics/mechanics/soft/mesh_follower.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"

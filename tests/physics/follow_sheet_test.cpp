@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "common/anatomy/fabric.h"
-#include "server/physics/organs/momentum.h"
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/organs/sheet_parts.h"
-#include "server/physics/organs/surface_follow.h"
-#include "server/physics/soft/mesh_follower.h"
-#include "server/physics/soft/springs/sheet_springs.h"
+#include "server/physics/mechanics/organs/momentum.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/organs/sheet_parts.h"
+#include "server/physics/mechanics/organs/surface_follow.h"
+#include "server/physics/mechanics/soft/mesh_follower.h"
+#include "server/physics/mechanics/soft/springs/sheet_springs.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
 

@@ -7,10 +7,10 @@
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/rest_stretch.h"
 #include "common/byte_stream.h"
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/make_model.h"
-#include "server/physics/soft/mesh_follower.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/organs/tet_lineage.h"
+#include "server/physics/mechanics/soft/make_model.h"
+#include "server/physics/mechanics/soft/mesh_follower.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
@@ -37,11 +37,8 @@ namespace {
 /// that this one has, whose skin followed.
 ::testing::AssertionResult restores_alike(const Organ& organ, std::size_t bodies, const Anatomy& mesh,
                                           double density) {
-  ByteWriter saved;
-  organ.save(saved);
   Organ restored(organ.pieces().front().body, mesh, density);
-  ByteReader in(saved.bytes(), "an organ's log");
-  restored.load(in, bodies);
+  restored.restore(organ.log(), organ.mark().pieces, bodies);
   for (const OrganPiece& piece : organ.pieces()) {
     if (!piece.whole()) continue;
     const PieceSurface a = surface_of(organ, piece), b = surface_of(restored, restored.piece(piece.body));

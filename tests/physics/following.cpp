@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/integrators/substepper.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/integrators/substepper.h"
 #include "tests/random.h"
 
 namespace prosector {

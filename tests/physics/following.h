@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "server/physics/contact/tissue_surface.h"
-#include "server/physics/organs/organ.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/contact/tissue_surface.h"
+#include "server/physics/mechanics/organs/organ.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 

@@ -1,6 +1,6 @@
 // Meshes that are graded at the rims of what is attached.
 
-#include "server/physics/grading.h"
+#include "server/physics/stations/compile/grading.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "server/physics/contact/surface_detector.h"
-#include "server/physics/coupled/island_solver.h"
+#include "server/physics/mechanics/contact/surface_detector.h"
+#include "server/physics/mechanics/coupled/island_solver.h"
 #include "tests/physics/pressed_layer.h"
 #include "tests/physics/under_ball.h"
 

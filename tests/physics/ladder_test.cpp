@@ -7,9 +7,9 @@
 #include <random>
 
 #include "common/anatomy/fabric.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

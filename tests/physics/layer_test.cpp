@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
-#include "server/physics/collision/primitives/triangle_crossing.h"
-#include "server/physics/contact/element_surface.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
+#include "server/physics/mechanics/contact/element_surface.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

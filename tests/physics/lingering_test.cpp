@@ -1,7 +1,7 @@
 // Bodies that shiver in their place are calmed and put to rest; what moves on, and what nothing touches, is
 // not.
 
-#include "server/physics/coupled/lingering.h"
+#include "server/physics/mechanics/coupled/lingering.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "common/anatomy/kuhn_box.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/under_ball.h"
 
 namespace prosector::test {

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "server/physics/organs/organ.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/organs/cut_records.h"
+#include "server/physics/mechanics/organs/organ.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scalpel.h"
 
 namespace prosector::test {
@@ -115,7 +116,9 @@ TEST(Organ, GoesBackToAMarkBitForBit) {
   Organ organ(0, body.anatomy(), body.desc().density), other(0, body.anatomy(), body.desc().density);
   const auto bytes = [](const Organ& o) {
     ByteWriter out;
-    o.save(out);
+    RecordWriter io(out);
+    entry(io, o.log());
+    entry(io, o.mark().pieces);
     return out.bytes();
   };
   const auto cut_at = [](Organ& o, double z, std::uint64_t number) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

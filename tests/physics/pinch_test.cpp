@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "common/hand.h"
-#include "server/physics/contact/pad.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/contact/pad.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/coupled/recovery.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/coupled/recovery.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
 

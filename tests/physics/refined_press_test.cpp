@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/anatomy/embedding.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/pressed_layer.h"
 #include "tests/physics/scenes.h"
 #include "tests/physics/under_ball.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "server/physics/organs/blade.h"
+#include "server/physics/mechanics/organs/blade.h"
 #include "tests/physics/scalpel.h"
 
 namespace prosector::test {

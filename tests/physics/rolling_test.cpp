@@ -1,12 +1,12 @@
 // Rolling resistance, against a ball on a slope: it speeds up by (g sin θ − c g cos θ) / (1 + I/mR²).
 
-#include "server/physics/rigid/rolling.h"
+#include "server/physics/mechanics/rigid/rolling.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -6,12 +6,20 @@
 #include <algorithm>
 
 #include "common/room.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
 namespace {
+
+/// Returns the saved state without the hash of its scene, which follows the format's number.
+std::vector<std::uint8_t> state_of(const Simulation& simulation) {
+  std::vector<std::uint8_t> out = simulation.save();
+  const auto hash = out.begin() + sizeof(std::uint64_t);
+  out.erase(hash, hash + sizeof(ContentHash));
+  return out;
+}
 
 SceneDesc in_room(bool floor = true, bool walls = true) {
   SceneDesc scene;
@@ -224,7 +232,7 @@ TEST(Room, ChangesNothingWhereNothingMeetsIt) {
     }
     without.step(input(i));
     with.step(input(i));
-    ASSERT_EQ(with.state_hash(), without.state_hash()) << "tick " << i;
+    ASSERT_EQ(state_of(with), state_of(without)) << "tick " << i;
   }
 }
 
@@ -250,7 +258,7 @@ TEST(Room, WhatBeginsBehindASidePassesThroughIt) {
     })) << words;
   run(without, 20);
   run(with, 20);
-  EXPECT_EQ(with.state_hash(), without.state_hash());
+  EXPECT_EQ(state_of(with), state_of(without));
   EXPECT_LT(extent(with, 2, 1).first, -0.03);
 }
 

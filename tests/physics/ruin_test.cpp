@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/primitives/closest_points.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/collision/primitives/closest_points.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/organs/organ.h"
-#include "server/physics/organs/sheet_parts.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/organs/organ.h"
+#include "server/physics/mechanics/organs/sheet_parts.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scalpel.h"
 #include "tests/random.h"
 
@@ -307,11 +307,8 @@ TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   EXPECT_NE(one, uncut);
   organ.regroup(organ.pieces().size());
 
-  ByteWriter out;
-  organ.save(out);
   Organ other(0, body.anatomy(), body.desc().density, held);
-  ByteReader in(out.bytes(), "an organ");
-  other.load(in, organ.pieces().size());
+  other.restore(organ.log(), organ.mark().pieces, organ.pieces().size());
   EXPECT_EQ(content_hash(other.complex()), uncut);
 }
 

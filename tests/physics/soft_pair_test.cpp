@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 #include "tests/physics/thrown.h"
 #include "tests/play/judge.h"

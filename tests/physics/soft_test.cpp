@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "common/anatomy/kuhn_box.h"
-#include "server/physics/coupled/step_island.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/mechanical_energy.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/coupled/step_island.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector::test {
 namespace {

@@ -4,17 +4,18 @@
 
 #include <optional>
 
-#include "server/physics/checkpoint.h"
-#include "server/physics/contact/fit_tissue.h"
-#include "server/physics/contact/soft_contact_finder.h"
-#include "server/physics/coupled/island_builder.h"
-#include "server/physics/coupled/lingering.h"
-#include "server/physics/coupled/sleep.h"
-#include "server/physics/hands/hands.h"
-#include "server/physics/hands/holding.h"
-#include "server/physics/organs/tissue_near.h"
-#include "server/physics/parts/part_rules.h"
-#include "server/physics/tick_parts.h"
+#include "server/physics/mechanics/coupled/lingering.h"
+#include "server/physics/stations/compile/compile.h"
+#include "server/physics/stations/dissecting/tissue_near.h"
+#include "server/physics/stations/hands/hands.h"
+#include "server/physics/stations/hands/holding.h"
+#include "server/physics/stations/islands/island_builder.h"
+#include "server/physics/stations/islands/sleep.h"
+#include "server/physics/stations/parts/part_rules.h"
+#include "server/physics/stations/save/checkpoint.h"
+#include "server/physics/stations/tick_parts.h"
+#include "server/physics/stations/touching/fit_tissue.h"
+#include "server/physics/stations/touching/soft_contact_finder.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/take_over.h"
+#include "server/physics/stations/save/take_over.h"
 #include "tests/physics/scalpel.h"
 
 namespace prosector::test {

@@ -9,9 +9,9 @@
 
 #include "common/anatomy/rest_stretch.h"
 #include "common/error.h"
-#include "server/physics/organs/organ_geometry.h"
-#include "server/physics/soft/rungs.h"
-#include "server/physics/tension.h"
+#include "server/physics/mechanics/organs/organ_geometry.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/stations/compile/tension.h"
 #include "tests/physics/scalpel.h"
 #include "tests/soft/stepper.h"
 

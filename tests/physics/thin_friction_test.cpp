@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 #include "tests/physics/thrown.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "server/physics/contact/rod.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/contact/rod.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {

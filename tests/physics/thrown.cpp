@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "server/physics/collision/surface/triangle_surface.h"
-#include "server/physics/soft/mechanical_energy.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/collision/surface/triangle_surface.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/surface/triangle_surface.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/unfold.h"
+#include "server/physics/mechanics/collision/surface/triangle_surface.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/unfold.h"
 
 namespace prosector::test {
 namespace {

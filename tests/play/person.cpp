@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "client/replica/replica.h"
 #include "idl/local_bus.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/server_loop.h"
 #include "tests/physics/scenes.h"
 

@@ -148,7 +148,7 @@ TEST(JournalDamage, NoFlippedBitOfTheFileResumesIntoAnotherState) {
   const std::string whole = read(file.path);
   std::mt19937_64 random(11);
   int refused = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 120; ++i) {
     std::string flipped = whole;
     const std::size_t at = random() % flipped.size();
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << random() % 8));

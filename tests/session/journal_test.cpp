@@ -113,6 +113,30 @@ TEST(Journal, ReplayNamesTheFirstDifference) {
   EXPECT_EQ(result.first_difference, 17u);
 }
 
+TEST(Journal, ReplayNamesTheFirstValueThatDiffers) {
+  const TemporaryFile original("original"), file("moved");
+  record(original.path, 30);
+  Simulation moved(test::hosted_scene(), test::options());
+  {
+    const auto journal = Journal::create(file.path, header_of(moved), {});
+    JournalReader(original.path).for_each_tick(0, [&](JournalTick tick) {
+      TickInput input = tick.input.input;
+      if (tick.tick == 12) input.targets.clear();
+      moved.step(input);
+      tick.state_hash = moved.state_hash();
+      const bool last = tick.tick == 20;
+      journal->append(std::move(tick), last ? moved.save() : std::vector<std::uint8_t>());
+      return !last;
+    });
+  }
+  Simulation simulation(test::hosted_scene(), test::options());
+  const ReplayResult result = replay(JournalReader(file.path), simulation, {});
+  EXPECT_EQ(result.first_difference, 12u);
+  ASSERT_TRUE(result.differing_value);
+  EXPECT_EQ(result.differing_value->tick, 20u);
+  EXPECT_NE(result.differing_value->name.find("hand 0"), std::string::npos) << result.differing_value->name;
+}
+
 TEST(Journal, ReplayNamesARevisionThatWasNotMadeAgain) {
   const TemporaryFile file("revision");
   {

@@ -13,7 +13,7 @@
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "idl/wire/codec.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/scene_content.h"
 #include "server/session/soft_sender.h"
 #include "tests/folders.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/soft_body.h"
 
 namespace prosector {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "server/physics/soft/integrators/explicit_integrators.h"
-#include "server/physics/soft/integrators/time_integrator.h"
+#include "server/physics/mechanics/soft/integrators/explicit_integrators.h"
+#include "server/physics/mechanics/soft/integrators/time_integrator.h"
 
 namespace prosector {
 

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 

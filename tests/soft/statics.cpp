@@ -6,10 +6,10 @@
 #include <array>
 #include <map>
 
-#include "server/physics/soft/make_model.h"
-#include "server/physics/soft/matrices/block_matrix.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/solvers/cholesky.h"
+#include "server/physics/mechanics/soft/make_model.h"
+#include "server/physics/mechanics/soft/matrices/block_matrix.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/solvers/cholesky.h"
 
 namespace prosector {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "server/physics/soft/elements/elastic_model.h"
+#include "server/physics/mechanics/soft/elements/elastic_model.h"
 
 namespace prosector {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/solvers/linear_solver.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "server/physics/coupled/step_island.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/coupled/step_island.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/rungs.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "server/physics/parallel.h"
-#include "server/physics/soft/elements/element_batches.h"
-#include "server/physics/soft/laws/fem_laws.h"
+#include "server/physics/base/parallel.h"
+#include "server/physics/mechanics/soft/elements/element_batches.h"
+#include "server/physics/mechanics/soft/laws/fem_laws.h"
 
 namespace prosector {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "common/error.h"
-#include "server/physics/soft/laws/constitutive_law.h"
-#include "server/physics/soft/laws/polar.h"
-#include "server/physics/soft/laws/symmetric_eigen.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/laws/polar.h"
+#include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
 #include "tests/soft/print_rows.h"
 
 namespace prosector {

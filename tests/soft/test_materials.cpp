@@ -1,12 +1,12 @@
 // Bodies of several materials: every model against a stack of two layers, whose answer is known.
 
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/laws/material.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/laws/material.h"
 
 #include <gtest/gtest.h>
 
 #include "common/error.h"
-#include "server/physics/soft/rungs.h"
+#include "server/physics/mechanics/soft/rungs.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"

@@ -5,9 +5,9 @@
 
 #include <random>
 
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 

@@ -1,7 +1,7 @@
 // Viscoelastic relaxation, for every law and element: closed forms of a held strain, the step's potential,
 // and that what is lost never comes back.
 
-#include "server/physics/soft/elements/relaxation.h"
+#include "server/physics/mechanics/soft/elements/relaxation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,9 +9,9 @@
 #include <random>
 
 #include "common/error.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/make_model.h"
-#include "server/physics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/make_model.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "common/error.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/mechanical_energy.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/mechanical_energy.h"
 #include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"

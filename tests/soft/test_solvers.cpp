@@ -8,7 +8,7 @@
 #include <string>
 
 #include "common/error.h"
-#include "server/physics/soft/solvers/linear_solver.h"
+#include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 namespace {

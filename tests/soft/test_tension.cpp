@@ -7,8 +7,8 @@
 #include <string>
 
 #include "common/anatomy/rest_stretch.h"
-#include "server/physics/soft/balanced_stretch.h"
-#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/mechanics/soft/balanced_stretch.h"
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "tests/random.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/statics.h"

@@ -1,14 +1,14 @@
 // Quadratic tetrahedra: derivatives, patch test, rotation, mass, and how fast they converge on the beam.
 
-#include "server/physics/soft/elements/tet10.h"
+#include "server/physics/mechanics/soft/elements/tet10.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <random>
 
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
 #include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"

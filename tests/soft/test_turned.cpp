@@ -4,12 +4,12 @@
 
 #include <random>
 
-#include "server/physics/soft/elements/tet10.h"
-#include "server/physics/soft/implicit_stepper.h"
-#include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/make_model.h"
-#include "server/physics/soft/matrices/block_matrix.h"
-#include "server/physics/soft/matrices/turned_stiffness.h"
+#include "server/physics/mechanics/soft/elements/tet10.h"
+#include "server/physics/mechanics/soft/implicit_stepper.h"
+#include "server/physics/mechanics/soft/incremental_potential.h"
+#include "server/physics/mechanics/soft/make_model.h"
+#include "server/physics/mechanics/soft/matrices/block_matrix.h"
+#include "server/physics/mechanics/soft/matrices/turned_stiffness.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 

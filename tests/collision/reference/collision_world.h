@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/collision/broad/broad_phase.h"
+#include "server/physics/mechanics/collision/broad/broad_phase.h"
 #include "tests/collision/reference/collision_object.h"
 #include "tests/collision/reference/narrow_phase.h"
 

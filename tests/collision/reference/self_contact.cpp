@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/primitives/triangle_crossing.h"
-#include "server/physics/collision/surface/surface_pairs.h"
+#include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
+#include "server/physics/mechanics/collision/surface/surface_pairs.h"
 
 namespace prosector {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/physics/collision/surface/triangle_surface.h"
+#include "server/physics/mechanics/collision/surface/triangle_surface.h"
 
 namespace prosector {
 

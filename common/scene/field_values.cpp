@@ -1,0 +1,55 @@
+#include "common/scene/field_values.h"
+
+#include <string>
+#include <vector>
+
+#include "common/scene/scene_fields.h"
+
+namespace prosector {
+namespace {
+
+template <class T>
+void add(ByteWriter& out, const T& value) {
+  out.add(value);
+}
+void add(ByteWriter& out, const Quantity& value) {
+  out.add(value.value);
+}
+template <class T>
+void add(ByteWriter& out, const std::vector<T>& list) {
+  out.add(static_cast<std::uint64_t>(list.size()));
+  for (const T& value : list) out.add(value);
+}
+
+/// Returns a field's value as bytes; of lists after their length.
+std::vector<std::uint8_t> bytes_of(const FieldRef& ref) {
+  ByteWriter out;
+  std::visit([&](const auto* value) { add(out, *value); }, ref);
+  return out.take();
+}
+
+void add_table(const Table& table, void* object, ByteWriter& out) {
+  const std::shared_ptr<void> defaults = table.fresh();
+  for (const Field& field : table.fields) {
+    if (field.hashed != Hashed::by_value) continue;
+    const auto value = bytes_of(field.in(object));
+    if (value == bytes_of(field.in(defaults.get()))) continue;
+    out.add(std::string(field.key));
+    out.raw(value.data(), value.size());
+  }
+  for (const Child& child : table.children)
+    for (void* item : child.items.present(object)) {
+      out.add(std::string(child.key));
+      add_table(child.table(), item, out);
+    }
+  out.add(std::string());  // ends the table: no key is empty
+}
+
+}  // namespace
+
+void add_values(const SceneDesc& scene, ByteWriter& out) {
+  SceneDesc copy = scene;  // the tables hand out pointers to what may be changed
+  add_table(scene_table(), &copy, out);
+}
+
+}  // namespace prosector

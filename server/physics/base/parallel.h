@@ -1,0 +1,49 @@
+#pragma once
+// Work in parallel whose results don't depend on how many threads did it. All of it goes through here.
+
+#include <algorithm>
+#include <cstddef>
+
+#include "common/assert.h"
+#include "server/physics/base/fork_join.h"
+
+namespace prosector {
+
+/// Returns how many chunks `parallel_chunks` cuts n items into.
+constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
+  return (n + chunk - 1) / chunk;
+}
+
+/// Calls f(begin, end, chunk_index) for fixed ranges of `chunk` items of [0, n). The ranges depend on n and
+/// `chunk` alone. So whoever writes only to its own items, or sums within a chunk and then over the chunks in
+/// order, gets equal bits for any number of threads. Runs in the caller's tbb::task_arena and within tbb's
+/// global limits.
+template <class F>
+void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
+  PROSECTOR_ASSERT(chunk > 0);
+  const std::size_t chunks = chunk_count(n, chunk);
+  const auto run = [&](std::size_t c) { f(c * chunk, std::min(n, (c + 1) * chunk), c); };
+  if (chunks <= 1) {
+    if (chunks == 1) run(0);
+    return;
+  }
+  fork_join::ranges(chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c != end; ++c) run(c);
+  });
+}
+
+/// Calls f(i) for each i of [0, n), each of them much work.
+template <class F>
+void parallel_each(std::size_t n, const F& f) {
+  fork_join::ranges(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) f(i);
+  });
+}
+
+/// Calls both, at once where a thread is free.
+template <class F, class G>
+void parallel_both(const F& f, const G& g) {
+  fork_join::both(f, g);
+}
+
+}  // namespace prosector

@@ -1,0 +1,25 @@
+#pragma once
+// Where a step's time goes.
+
+#include "common/clock.h"
+#include "server/physics/base/step_report.h"
+
+namespace prosector {
+
+/// A stopwatch that writes the time since it was last asked into a phase of the report; decides nothing.
+class PhaseClock {
+ public:
+  explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}
+  void end(Phase phase) {
+    const std::int64_t now = monotonic_ns();
+    report_.seconds[static_cast<std::size_t>(phase)] += 1e-9 * static_cast<double>(now - last_);
+    last_ = now;
+    report_.total_seconds = 1e-9 * static_cast<double>(now - start_);
+  }
+
+ private:
+  StepReport& report_;
+  std::int64_t start_, last_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,70 @@
+#pragma once
+// What a step did and cost.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/messages.h"
+#include "common/refusal.h"
+#include "server/physics/base/topology.h"
+
+namespace prosector {
+
+/// The phases in the order in which a step runs them; reading order of Simulation::step is this order.
+enum class Phase : std::uint8_t { inputs, broad, narrow, islands, coupled, rigid, constraints, report };
+inline constexpr std::array<const char*, step_phases> phase_names = {
+    "inputs", "broad", "narrow", "islands", "coupled", "rigid", "constraints", "report"};
+
+struct BodyReport {
+  std::string body;
+  int newton_iterations = 0;
+  int solver_iterations = 0;
+  double residual = 0;   // relative, of the last linear solve
+  double last_step = 0;  // m: how far the last Newton step moved a node or body
+  bool converged = true;
+  double substep = 0;  // s: of bodies that take several in a tick; 0: the whole tick at once
+  bool reset = false;  // went non-finite: put back to its last good state; or unfolded
+  std::string note;    // for people
+};
+
+/// A hand that lost or gave up its hold, and why, for people.
+struct LetGo {
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  BodyId body = 0;
+  std::string why;
+};
+
+/// A body that broke, and the force through the plane where it did.
+struct Broken {
+  BodyId body = 0;
+  double force = 0;  // N
+};
+
+/// A button of a user's panel that could not do what it is for, and why, for that user.
+struct PanelRefusal {
+  ParticipantId participant = 0;
+  std::string why;
+};
+
+struct StepReport {
+  SimTime time;                               // of the state after the step
+  std::array<double, step_phases> seconds{};  // wall time per phase; measured outside what decides anything
+  double total_seconds = 0;
+  std::uint32_t contacts = 0;
+  std::uint32_t mixed_islands = 0;
+  std::uint32_t awake_bodies = 0, asleep_bodies = 0;
+  double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
+  std::vector<Refusal> part_answers;                                    // to TickInput::parts, in order
+  std::vector<Refusal> cut_answers;                                     // to TickInput::cuts, in order
+  std::vector<TopologyChange> topology;  // in order; new pieces have the next body ids
+  std::vector<LetGo> let_go;
+  std::vector<Broken> broken;
+  std::vector<HandRef> panel_carriers;       // hands that carry a panel, ascending
+  std::vector<PanelRefusal> panel_refusals;  // in the order of the buttons' presses
+  std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report
+};
+
+}  // namespace prosector

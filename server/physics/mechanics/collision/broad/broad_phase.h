@@ -1,0 +1,56 @@
+#pragma once
+// Broad phase, the second collision stage: finds pairs of objects whose bounding boxes overlap.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "server/physics/mechanics/collision/broad/collision_mask.h"
+#include "server/physics/mechanics/collision/broad/dynamic_tree.h"
+
+namespace prosector {
+
+/// Broad phase with two trees: moving objects are tested against both trees, static objects against neither.
+/// An object that starts or stops moving changes tree. The pairs depend only on the boxes, not on the history
+/// of the trees.
+class BroadPhase {
+ public:
+  using Id = std::uint32_t;
+  using Pair = std::pair<Id, Id>;  // first < second
+
+  /// Takes the margin, m: the distance an object may move before its leaf is reinserted in the tree.
+  explicit BroadPhase(double margin) : still_(margin), moving_(margin) {}
+
+  /// Adds an object. The caller chooses the ids, which are small and dense. The box must be finite.
+  void add(Id id, const Aabb& box, const CollisionMask& mask, bool moves);
+  void remove(Id id);
+  void update(Id id, const Aabb& box);
+  void set_moves(Id id, bool moves);
+  bool has(Id id) const { return id < entries_.size() && entries_[id].used; }
+
+  /// Returns the pairs whose boxes overlap, whose masks allow contact, and that include a moving object;
+  /// ascending.
+  const std::vector<Pair>& find_pairs();
+  /// Returns the ids of the objects whose boxes overlap `box`, ascending.
+  std::vector<Id> query(const Aabb& box) const;
+
+  std::size_t still() const { return still_.size(); }
+  std::size_t moving() const { return moving_.size(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Entry {
+    Aabb box;
+    CollisionMask mask;
+    DynamicTree::Leaf leaf = DynamicTree::nothing;
+    bool moves = false, used = false;
+  };
+  DynamicTree& tree(const Entry& entry) { return entry.moves ? moving_ : still_; }
+
+  DynamicTree still_, moving_;
+  std::vector<Entry> entries_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// Distance or penetration depth of two shapes.
+
+#include <cstdint>
+#include <utility>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// A material point of a triangle surface.
+struct SurfacePoint {
+  static constexpr std::uint32_t none = ~0u;
+  std::uint32_t triangle = none;  // none: the shape has no triangles
+  Vec3 weights = Vec3::Zero();    // barycentric, of the triangle's corners
+};
+
+/// Closest or deepest points of two shapes. Moving a by −gap along the normal brings the shapes just into
+/// contact at that point. on_a − on_b = gap · normal.
+struct Proximity {
+  Vec3 normal = Vec3::UnitY();                    // unit, from b to a
+  double gap = 0;                                 // m, negative: penetration depth
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();  // m, on the surface of each shape
+  SurfacePoint at_a, at_b;
+
+  Vec3 point() const { return (on_a + on_b) / 2; }
+  Proximity flipped() const { return {-normal, gap, on_b, on_a, at_b, at_a}; }
+};
+
+/// Returns the proximity of the two shapes after each is offset outwards by its rounding radius, m.
+inline Proximity rounded(Proximity p, double rounding_a, double rounding_b) {
+  p.gap -= rounding_a + rounding_b;
+  p.on_a -= rounding_a * p.normal;
+  p.on_b += rounding_b * p.normal;
+  return p;
+}
+
+}  // namespace prosector

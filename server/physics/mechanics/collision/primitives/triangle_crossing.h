@@ -1,0 +1,32 @@
+#pragma once
+// Intersection of two triangles.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "server/physics/mechanics/collision/primitives/closest_points.h"
+
+namespace prosector {
+
+/// Point at which an edge of one triangle crosses the other triangle.
+struct Piercing {
+  bool of_a = true;       // whether the edge belongs to a
+  std::uint8_t edge = 0;  // from corner `edge` to corner (edge + 1) % 3
+  double along = 0;       // position on the edge, in [0, 1]
+  Vec3 point = Vec3::Zero();
+};
+
+struct TriangleCrossing {
+  bool crosses = false;
+  std::size_t count = 0;  // also 0 if coplanar triangles overlap
+  std::array<Piercing, 6> piercings;
+};
+
+/// Returns whether closed triangles intersect, and at which points; touching counts. Tests planes first, as
+/// in Möller 1997 ("A fast triangle-triangle intersection test"). Then tests edges against faces, which gives
+/// the intersection points and covers every intersection that has a length. Coplanar triangles, and triangles
+/// without area, intersect if their distance is below rounding. Swapping a and b changes only `of_a`.
+TriangleCrossing crossing(const Triangle& a, const Triangle& b);
+
+}  // namespace prosector

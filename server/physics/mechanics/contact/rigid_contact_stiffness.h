@@ -1,0 +1,12 @@
+#pragma once
+
+namespace prosector {
+
+/// Returns the stiffness (N/m) of contacts between rigid bodies for a tick of h s. `heaviest`: mass of the
+/// island's heaviest body, kg. That body may then rest on a light one, no deeper than 0.2 mm.
+inline double rigid_contact_stiffness(double heaviest, double h) {
+  constexpr double rigid_contact_factor = 20;
+  return rigid_contact_factor * heaviest / (h * h);
+}
+
+}  // namespace prosector

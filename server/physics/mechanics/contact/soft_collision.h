@@ -1,0 +1,22 @@
+#pragma once
+// Compiled collision settings of a soft body.
+
+#include "server/physics/mechanics/collision/broad/collision_mask.h"
+#include "server/physics/mechanics/collision/shapes/fidelity.h"
+#include "server/physics/mechanics/rigid/room.h"
+
+namespace prosector {
+
+struct SoftCollision {
+  Fidelity fidelity = Fidelity::mesh;
+  CollisionMask mask;
+  RoomSides passes = 0;  // sides of the room that the body passes through
+  bool continuous = false;
+  bool with_itself = false;
+  double cell = 0;              // m, for self-collision: mean edge of the surface as compiled
+  double stiffness_factor = 1;  // the scene's contact_stiffness
+  // Contact with rigid bodies is integrated over the touching area, not taken at vertices.
+  bool over_area = false;
+};
+
+}  // namespace prosector

@@ -1,0 +1,281 @@
+#pragma once
+// Contact detection of soft surfaces with rigid bodies: which vertices and triangles are inside or near which
+// body.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/mechanics/collision/broad/collision_mask.h"
+#include "server/physics/mechanics/collision/surface/space_order.h"
+#include "server/physics/mechanics/collision/surface/vertex_stars.h"
+#include "server/physics/mechanics/contact/contact.h"
+#include "server/physics/mechanics/contact/part_boxes.h"
+#include "server/physics/mechanics/contact/rod.h"
+#include "server/physics/mechanics/contact/signed_distance.h"
+
+namespace prosector {
+
+class RigidOutline;
+
+/// Collision state of a rigid body, a hand or a side of the room, for contact with soft bodies.
+struct Collider {
+  std::size_t slot = 0;
+  Pose pose;                                           // of the centre of mass, in the room frame
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // m/s, rad/s
+  const std::vector<ShapePart>* parts = nullptr;
+  const std::vector<std::unique_ptr<SignedDistance>>* distances = nullptr;
+  std::vector<Pose> part_poses;               // current poses of the parts, which change as fingers bend
+  double pull = 0;                            // m: bound of its displacement by other bodies within the tick
+  Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  // m, bounding box
+  double friction = 0;
+  double rolling_resistance = 0;  // as RigidDesc::rolling_resistance
+  bool fixed = false;
+  std::optional<Pose> driven_to;  // fixed: pose at the tick's end
+  CollisionMask mask;
+  bool continuous = false;                // contacts are found at the time of impact if the body is fast
+  bool held_blade = false;                // its edge cuts and makes no contact
+  const RigidOutline* outline = nullptr;  // for bodies that collide as proxy shapes; null: none
+};
+
+/// A contact of a surface triangle, off its corners, with a thin part or a part's corner.
+struct TriangleTouch {
+  std::uint32_t triangle = 0;
+  Vec3 weights = Vec3::Zero();  // barycentric
+  Vec3 point = Vec3::Zero();    // m, world frame
+  Vec3 normal = Vec3::UnitY();  // unit, out of the rigid part
+  double gap = 0;               // m, < 0 penetrates
+  double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
+};
+
+/// A function that returns the known direction out of the rigid part for a triangle of a sheet, or none. A
+/// sheet has no inside that would determine the side.
+using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
+
+/// Spatial index of one soft surface: vertices and triangles in a spatially coherent order, with a bounding
+/// box around each run.
+class SurfaceDetector {
+ public:
+  /// Keeps references: both outlive this. `two_sided`: the surface is a sheet's, not a solid's.
+  SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided = false);
+  /// Updates after an edit of the embedding and the surface, whose addresses stay. The result equals a new
+  /// object before its first update(). Unchanged entries are at most moved or renumbered.
+  void follow(const SurfaceEdit& edit);
+
+  /// Moves the surface to the node positions `x` (3n) and refits the boxes.
+  void update(const double* x);
+  const Vec3& lo() const { return lo_; }
+  const Vec3& hi() const { return hi_; }
+  std::span<const Vec3> positions() const { return positions_; }
+  /// Returns the outward normal of the tissue at the vertex, unit: the area-weighted mean of its triangles'
+  /// normals. Zero: they cancel.
+  Vec3 outward_at(std::uint32_t vertex) const;
+  /// Returns the largest stretch (length over rest length) of the edges of the triangles around the vertex.
+  double stretch_at(std::uint32_t vertex) const;
+
+  /// Calls f, in a fixed order, for every vertex inside the box.
+  template <class F>
+  void in_box(const Vec3& lo, const Vec3& hi, const F& f) const;
+  /// Calls f, in a fixed order, for every vertex whose gap to the collider is at most `margin`, with the
+  /// distance to the closest part.
+  template <class F>
+  void near(const Collider& collider, double margin, const F& f) const;
+  /// Calls f, in a fixed order, for contacts of spheres, capsules and cylinders with points inside faces and
+  /// edges, at most `margin` away. Vertex contacts alone would let such parts slip between them. The points
+  /// are clearly deeper than the face's corners and than `others`: further contact points of the face, by
+  /// their barycentric weights. Reports the deepest part per triangle. On a two-sided surface the contact is
+  /// on the known side, or else on the nearer one.
+  template <class F>
+  void near_thin(const Collider& collider, double margin, const KnownSide& known,
+                 std::span<const Vec3> others, const F& f) const;
+  /// Calls f, in a fixed order, for every triangle whose bounding box, grown by `margin`, overlaps the
+  /// collider's.
+  template <class F>
+  void near_triangles(const Collider& collider, double margin, const F& f) const;
+  /// Returns the contact of a corner of the collider's boxes, `at` in the room frame, with the nearest face
+  /// or edge. The corner is at most `margin` away or `depth` inside. The contact is clearly deeper than those
+  /// of the face's corners and of `others` (as in near_thin()), which alone would let the corner sink in.
+  std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
+                                           double depth, std::span<const Vec3> others) const;
+  /// Returns the positions of a triangle's corners, m.
+  std::array<Vec3, 3> corners(std::uint32_t triangle) const;
+  /// Returns the triangle's outward normal, unit.
+  Vec3 outward(std::uint32_t triangle) const;
+  /// Returns the largest stretch (length over rest length) of the triangle's edges.
+  double stretch(std::uint32_t triangle) const;
+  /// Returns the triangle across each edge, or the triangle itself at a boundary.
+  const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
+    return neighbours_[triangle];
+  }
+  /// Returns the triangles around a vertex, ascending.
+  std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
+  /// Returns the triangles in search order.
+  std::span<const std::uint32_t> triangle_order() const { return triangle_order_.order(); }
+  /// Returns whether the surface is within `margin` of the collider.
+  bool touches(const Collider& collider, double margin) const;
+
+ private:
+  struct Chunk {
+    Vec3 lo, hi;
+  };
+  struct TriangleChunk {
+    Vec3 lo, hi;
+    double longest;  // m²: squared longest edge of all its triangles
+  };
+  static constexpr std::size_t chunk_vertices = 32;
+  std::size_t chunk_end(std::size_t chunk) const {
+    return std::min(order_.size(), (chunk + 1) * chunk_vertices);
+  }
+
+  static constexpr std::size_t chunk_triangles = 64;
+  std::size_t triangle_chunk_end(std::size_t chunk) const {
+    return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
+  }
+  /// Calls f(chunk, vertices) for each run of vertices whose bounding box overlaps the given box, in order.
+  /// vertices(g) calls g for each vertex of the run inside the given box.
+  template <class F>
+  void in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const;
+  void fit_chunks();
+  std::array<std::uint32_t, 3> neighbours_of(std::uint32_t triangle) const;
+  /// Returns the radius (m) of the largest ball that passes between the corners of a right-angled triangle.
+  /// `longest`: squared longest edge, m².
+  static double gauge(double longest) { return std::sqrt(longest) / 2; }
+  /// Returns the contact of the triangle with the rod. Returns none if another triangle or a vertex reports
+  /// it.
+  std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
+                                     const KnownSide& known, std::span<const Vec3> others) const;
+
+  const SparseMap* embedding_;
+  const TriangleMesh* rest_;
+  bool two_sided_;
+  /// By triangle and edge (k, k+1): the triangle across the edge, or the triangle itself.
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  SpaceOrder triangle_order_;  // by centroid at rest
+  std::vector<TriangleChunk> triangle_chunks_;
+  std::vector<double> longest_;  // m²: squared longest edge of each triangle
+  VertexStars stars_;
+  SpaceOrder order_;             // of vertices, at rest
+  std::vector<Vec3> positions_;  // by vertex
+  std::vector<Chunk> chunks_;
+  Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
+};
+
+/// Returns the distance from x (room frame) to the nearest part of the collider; the normal is in the world
+/// frame. Parts farther than `margin` may be skipped: the returned value is then larger than the margin.
+Distance distance_to(const Collider& collider, const Vec3& x, double margin);
+
+/// A corner of one of the collider's boxes.
+struct BoxCorner {
+  std::uint32_t index = 0;  // 8 · part + corner
+  Vec3 at = Vec3::Zero();   // m, world frame
+  double depth = 0;         // m: the smallest half extent of the box
+};
+constexpr std::uint32_t corners_per_part = 8;
+
+/// Calls f for each box corner within `margin` of the box from lo to hi.
+template <class F>
+void box_corners(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi, const F& f) {
+  for (std::uint32_t i = 0; i < collider.parts->size(); ++i) {
+    const ShapePart& part = (*collider.parts)[i];
+    if (part.kind != ShapeKind::box) continue;
+    const Pose pose = collider.pose * collider.part_poses[i];
+    for (std::uint32_t k = 0; k < corners_per_part; ++k) {
+      const Vec3 sign((k & 1U) != 0 ? 1 : -1, (k & 2U) != 0 ? 1 : -1, (k & 4U) != 0 ? 1 : -1);
+      const Vec3 at = pose * Vec3(sign.cwiseProduct(part.half));
+      if ((at.array() >= lo.array() - margin).all() && (at.array() <= hi.array() + margin).all())
+        f(BoxCorner{corners_per_part * i + k, at, part.half.minCoeff()});
+    }
+  }
+}
+
+/// Returns the distance to the nearest of these parts only; `parts` is ascending.
+Distance distance_to(const Collider& collider, const Vec3& x, double margin,
+                     std::span<const std::uint32_t> parts);
+
+/// Returns the collider's thin parts as rods, if their boxes, grown by `margin`, overlap the given one.
+std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);
+
+inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, const Vec3& other_hi) {
+  return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+}
+
+template <class F>
+void SurfaceDetector::near_thin(const Collider& collider, double margin, const KnownSide& known,
+                                std::span<const Vec3> others, const F& f) const {
+  const Vec3 grow = Vec3::Constant(margin);
+  if (!boxes_overlap(collider.lo - grow, collider.hi + grow, lo_, hi_)) return;
+  const std::vector<Rod> rods = rods_of(collider, margin, lo_, hi_);
+  if (rods.empty()) return;
+  double thinnest = rods.front().radius;
+  for (const Rod& rod : rods) thinnest = std::min(thinnest, rod.radius);
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    const TriangleChunk& chunk = triangle_chunks_[c];
+    if (gauge(chunk.longest) <= thinnest) continue;  // vertex contacts suffice for all parts
+    if (!boxes_overlap(collider.lo - grow, collider.hi + grow, chunk.lo, chunk.hi)) continue;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      if (gauge(longest_[triangle_order_[i]]) <= thinnest) continue;
+      std::optional<TriangleTouch> deepest;
+      for (const Rod& rod : rods)
+        if (const auto found = touch(triangle_order_[i], rod, margin, known, others);
+            found && (!deepest || found->gap < deepest->gap))
+          deepest = found;
+      if (deepest) f(*deepest);
+    }
+  }
+}
+
+template <class F>
+void SurfaceDetector::near_triangles(const Collider& collider, double margin, const F& f) const {
+  const Vec3 lo = collider.lo.array() - margin, hi = collider.hi.array() + margin;
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    if (!boxes_overlap(lo, hi, triangle_chunks_[c].lo, triangle_chunks_[c].hi)) continue;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      const auto x = corners(triangle_order_[i]);
+      if (boxes_overlap(lo, hi, x[0].cwiseMin(x[1]).cwiseMin(x[2]), x[0].cwiseMax(x[1]).cwiseMax(x[2])))
+        f(triangle_order_[i]);
+    }
+  }
+}
+
+template <class F>
+void SurfaceDetector::in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const {
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    if (!boxes_overlap(lo, hi, chunks_[c].lo, chunks_[c].hi)) continue;
+    f(chunks_[c], [&](const auto& of_vertex) {
+      for (std::size_t i = c * chunk_vertices; i < chunk_end(c); ++i) {
+        const Vec3& x = positions_[order_[i]];
+        if ((x.array() < lo.array()).any() || (x.array() > hi.array()).any()) continue;
+        of_vertex(order_[i]);
+      }
+    });
+  }
+}
+
+template <class F>
+void SurfaceDetector::in_box(const Vec3& lo, const Vec3& hi, const F& f) const {
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  in_chunks(lo, hi, [&](const Chunk&, const auto& vertices) { vertices(f); });
+}
+
+template <class F>
+void SurfaceDetector::near(const Collider& collider, double margin, const F& f) const {
+  const Vec3 lo = collider.lo.array() - margin, hi = collider.hi.array() + margin;
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  PartBoxes parts(collider, margin);
+  in_chunks(lo, hi, [&](const Chunk& chunk, const auto& vertices) {
+    const std::vector<std::uint32_t>& met = parts.meeting(chunk.lo, chunk.hi);
+    if (met.empty()) return;
+    vertices([&](std::uint32_t vertex) {
+      if (const Distance d = distance_to(collider, positions_[vertex], margin, met); d.value <= margin)
+        f(vertex, d);
+    });
+  });
+}
+
+}  // namespace prosector

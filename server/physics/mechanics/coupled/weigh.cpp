@@ -1,0 +1,28 @@
+#include <algorithm>
+
+#include "server/physics/mechanics/coupled/island.h"
+
+namespace prosector {
+namespace {
+
+bool is_met(const Island& island, const SoftMember& member) {
+  const auto its = [&](const ContactSide& side) {
+    return side.kind == ContactSide::Kind::soft && side.body == member.index;
+  };
+  const auto meets = [&](const auto& joint) { return its(joint.a) || its(joint.b); };
+  return std::any_of(island.contacts.begin(), island.contacts.end(), meets) ||
+         std::any_of(island.ties.begin(), island.ties.end(), meets);
+}
+
+}  // namespace
+
+void weigh(Island& island, const Vec3& gravity) {
+  for (SoftMember& member : island.soft) {
+    member.weight = member.body->weight(gravity, true);
+    const bool matters = member.weight.by_shape != nullptr;  // no effect with linear elements
+    if (matters && !member.body->attached() && !is_met(island, member))
+      member.weight = member.body->weight(gravity, false);
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,51 @@
+#pragma once
+// Surface swept by a blade's edge between two ticks: a strip of triangles, two for each segment of the edge.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+class SweptSurface {
+ public:
+  struct Piece {
+    std::array<Vec3, 3> corner;
+    Vec3 normal;     // unit
+    Vec3 up;         // unit: normal of the surface smoothed over the part
+    Vec3 low, high;  // bounding box
+  };
+  struct Crossing {
+    double t = 0;  // position along the segment, in [0, 1]
+    Vec3 normal = Vec3::Zero();
+  };
+  struct Foot {
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double distance = 0;
+  };
+
+  enum class Twist { flattened, followed };
+  /// Takes polylines with equally many points, at least two, m; `part`: by point, ascending. Pieces without
+  /// area are left out. The surface of a part is smooth: a piece whose normal deviates strongly from its
+  /// part's gets the part's normal as `up`. If the ends of a segment move differently, `flattened` sweeps two
+  /// triangles, each with the motion of one end. `followed` divides the segment into strips whose ends hardly
+  /// move differently.
+  SweptSurface(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
+               Twist twist = Twist::flattened);
+
+  std::span<const Piece> pieces() const { return pieces_; }
+  /// Returns the first crossing of the segment a–b; a segment parallel to the surface has none.
+  std::optional<Crossing> crossing(const Vec3& a, const Vec3& b) const;
+  /// Returns the point of the surface nearest to x, if it is within `reach`, m.
+  std::optional<Foot> foot(const Vec3& x, double reach) const;
+
+ private:
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_area);
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,267 @@
+#include "server/physics/mechanics/cutting/topology_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr TetId none = TetTables::none;
+
+void require(bool ok, std::string_view what) {
+  if (!ok) throw InputError(fmt::format("cutting: {}", what));
+}
+
+void grow_nodes(EditedTables edited, std::size_t end) {
+  edited.tables.grow_nodes(end);
+  edited.masses.grow(end);
+}
+
+/// Returns the rest position of an edge's new node, m.
+Vec3 middle_of(const SplitEdge& op, const TetTables& tables) {
+  return tables.rest[op.a] + (tables.rest[op.b] - tables.rest[op.a]) * op.t;
+}
+
+/// Checks an edge split. Fills `scratch` with the tetrahedra around the edge and the volumes of their halves.
+void check_split(const SplitEdge& op, const TetTables& tables, EdgeScratch& scratch) {
+  const std::size_t node_end = tables.rest.size(), tet_end = tables.tet.size();
+  require(op.a != op.b && tables.has_node(op.a) && tables.has_node(op.b),
+          "an edge to split has no such nodes");
+  require(op.t > 0 && op.t < 1, "an edge is split outside (0, 1)");
+  require(op.node >= node_end && op.first >= tet_end, "an edge's splitting brings ids that were used");
+  tables.around_edge(op.a, op.b, scratch.around);
+  require(!scratch.around.empty() && scratch.around.size() == op.count,
+          "an edge to split has another number of tetrahedra");
+  require(op.node - node_end <= tet_end && op.first - tet_end <= 8 * (tet_end + 8),
+          "an edge's splitting brings ids far beyond those used");
+  const Vec3 middle = middle_of(op, tables);
+  const auto volume_with = [&](TetId t, NodeId gone) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < tables.sides; ++k)
+      x[k] = tables.tet[t].corner[k] == gone ? middle : tables.rest[tables.tet[t].corner[k]];
+    return tables.volume_of(std::span(x).first(tables.sides));
+  };
+  scratch.halves.clear();
+  for (const TetId t : scratch.around) {
+    scratch.halves.push_back({volume_with(t, op.b), volume_with(t, op.a)});
+    require(scratch.halves.back()[0] > 0 && scratch.halves.back()[1] > 0,
+            "an edge's splitting makes no volume");
+  }
+}
+
+/// Connects the halves of t, the first of which is `with_a`, to each other and to the neighbours of t. The
+/// neighbours around the edge (`around`, ascending) are all split.
+void join_halves(const SplitEdge& op, TetTables& tables, std::span<const TetId> around, TetId t,
+                 TetId with_a) {
+  const TetId with_b = with_a + 1;
+  const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
+  TetTables::Tet &a = tables.tet[with_a], &b = tables.tet[with_b];
+  for (std::size_t k = 0; k < tables.sides; ++k) {
+    const TetId beyond = tables.tet[t].beyond[k];
+    if (k == ka) {
+      a.beyond[k] = with_b;
+      b.beyond[k] = beyond;
+      if (beyond != none) tables.tet[beyond].beyond[tables.face_towards(beyond, t)] = with_b;
+    } else if (k == kb) {
+      b.beyond[k] = with_a;
+      a.beyond[k] = beyond;
+      if (beyond != none) tables.tet[beyond].beyond[tables.face_towards(beyond, t)] = with_a;
+    } else if (beyond == none) {
+      a.beyond[k] = b.beyond[k] = none;
+    } else {
+      const auto j = std::lower_bound(around.begin(), around.end(), beyond) - around.begin();
+      a.beyond[k] = op.first + 2 * static_cast<TetId>(j);
+      b.beyond[k] = a.beyond[k] + 1;
+    }
+  }
+}
+
+/// Replaces t by two halves of these volumes, m³.
+void split_tet(const SplitEdge& op, TetTables& tables, TetId t, TetId with_a,
+               const std::array<double, 2>& volumes) {
+  const TetId with_b = with_a + 1;
+  const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
+  TetTables::Tet &whole = tables.tet[t], &a = tables.tet[with_a], &b = tables.tet[with_b];
+  a.corner = b.corner = whole.corner;
+  a.corner[kb] = b.corner[ka] = op.node;
+  a.volume = volumes[0];
+  b.volume = volumes[1];
+  a.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << ka));
+  b.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << kb));
+  a.lineage.parent = b.lineage.parent = t;
+  a.lineage.place = whole.lineage.place;
+  b.lineage.place = with_b;
+  whole.lineage.child = with_a;
+  whole.live = false;
+  a.live = b.live = true;
+  for (const NodeId node : tables.corners(t))
+    if (node != op.a && node != op.b) tables.leave(node, t);
+  for (const NodeId node : tables.corners(with_a)) tables.star[node].push_back(with_a);
+  for (const NodeId node : tables.corners(with_b)) tables.star[node].push_back(with_b);
+}
+
+/// Checks a node duplication: no copy may separate two tetrahedra with a common face, and the node must keep
+/// some tetrahedra.
+void check_parting(const PartNode& op, const TetTables& tables) {
+  require(tables.has_node(op.node), "a node to part isn't there");
+  std::vector<TetId> taken;
+  const std::size_t node_end = tables.rest.size();
+  NodeId last = static_cast<NodeId>(node_end - 1);
+  for (const auto& copy : op.copies) {
+    require(copy.node > last && copy.node - node_end <= tables.tet.size(),
+            "a parted node's copies bring wrong ids");
+    last = copy.node;
+    require(!copy.tets.empty() && std::is_sorted(copy.tets.begin(), copy.tets.end()),
+            "a parted node's copy has no tetrahedra in order");
+    taken.insert(taken.end(), copy.tets.begin(), copy.tets.end());
+    for (const TetId t : copy.tets) {
+      require(tables.has_tet(t) && tables.corner_index(t, op.node) < 4,
+              "a parted node's copy takes what isn't the node's");
+      for (std::size_t k = 0; k < tables.sides; ++k) {
+        const TetId beyond = tables.tet[t].beyond[k];
+        require(beyond == none || tables.tet[t].corner[k] == op.node ||
+                    std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
+                "a parted node's copy would tear a face");
+      }
+    }
+  }
+  if (op.copies.size() > 1) std::sort(taken.begin(), taken.end());
+  require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(), "two copies take one tetrahedron");
+  require(!op.copies.empty() && taken.size() < tables.star[op.node].size(),
+          "a parted node keeps no tetrahedron");
+}
+
+}  // namespace
+
+void apply(const SplitEdge& op, EditedTables edited) {
+  auto& [tables, masses, scratch] = edited;
+  check_split(op, tables, scratch);
+  const Vec3 middle = middle_of(op, tables);
+  grow_nodes(edited, op.node + 1u);
+  tables.grow_tets(op.first + 2u * op.count);
+  tables.rest[op.node] = middle;
+  tables.origin[op.node] = {op.a, op.b, op.t};
+  tables.node_live[op.node] = 1;
+  ++tables.live_nodes;
+  tables.live_tets += op.count;
+  const std::span<const TetId> around = scratch.around;
+  tables.leave_all(op.a, around);
+  tables.leave_all(op.b, around);
+  tables.star[op.node].reserve(2 * around.size());
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const TetId with_a = op.first + 2 * static_cast<TetId>(i);
+    split_tet(op, tables, around[i], with_a, scratch.halves[i]);
+    join_halves(op, tables, around, around[i], with_a);
+  }
+  if (tables.is_sheet()) return masses.share(op);
+  masses.update_around(tables, around);
+  masses.update(tables, op.node);
+}
+
+void take_back(const SplitEdge& op, EditedTables edited) {
+  auto& [tables, masses, scratch] = edited;
+  bool good = op.count > 0 && tables.has_node(op.node) && op.first + 2ull * op.count <= tables.tet.size() &&
+              tables.star[op.node].size() == 2ull * op.count;
+  for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c)
+    good = tables.has_tet(c) && tables.tet[c].lineage.parent != none;
+  require(good, "an edge's splitting to take back isn't there as it was made");
+  for (TetId i = 0; i < op.count; ++i) {
+    const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = tables.tet[with_a].lineage.parent;
+    const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
+    for (const auto& [child, k] : {std::pair{with_a, kb}, std::pair{with_b, ka}}) {
+      const TetId beyond = tables.tet[child].beyond[k];
+      tables.tet[t].beyond[k] = beyond;
+      if (beyond != none) tables.tet[beyond].beyond[tables.face_towards(beyond, child)] = t;
+      for (const NodeId node : tables.corners(child)) tables.leave(node, child);
+      tables.tet[child].live = false;
+    }
+    for (const NodeId node : tables.corners(t)) tables.enter(node, t);
+    tables.tet[t].live = true;
+    tables.tet[t].lineage.child = none;
+  }
+  tables.node_live[op.node] = 0;
+  --tables.live_nodes;
+  tables.live_tets -= op.count;
+  if (tables.is_sheet()) return masses.share_back(op);
+  scratch.around.clear();
+  for (TetId i = 0; i < op.count; ++i) scratch.around.push_back(tables.tet[op.first + 2 * i].lineage.parent);
+  masses.update_around(tables, scratch.around);
+}
+
+void apply(const SlitFaces& op, EditedTables edited) {
+  TetTables& tables = edited.tables;
+  for (std::size_t i = 0; i < op.faces.size(); ++i) {
+    const auto& [a, b] = op.faces[i];
+    require(a < b && (i == 0 || op.faces[i - 1] < op.faces[i]), "faces to slit are not in order");
+    require(tables.has_tet(a) && tables.has_tet(b) && tables.face_towards(a, b) < 4,
+            "faces to slit join no such tetrahedra");
+  }
+  for (const auto& [a, b] : op.faces) {
+    const std::size_t ka = tables.face_towards(a, b), kb = tables.face_towards(b, a);
+    TetTables::Tet &of_a = tables.tet[a], &of_b = tables.tet[b];
+    of_a.beyond[ka] = of_b.beyond[kb] = none;
+    of_a.wall = static_cast<std::uint8_t>(of_a.wall | 1u << ka);
+    of_b.wall = static_cast<std::uint8_t>(of_b.wall | 1u << kb);
+  }
+}
+
+void take_back(const SlitFaces& op, EditedTables edited) {
+  TetTables& tables = edited.tables;
+  const auto is_wall = [&](TetId t, std::size_t k) { return (tables.tet[t].wall >> k & 1) != 0; };
+  for (const auto& [a, b] : op.faces) {
+    require(tables.has_tet(a) && tables.has_tet(b), "faces to join belong to no such tetrahedra");
+    const std::size_t ka = tables.face_shared(a, b), kb = tables.face_shared(b, a);
+    require(ka < 4 && kb < 4 && is_wall(a, ka) && is_wall(b, kb), "faces to join were not slit");
+  }
+  for (const auto& [a, b] : op.faces) {
+    const std::size_t ka = tables.face_shared(a, b), kb = tables.face_shared(b, a);
+    TetTables::Tet &of_a = tables.tet[a], &of_b = tables.tet[b];
+    of_a.beyond[ka] = b;
+    of_b.beyond[kb] = a;
+    of_a.wall = static_cast<std::uint8_t>(of_a.wall & ~(1u << ka));
+    of_b.wall = static_cast<std::uint8_t>(of_b.wall & ~(1u << kb));
+  }
+}
+
+void apply(const PartNode& op, EditedTables edited) {
+  auto& [tables, masses, scratch] = edited;
+  check_parting(op, tables);
+  grow_nodes(edited, op.copies.back().node + 1u);
+  for (const auto& copy : op.copies) {
+    tables.rest[copy.node] = tables.rest[op.node];
+    tables.origin[copy.node] = {op.node, op.node, 0};
+    tables.node_live[copy.node] = 1;
+    ++tables.live_nodes;
+    tables.leave_all(op.node, copy.tets);
+    for (const TetId t : copy.tets) tables.tet[t].corner[tables.corner_index(t, op.node)] = copy.node;
+    tables.star[copy.node] = copy.tets;
+    if (!tables.is_sheet()) masses.update(tables, copy.node);
+  }
+  if (tables.is_sheet()) return masses.share(tables, op);
+  masses.update(tables, op.node);
+}
+
+void take_back(const PartNode& op, EditedTables edited) {
+  auto& [tables, masses, scratch] = edited;
+  require(tables.has_node(op.node), "a node to join again isn't there");
+  for (const auto& copy : op.copies)
+    require(tables.has_node(copy.node) && tables.star[copy.node] == copy.tets,
+            "a node's copies aren't as they were made");
+  for (const auto& copy : op.copies) {
+    for (const TetId t : copy.tets) {
+      tables.tet[t].corner[tables.corner_index(t, copy.node)] = op.node;
+      tables.enter(op.node, t);
+    }
+    tables.star[copy.node].clear();
+    tables.node_live[copy.node] = 0;
+    --tables.live_nodes;
+  }
+  if (tables.is_sheet()) return masses.share_back(op);
+  masses.update(tables, op.node);
+}
+
+}  // namespace prosector

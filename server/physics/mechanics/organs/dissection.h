@@ -1,0 +1,28 @@
+#pragma once
+// State of all cuts: cut organs, blades, and locally refined bodies.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "server/physics/mechanics/organs/blade.h"
+#include "server/physics/mechanics/organs/organ.h"
+#include "server/physics/mechanics/organs/refined_body.h"
+
+namespace prosector {
+
+struct Dissection {
+  std::map<std::size_t, Organ> organs;  // cut organs, by index of the original soft body
+  std::vector<Blade> blades;            // held by hands; by slot
+  std::uint64_t strokes = 0;            // number of strokes of all blades so far
+  RefinedBodies refined;                // all bodies that may be refined; cut bodies are not refined
+
+  // ---- Created with the scene, not saved
+  /// Organs prepared for the first cut of each soft body, until that cut; in scenes with a blade.
+  std::map<std::size_t, Organ> uncut;
+  std::vector<VecX> uncut_equilibrium;  // 3n, m: of the scene's soft bodies as compiled
+
+  bool ever_cut() const { return !organs.empty() || !blades.empty() || strokes > 0; }
+};
+
+}  // namespace prosector

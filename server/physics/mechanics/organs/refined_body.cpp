@@ -1,0 +1,236 @@
+#include "server/physics/mechanics/organs/refined_body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "common/anatomy/embedding.h"
+#include "common/error.h"
+#include "server/physics/mechanics/organs/tet_lineage.h"
+#include "server/physics/mechanics/soft/rungs.h"
+
+namespace prosector {
+namespace {
+
+// Slightly more than the longest edge of a cube's tetrahedra over its side.
+constexpr double longest_share = 1.75;
+constexpr double linger_seconds = 1;  // s: time for which refined elements stay after the last contact
+
+RefinementLimits limits_of(const SoftDesc& desc, double tick_rate) {
+  const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
+  return {.edge = longest_share * cell,
+          .reach = desc.refine_reach > 0 ? desc.refine_reach : desc.cell,
+          .most = static_cast<std::size_t>(desc.refine_most),
+          .linger = static_cast<std::uint32_t>(std::ceil(linger_seconds * tick_rate))};
+}
+
+LocalRefinement refinement_of(const SoftBody& compiled, double tick_rate) {
+  const SoftDesc& desc = compiled.desc();
+  const auto refusal = [&](const std::string& why) {
+    return InputError(fmt::format("[[soft]] \"{}\": refine is \"{}\", {}", desc.name, desc.refine, why));
+  };
+  if (mesh_kind(compiled.anatomy()) != MeshKind::tets || desc.element != "tet4")
+    throw refusal("allowed for solids of linear tetrahedra (element = \"tet4\"), else: none");
+  if (compiled.dropped_elements() > 0)
+    throw refusal(fmt::format("but {} of its tetrahedra are flat", compiled.dropped_elements()));
+  try {
+    return {compiled.anatomy().tets, desc.density, limits_of(desc, tick_rate)};
+  } catch (const InputError& error) {
+    throw refusal(fmt::format("but its mesh can't be: {}", error.what()));
+  }
+}
+
+/// Returns by surface vertex the first tetrahedron that has all nodes of its embedding row.
+std::vector<TetId> carriers(const Anatomy& anatomy, const TetComplex& complex) {
+  std::vector<TetId> out;
+  for (const SparseMap::Row& row : anatomy.embedding.rows) {
+    const auto heaviest = std::max_element(row.weight.begin(), row.weight.end()) - row.weight.begin();
+    const auto star = complex.star(row.node[static_cast<std::size_t>(heaviest)]);
+    const auto has_all = [&](TetId tet) {
+      for (std::size_t k = 0; k < row.node.size(); ++k)
+        if (row.weight[k] != 0 && !has_corner(complex, tet, row.node[k])) return false;
+      return true;
+    };
+    const auto found = std::find_if(star.begin(), star.end(), has_all);
+    out.push_back(found == star.end() ? TetComplex::none : *found);
+  }
+  return out;
+}
+
+/// Returns the index of a node of the refined mesh.
+std::uint32_t index_of(const PieceMesh& mesh, NodeId node) {
+  return static_cast<std::uint32_t>(std::lower_bound(mesh.nodes.begin(), mesh.nodes.end(), node) -
+                                    mesh.nodes.begin());
+}
+
+double largest(const std::array<double, 4>& weights) {
+  double out = 0;
+  for (const double weight : weights) out = std::max(out, std::abs(weight));
+  return out;
+}
+
+/// Returns the weights of a point of a compiled tetrahedron by the corners of the current tetrahedron there.
+/// A point far outside is embedded in a larger ancestor of that tetrahedron, whose corners are still nodes.
+SparseMap::Row hung_within(const TetComplex& complex, TetId tet, const SparseMap::Row& compiled,
+                           const PieceMesh& now) {
+  std::array<double, 4> weight{};
+  for (std::size_t k = 0; k < compiled.node.size(); ++k)
+    if (compiled.weight[k] != 0) weight[complex.corner_index(tet, compiled.node[k])] += compiled.weight[k];
+  while (!complex.has_tet(tet)) {
+    const TetId with_a = complex.lineage(tet).child, with_b = with_a + 1;
+    const auto corners = complex.corners(tet), of_a = complex.corners(with_a), of_b = complex.corners(with_b);
+    std::size_t a = 0, b = 0;  // corners of the edge that was bisected
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (of_a[k] != corners[k]) b = k;
+      if (of_b[k] != corners[k]) a = k;
+    }
+    const bool nearer_a = weight[a] >= weight[b];
+    const std::size_t stays = nearer_a ? a : b, goes = nearer_a ? b : a;
+    std::array<double, 4> in_half = weight;
+    in_half[stays] -= weight[goes];
+    in_half[goes] *= 2;
+    if (largest(in_half) > std::max(max_embedding_weight, largest(weight))) break;
+    weight = in_half;
+    tet = nearer_a ? with_a : with_b;
+  }
+  SparseMap::Row out;
+  for (std::size_t k = 0; k < 4; ++k) {
+    out.node[k] = index_of(now, complex.corners(tet)[k]);
+    out.weight[k] = weight[k];
+  }
+  return out;
+}
+
+/// Copies a field to vectors by node id; nodes without values get zero.
+std::vector<Vec3> by_id(const VecX& field, const PieceMesh& mesh, std::size_t end) {
+  std::vector<Vec3> out(end, Vec3::Zero());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    out[mesh.nodes[i]] = field.segment<3>(3 * static_cast<Eigen::Index>(i));
+  return out;
+}
+
+VecX by_index(const std::vector<Vec3>& values, const PieceMesh& mesh) {
+  VecX out(3 * static_cast<Eigen::Index>(mesh.nodes.size()));
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    out.segment<3>(3 * static_cast<Eigen::Index>(i)) = values[mesh.nodes[i]];
+  return out;
+}
+
+Vec3 between(const std::vector<Vec3>& values, const SplitEdge& op) {
+  return values[op.a] + (values[op.b] - values[op.a]) * op.t;
+}
+
+}  // namespace
+
+RefinedBody::RefinedBody(const SoftBody& compiled, double tick_rate)
+    : whole(compiled.anatomy()),
+      content_hash(compiled.content_hash()),
+      mesh(refinement_of(compiled, tick_rate)) {
+  carrier = carriers(whole, mesh.complex());
+  piece = refined_mesh(*this);
+}
+
+RefinedBody::RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits)
+    : whole(std::move(anatomy)), mesh(whole.tets, density, limits) {
+  carrier = carriers(whole, mesh.complex());
+}
+
+PieceMesh refined_mesh(const RefinedBody& body) {
+  const TetComplex& complex = body.mesh.complex();
+  const auto compiled = static_cast<NodeId>(body.whole.tets.positions.size());
+  PieceMesh out;
+  for (NodeId node = 0; node < complex.node_end(); ++node)
+    if (node < compiled || complex.has_node(node)) {
+      out.nodes.push_back(node);
+      out.mesh.positions.push_back(complex.rest(node));
+    }
+  std::vector<TetId> at_place(complex.tet_end(), TetComplex::none);
+  for (TetId tet = 0; tet < complex.tet_end(); ++tet)
+    if (complex.has_tet(tet)) at_place[complex.lineage(tet).place] = tet;
+  for (TetId place = 0; place < at_place.size(); ++place) {
+    const TetId tet = at_place[place];
+    if (tet == TetComplex::none) continue;
+    out.tets.push_back(tet);
+    out.places.push_back(place);
+    const auto c = complex.corners(tet);
+    const auto index = [&](NodeId node) { return node < compiled ? node : index_of(out, node); };
+    out.mesh.tets.push_back({index(c[0]), index(c[1]), index(c[2]), index(c[3])});
+  }
+  return out;
+}
+
+SparseMap refined_embedding(const RefinedBody& body, const PieceMesh& now) {
+  const TetComplex& complex = body.mesh.complex();
+  SparseMap out = body.whole.embedding;
+  for (std::size_t vertex = 0; vertex < out.rows.size(); ++vertex)
+    if (const TetId tet = body.carrier[vertex]; tet != TetComplex::none && !complex.has_tet(tet))
+      out.rows[vertex] = hung_within(complex, tet, out.rows[vertex], now);
+  return out;
+}
+
+Anatomy refined_anatomy(const RefinedBody& body, const PieceMesh& now) {
+  return {{now.mesh.positions, now.mesh.tets, body.whole.tets.stretch},
+          body.whole.surface,
+          refined_embedding(body, now)};
+}
+
+VecX refined_field(const RefinedBody& body, const PieceMesh& now, const VecX& compiled) {
+  const TetComplex& complex = body.mesh.complex();
+  const std::size_t count = body.whole.tets.positions.size();
+  std::vector<Vec3> values(complex.node_end(), Vec3::Zero());
+  for (std::size_t node = 0; node < count; ++node)
+    values[node] = compiled.segment<3>(3 * static_cast<Eigen::Index>(node));
+  for (const NodeId node : std::span(now.nodes).subspan(count)) {  // ends of an edge precede its midpoint
+    const TetTables::Origin& from = complex.tables().origin[node];
+    values[node] = values[from.a] + (values[from.b] - values[from.a]) * from.t;
+  }
+  return by_index(values, now);
+}
+
+VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
+             std::span<const RefinementStep> steps, Leaving leaving) {
+  std::size_t end = before.nodes.back() + 1u;
+  for (const RefinementStep& step : steps) end = std::max<std::size_t>(end, step.split.node + 1u);
+  std::vector<Vec3> values = by_id(field, before, end);
+  for (const RefinementStep& step : steps) {
+    const SplitEdge& op = step.split;
+    const Vec3 middle = between(values, op);
+    if (step.made) {
+      values[op.node] = middle;
+    } else if (leaving == Leaving::momentum) {
+      const Vec3 more = step.node_mass * (values[op.node] - middle);
+      values[op.a] += (1 - op.t) / step.a_mass * more;
+      values[op.b] += op.t / step.b_mass * more;
+    }
+  }
+  return by_index(values, now);
+}
+
+VecX refined_history(const VecX& history, const TetComplex& complex, const PieceMesh& before,
+                     const PieceMesh& now, std::span<const RefinementStep> steps) {
+  const Eigen::Index numbers = history_per_tet(history, before);
+  if (numbers == 0) return {};
+  std::map<TetId, VecX> changed;
+  const auto of = [&](TetId tet) -> VecX {
+    if (const auto found = changed.find(tet); found != changed.end()) return found->second;
+    const TetId place = complex.lineage(tet).place;
+    const auto at = std::lower_bound(before.places.begin(), before.places.end(), place);
+    return history.segment(numbers * static_cast<Eigen::Index>(at - before.places.begin()), numbers);
+  };
+  for (const RefinementStep& step : steps)
+    for (TetId half = step.split.first; half < step.split.first + 2 * step.split.count; half += 2) {
+      const TetId whole = complex.lineage(half).parent;
+      if (step.made)
+        changed[half] = changed[half + 1] = of(whole);
+      else
+        changed[whole] = (of(half) + of(half + 1)) / 2;
+    }
+  VecX out(numbers * static_cast<Eigen::Index>(now.tets.size()));
+  for (std::size_t i = 0; i < now.tets.size(); ++i)
+    out.segment(numbers * static_cast<Eigen::Index>(i), numbers) = of(now.tets[i]);
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,20 @@
+#pragma once
+// Cuts a closed surface along a plane into two closed surfaces: the fracture of a bone.
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+struct CutSurface {
+  // The parts on the side that the normal points to, and on the other side; either may be empty.
+  TriangleMesh above, below;
+};
+
+/// Cuts `mesh`, a closed surface: each directed edge of a triangle is paired with the opposite edge of
+/// another. The mesh may contain several closed surfaces, next to, across or inside each other. Vertices with
+/// equal positions count as one. Vertices on the plane are treated as a nanometre above it. Both results are
+/// closed and together fill the volume of the mesh. Throws InputError for a surface that isn't closed along
+/// the cut.
+CutSurface cut_surface(const TriangleMesh& mesh, const Vec3& point, const Vec3& normal);
+
+}  // namespace prosector

@@ -1,0 +1,46 @@
+#pragma once
+// Contacts of rigid bodies with the sides of the room. Only for the .cpp files of this folder.
+//
+// The sides are not in Bullet's world. An additional object there would change the order of Bullet's
+// broad-phase pairs, and so the hashes of scenes that touch no side.
+
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "server/physics/mechanics/rigid/bullet_types.h"
+#include "server/physics/mechanics/rigid/room.h"
+
+namespace prosector {
+
+/// Contact detection of rigid bodies with the sides of the room.
+class RoomContacts {
+ public:
+  /// Stores a reference: the dispatcher outlives this.
+  RoomContacts(btCollisionDispatcher& dispatcher, std::span<const RoomSide> sides);
+  ~RoomContacts();
+  RoomContacts(const RoomContacts&) = delete;
+  RoomContacts& operator=(const RoomContacts&) = delete;
+
+  /// Finds the contact points of the body in a slot with the sides that it doesn't pass through.
+  void detect(std::size_t slot, btRigidBody& body, RoomSides passes, const btDispatcherInfo& info);
+  /// Removes the cached contacts of a slot.
+  void forget(std::size_t slot);
+
+ private:
+  struct Side {
+    RoomSide plane;
+    std::unique_ptr<btCollisionShape> shape;
+    std::unique_ptr<btBroadphaseProxy> proxy;  // determines the order of Bullet's contacts
+    std::unique_ptr<btRigidBody> body;
+  };
+  void free(btCollisionAlgorithm* algorithm);
+
+  btCollisionDispatcher& dispatcher_;
+  std::vector<Side> sides_;
+  std::map<std::pair<std::size_t, std::size_t>, btCollisionAlgorithm*> near_;  // by slot and side
+};
+
+}  // namespace prosector

@@ -1,0 +1,26 @@
+#pragma once
+// Effort per tick of a body, and its reduction when accuracy is stepped down.
+
+#include <algorithm>
+
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+struct Effort {
+  int newton_iterations, solver_iterations;
+  double solver_tolerance;
+  int substeps;  // for position-based bodies
+};
+
+/// Returns the described effort, halved at each of `steps_down`; the tolerance grows fourfold at each. Lower
+/// limits are 1 Newton iteration, 8 solver iterations, a tolerance of 0.1 and 4 substeps, or the described
+/// value if that is less effort. Explicit bodies cannot be reduced: stability determines their substeps.
+inline Effort effort_of(const SoftDesc& desc, int steps_down) {
+  const auto halved = [&](int n, int least) { return std::max(std::min(n, least), n >> steps_down); };
+  const double loosened = desc.solver_tolerance * static_cast<double>(1 << (2 * steps_down));
+  return {halved(desc.newton_iterations, 1), halved(desc.solver_iterations, 8),
+          std::max(desc.solver_tolerance, std::min(0.1, loosened)), halved(desc.substeps, 4)};
+}
+
+}  // namespace prosector

@@ -1,0 +1,36 @@
+#include "server/physics/mechanics/soft/laws/constitutive_law.h"
+
+#include <algorithm>
+
+#include "server/physics/mechanics/soft/base/find_row.h"
+#include "server/physics/mechanics/soft/laws/fem_laws.h"
+
+namespace prosector {
+
+const std::vector<LawRow>& laws() {
+  static const std::vector<LawRow> rows = {
+      {"fem_linear", "small strain, constant matrix; for small rotations", make_fem_linear},
+      {"fem_corotational", "linear in the material's own frame; moderate strain, any rotation",
+       make_fem_corotational},
+      {"fem_stvk", "St. Venant-Kirchhoff; moderate strain, any rotation, but content when mirrored",
+       make_fem_stvk},
+      {"fem_neo_hookean", "stable neo-Hookean that recovers from collapse; large strain",
+       make_fem_neo_hookean},
+      {"fem_neo_hookean_polynomial",
+       "stable neo-Hookean without the logarithm; large strain, but stays collapsed at a point",
+       make_fem_neo_hookean_polynomial},
+      {"fem_fibers", "fem_neo_hookean with fibres that pull along one direction; muscle, tendon",
+       make_fem_fibers},
+  };
+  return rows;
+}
+
+bool is_law(const std::string& name) {
+  return std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return name == row.name; });
+}
+
+std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants) {
+  return find_row(laws(), "model", name).make(constants);
+}
+
+}  // namespace prosector

@@ -1,0 +1,263 @@
+#include "server/physics/stations/compile/compile.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <set>
+
+#include "common/error.h"
+#include "common/primitives.h"
+#include "server/physics/mechanics/contact/self_surface.h"
+#include "server/physics/mechanics/rigid/collision_shape.h"
+#include "server/physics/mechanics/soft/compression.h"
+#include "server/physics/mechanics/soft/rungs.h"
+#include "server/physics/stations/compile/scene_hash.h"
+#include "server/physics/stations/compile/sources.h"
+#include "server/physics/stations/compile/tension.h"
+#include "server/physics/stations/parts/fracture.h"
+
+namespace prosector {
+namespace {
+
+constexpr double told_of_tension = 1e-3;  // m: smaller displacements by tension are not reported
+// Ratio of surface edge to element edge beyond which refinement has little effect.
+constexpr double coarse_surface = 1.5;
+// Smallest fraction of its hull's volume that a plausible closed mesh fills.
+constexpr double least_share_of_hull = 0.02;
+
+ShapePart to_shape(const PartDesc& part) {
+  const double r = part.size.x() / 2, y = part.size.y() / 2;
+  if (part.shape == "box") return {ShapeKind::box, part.size / 2, part.pose, nullptr};
+  if (part.shape == "sphere") return {ShapeKind::sphere, {r, 0, 0}, part.pose, nullptr};
+  if (part.shape == "capsule") return {ShapeKind::capsule, {r, std::max(0.0, y - r), r}, part.pose, nullptr};
+  if (part.shape == "cylinder") return {ShapeKind::cylinder, {r, y, r}, part.pose, nullptr};
+  return {ShapeKind::ellipsoid, part.size / 2, part.pose, nullptr};
+}
+
+/// Returns the mass properties of a mesh, or of its hull if the mesh isn't closed: a thin or open surface has
+/// no volume.
+MassProperties mesh_mass(const TriangleMesh& mesh, const ShapePart& hull, double density) {
+  const MassProperties of_hull = part_mass(hull, density);
+  ShapePart solid = hull;
+  solid.mesh = std::make_shared<TriangleMesh>(mesh);
+  const MassProperties own = part_mass(solid, density);
+  const bool plausible = own.mass > least_share_of_hull * of_hull.mass && own.mass < 1.01 * of_hull.mass &&
+                         Eigen::SelfAdjointEigenSolver<Mat3>(own.inertia).eigenvalues().minCoeff() > 0;
+  return plausible ? own : of_hull;
+}
+
+struct Solid {
+  std::vector<ShapePart> parts;  // body frame
+  MassProperties mass;
+};
+
+Solid solid_of_parts(const RigidDesc& desc) {
+  Solid out;
+  std::vector<MassProperties> masses;
+  for (const PartDesc& part : desc.parts) {
+    out.parts.push_back(to_shape(part));
+    masses.push_back(part_mass(out.parts.back(), desc.density));
+  }
+  out.mass = combine(masses);
+  return out;
+}
+
+Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
+  ShapePart hull{
+      ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
+  Solid out;
+  out.mass = mesh_mass(surface, hull, desc.density);
+  if (fidelity_of(desc.collision) == Fidelity::mesh)
+    out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
+  else
+    out.parts = {hull};
+  return out;
+}
+
+CollisionGroups groups_of(const SceneDesc& scene) {
+  CollisionGroups out;
+  std::set<std::string> known = {default_group, hand_group};
+  out.add(hand_group);
+  const auto add = [&](const auto& bodies) {
+    for (const auto& body : bodies)
+      if (known.insert(body.group).second) out.add(body.group);
+  };
+  add(scene.rigid);
+  add(scene.soft);
+  return out;
+}
+
+RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const CollisionGroups& groups) {
+  Solid solid = desc.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
+  // The mass of a breakable body is that of its surface's volume, like that of its pieces, which conserves
+  // momentum.
+  if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
+  if (!(solid.mass.mass > 0) && !desc.fixed)
+    throw InputError(
+        fmt::format("rigid '{}': has no volume, so no mass; give it parts or a closed mesh", desc.name));
+  if (desc.mass > 0 && solid.mass.mass > 0) {
+    solid.mass.inertia *= desc.mass / solid.mass.mass;
+    solid.mass.mass = desc.mass;
+  }
+  RigidModel out;
+  out.name = desc.name;
+  out.surface = std::move(surface);
+  out.start = desc.pose;
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(solid.mass.inertia);
+  Mat3 axes = principal.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) *= -1;
+  out.center = {solid.mass.center, Quat(axes).normalized()};
+  if (desc.fixed) out.center = {};
+  out.setup.mass = desc.fixed ? 0 : solid.mass.mass;
+  if (!desc.fixed) out.setup.inertia = principal.eigenvalues();
+  out.setup.friction = desc.friction;
+  out.setup.rolling_resistance = desc.rolling_resistance;
+  out.setup.restitution = desc.restitution;
+  out.setup.balanced = desc.balanced;
+  out.setup.continuous = desc.continuous;
+  out.setup.mask = groups.mask(desc.group, desc.touches);
+  for (ShapePart part : at_fidelity(std::move(solid.parts), fidelity_of(desc.collision), desc.pose)) {
+    part.pose = out.center.inverse() * part.pose;
+    out.shape.distances.push_back(make_signed_distance(part));
+    out.shape.parts.push_back(std::move(part));
+  }
+  out.setup.parts = out.shape.parts;
+  return out;
+}
+
+std::vector<RoomModel> compile_room(const std::optional<RoomDesc>& room) {
+  std::vector<RoomModel> out;
+  for (const RoomSide& side : room_sides(room)) {
+    RoomModel& made = out.emplace_back();
+    made.side = side;
+    made.shape.parts.push_back(solid_of(side));
+    made.shape.distances.push_back(make_signed_distance(made.shape.parts.front()));
+  }
+  return out;
+}
+
+/// Returns the room sides behind which the body starts; the body passes through these.
+template <class Say>
+RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, const Model& model,
+                       const Say& say) {
+  std::vector<RoomSide> room;
+  for (const RoomModel& side : model.room) room.push_back(side.side);
+  const RoomSides out = sides_before(start, room);
+  if (out != 0)
+    say(fmt::format("{}: begins behind the room's {}, so it passes through that side", name,
+                    has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
+  return out;
+}
+
+bool is_simple(const CompiledTissue& tissue) {
+  return tissue.collision.fidelity != Fidelity::none && tissue.collision.fidelity != Fidelity::mesh;
+}
+
+RigidOutline outline_of(const RigidShape& shape) {
+  const bool mesh = !shape.parts.empty() && shape.parts.front().kind == ShapeKind::triangles;
+  return RigidOutline(shape.parts, mesh ? Fidelity::mesh : Fidelity::hull);
+}
+
+std::vector<std::optional<RigidOutline>> compile_outlines(const Model& model) {
+  std::vector<std::optional<RigidOutline>> out;
+  for (const RigidModel& r : model.rigid)
+    out.push_back(r.shape.parts.empty() ? std::nullopt : std::optional(outline_of(r.shape)));
+  for (const HandModel& hand : model.hands) out.push_back(outline_of(hand.shape));
+  for (const RoomModel& room : model.room) out.push_back(outline_of(room.shape));
+  return out;
+}
+
+/// Enables contact over areas for the body. Throws InputError for bodies without such areas, or with
+/// substeps.
+void press_over_area(const SoftBody& body, SoftCollision& collision) {
+  const SoftDesc& desc = body.desc();
+  if (mesh_kind(body.anatomy()) != MeshKind::tets || collision.fidelity != Fidelity::mesh ||
+      body.substepper())
+    throw InputError(
+        fmt::format("[[soft]] \"{}\": contact is \"surface\"; allowed for a solid that collides as mesh and "
+                    "has no substeps, else: vertices",
+                    desc.name));
+  collision.over_area = true;
+}
+
+/// Warns if surface triangles are too large for refined elements to have an effect.
+void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const std::string&)>& say) {
+  const SoftDesc& desc = body.desc();
+  if (desc.refine == SoftDesc().refine) return;
+  const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
+  const double edge = mean_edge(body.anatomy().surface);
+  if (edge > coarse_surface * cell)
+    say(fmt::format(
+        "{}: warning: refine makes elements of {:.1f} mm, but the triangles that are touched have "
+        "edges of {:.1f} mm; a smaller surface_cell lets them be felt",
+        desc.name, 1e3 * cell, 1e3 * edge));
+}
+
+CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
+                            const CollisionGroups& groups,
+                            const std::function<void(const std::string&)>& say) {
+  CompiledTissue out;
+  if (const double moved = put_under_tension(desc, anatomy); moved > told_of_tension)
+    say(fmt::format("{}: its tension moves it by {:.1f} mm from its imaged shape", desc.name, 1e3 * moved));
+  out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
+  const TriangleMesh& surface = out.solver->anatomy().surface;
+  const double cell = desc.self_contact ? mean_edge(surface) : 0;
+  const RoomSides passes = passed_sides(desc.name, surface.positions, model, say);
+  out.collision = {fidelity_of(desc.collision),
+                   groups.mask(desc.group, desc.touches),
+                   passes,
+                   desc.continuous,
+                   desc.self_contact,
+                   cell,
+                   model.scene.contact_stiffness};
+  if (desc.contact == "surface") press_over_area(*out.solver, out.collision);
+  warn_of_coarse_surface(*out.solver, say);
+  say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
+                  out.solver->nodes(), surface.positions.size()));
+  const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;
+  if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
+    say(fmt::format("{}: warning: model {} {}", desc.name, desc.model, limit));
+  return out;
+}
+
+}  // namespace
+
+CompiledScene compile(const SceneDesc& written, const CompileOptions& options) {
+  const SceneDesc scene = whole_scene(written, options);
+  const auto say = [&](const std::string& line) {
+    if (options.progress) options.progress(line);
+  };
+  if (!(scene.tick_rate > 0) || !std::isfinite(scene.tick_rate))
+    throw InputError(fmt::format("tick_rate: {} Hz must be positive", scene.tick_rate));
+  CompiledScene out;
+  Model& model = out.model;
+  model.scene = scene;
+  model.h = 1 / scene.tick_rate;
+  model.room = compile_room(scene.room);
+  const CollisionGroups groups = groups_of(scene);
+  for (const RigidDesc& desc : scene.rigid)
+    model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options), groups));
+  const auto compile_piece = [&](const RigidDesc& desc, TriangleMesh surface) {
+    return compile_rigid(desc, std::move(surface), groups);
+  };
+  for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_piece);
+  for (RigidModel& body : model.rigid) {
+    std::vector<Vec3> start;
+    for (const Vec3& x : body.surface.positions) start.push_back(body.start * x);
+    if (body.setup.mass > 0) body.setup.passes = passed_sides(body.name, start, model, say);
+  }
+  for (const SoftDesc& desc : scene.soft)
+    out.soft.push_back(compile_soft(desc, soft_anatomy(desc, scene, options), model, groups, say));
+  for (std::size_t hand = 0; hand < 2; ++hand) {
+    model.hands[hand] = make_hand_model(hand, scene.hand);
+    model.hands[hand].setup.mask = groups.mask(hand_group, {});
+    model.hands[hand].setup.passes = all_room_sides;
+  }
+  for (const RigidDesc& desc : model.scene.rigid) model.blades.push_back(blade_shape(desc.edges));
+  if (std::any_of(out.soft.begin(), out.soft.end(), is_simple)) model.outlines = compile_outlines(model);
+  model.hash = hash_of(model, out.soft);
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// Contacts of finger pads with rigid bodies, with friction that acts over a patch.
+
+#include <span>
+#include <vector>
+
+#include "server/physics/mechanics/coupled/island.h"
+#include "server/physics/stations/touching/colliders.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// A finger pad's contact with a rigid body; its friction points follow the contact in the island.
+struct Pad {
+  std::size_t island = 0, contact = 0;  // indices
+  std::size_t hand = 0, body = 0;       // slots
+  std::uint32_t part = 0;               // index of the hand's part
+  Vec3 place = Vec3::Zero();            // m, position in the frame of the hand's centre
+};
+
+/// Replaces Bullet's contacts of the hand's segments by contacts with our own shapes. Bullet determines which
+/// pads touch which bodies. But it computes gaps in single precision, at one point of a line contact, and
+/// with boxes with rounded edges. Occasionally it reports no contact for a tick, and a pinched body would be
+/// shot out of the fingers. So the gap is recomputed at the nearest point of a segment and at its ends, also
+/// for pads that pressed in the last tick.
+void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
+                std::vector<RigidContact>& touches);
+
+/// Distributes the friction of the island's last contact, which came from `touch`, over a patch if a finger
+/// is involved, and lists the pad.
+void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const RigidContact& touch,
+                     std::size_t island, std::vector<Contact>& contacts, std::vector<Pad>& pads);
+
+/// Stores the pads' contacts in the hands after the islands are solved.
+void keep_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
+               std::vector<Hand>& hands);
+
+}  // namespace prosector

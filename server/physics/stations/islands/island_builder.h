@@ -1,0 +1,53 @@
+#pragma once
+// Builds the islands that are solved together.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "server/physics/mechanics/contact/soft_contacts.h"
+#include "server/physics/mechanics/coupled/island.h"
+#include "server/physics/mechanics/organs/blade.h"
+#include "server/physics/stations/hands/pads.h"
+#include "server/physics/stations/touching/colliders.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// Finds the islands: bodies connected by contacts, holds and blades in tissue. The rigid world immediately
+/// solves islands without tissue and hands for h s; returns the others.
+const std::vector<MixedIsland>& find_islands(Bodies& bodies, std::span<const Hand> hands,
+                                             const SoftContacts& touching, std::span<const BladeGrip> grips,
+                                             double h);
+
+/// Builds mixed and soft islands from contacts and holds.
+class IslandBuilder {
+ public:
+  /// Stores references to all inputs for a tick of h s; they outlive this.
+  IslandBuilder(Bodies& bodies, std::span<const Hand> hands, const SoftContacts& touching,
+                std::span<const Collider> colliders, std::span<const BladeGrip> grips, double h);
+
+  /// Sets `islands`: those of `mixed`, then islands of soft bodies only. Lists the finger contacts in `pads`.
+  void build(std::span<const MixedIsland> mixed, std::vector<Island>& islands, std::vector<Pad>& pads);
+
+ private:
+  void add_rigid_members(const MixedIsland& mixed, Island& island);
+  void add_rigid_contacts(const MixedIsland& mixed, std::size_t index, Island& island,
+                          std::vector<Pad>& pads) const;
+  void find_islands_of_groups();
+  void add_soft_members(std::vector<Island>& islands);
+  void watch_flat_elements(Island& island) const;
+  void set_stiffness(Island& island) const;
+  void add_ties(std::vector<Island>& islands) const;
+
+  Bodies& bodies_;
+  std::span<const Hand> hands_;
+  const SoftContacts& touching_;
+  std::span<const Collider> colliders_;
+  std::span<const BladeGrip> grips_;
+  double h_;
+  std::vector<std::size_t> island_of_;                       // by slot
+  std::vector<std::optional<std::size_t>> island_of_group_;  // by soft group
+};
+
+}  // namespace prosector

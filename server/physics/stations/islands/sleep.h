@@ -1,0 +1,16 @@
+#pragma once
+// Puts islands to sleep in which nothing moves.
+
+#include <vector>
+
+#include "server/physics/mechanics/coupled/island.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// Puts islands of the last tick to sleep if all their bodies have been quiet long enough, and keeps the
+/// others awake. Moves the surfaces of all their soft bodies to the current node positions. `driven`: whether
+/// kinematic bodies move and may move others.
+void fall_asleep(State& state, std::vector<Island>& islands, bool driven);
+
+}  // namespace prosector

@@ -1,0 +1,18 @@
+#pragma once
+// Fracture of bones in a tick.
+
+#include <span>
+
+#include "server/physics/base/step_report.h"
+#include "server/physics/mechanics/coupled/island.h"
+#include "server/physics/stations/touching/colliders.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// Breaks bones in which the force through a fracture plane in the last h s exceeds the limit. `islands` and
+/// `colliders`: of those h s.
+void break_bones(State& state, std::span<const Island> islands, std::span<const Collider> colliders, double h,
+                 StepReport& report);
+
+}  // namespace prosector

@@ -1,0 +1,149 @@
+#include "server/physics/stations/save/rewind.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/error.h"
+#include "server/physics/stations/dissecting/piece_builder.h"
+#include "server/physics/stations/dissecting/refining.h"
+#include "server/physics/stations/hands/hands.h"
+#include "server/physics/stations/save/checkpoint.h"
+
+namespace prosector {
+namespace {
+
+/// What clients have of a soft body, to tell whether it becomes another, and what goes on as it was.
+struct Shown {
+  std::uint64_t content_hash = 0;
+  Numbering numbering;
+  std::uint32_t revision = 0;
+  int steps_down = 0;
+  bool looks_like(std::uint64_t hash, const Numbering& other) const {
+    return content_hash == hash && numbering.nodes == other.nodes && numbering.vertices == other.vertices &&
+           numbering.triangles == other.triangles;
+  }
+};
+
+/// Keeps pieces that came since as bodies, of nothing.
+void keep_later_pieces(State& state, std::size_t count) {
+  Bodies& bodies = state.bodies;
+  for (std::size_t body = bodies.soft.size(); body < count; ++body) {
+    const auto owner =
+        std::find_if(state.dissection.organs.begin(), state.dissection.organs.end(), [&](const auto& entry) {
+          const auto& pieces = entry.second.pieces();
+          return std::any_of(pieces.begin(), pieces.end(),
+                             [&](const OrganPiece& p) { return p.body == body; });
+        });
+    Numbering numbering;
+    std::unique_ptr<SoftBody> solver = make_piece(bodies, owner->second, body, numbering);
+    TissueSurface surface(solver->anatomy());
+    place_piece(state, body, owner->first, std::move(solver), std::move(numbering), std::move(surface));
+    bodies.parts[bodies.soft_id(body)].hidden = true;
+    bodies.take_effect(bodies.rigid, bodies.soft_id(body));
+    bodies.soft[body].place_surface();
+  }
+}
+
+/// Tells which bodies clients have to take anew. `was`: before, by soft body.
+void tell_of_changes(State& state, std::span<const Shown> was, ParticipantId author, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    Tissue& tissue = bodies.soft[i];
+    tissue.state.steps_down = was[i].steps_down;  // the server is as busy as it was
+    std::erase_if(tissue.memories, [&](const ContactMemory& m) {
+      return !m.soft && m.body >= bodies.model.rigid.size() && !is_room(m.body);
+    });
+    tissue.revision = was[i].revision;
+    const std::uint64_t content_hash = topology_hash(state, i);
+    if (was[i].looks_like(content_hash, tissue.numbering)) continue;
+    TopologyChange& change = report.topology.emplace_back();
+    change.body = bodies.soft_id(i);
+    change.revision = ++tissue.revision;
+    change.content_hash = content_hash;
+    change.cause = TopologyCause::rewind;
+    change.author = author;
+  }
+}
+
+/// Puts the hands that are there now in place of those that were there then.
+void bring_back_hands(State& state, std::span<const Hand> present, std::span<const RigidMotion> motions,
+                      StepReport& report) {
+  for (; !state.hands.empty(); state.hands.pop_back()) state.bodies.rigid.remove(state.hands.back().slot);
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    Hand& hand = state.hands.emplace_back(present[i]);
+    if (hand.hold)
+      report.let_go.push_back({hand.participant, hand.side, hand.hold->body, "everything was rewound"});
+    hand.hold.reset();
+    hand.slot = add_hand(state.bodies.model, state.bodies.rigid, hand, motions[i]);
+  }
+}
+
+/// Returns why this run can't go back to that state: it isn't one of its own past.
+Refusal not_of_this_past(const State& state, const RestoredState& past) {
+  if (past.soft_bodies() > state.bodies.soft.size())
+    return "cutting: a state to go back to has bodies that never were";
+  const std::map<std::size_t, Organ>& cut = state.dissection.organs;
+  for (const auto& [first, then] : past.cuts().organs())
+    if (!cut.contains(first) || !cut.at(first).has_past(then))
+      return "cutting: a state to go back to has another past";
+  return {};
+}
+
+void go_back(State& state, RestoredState& past, const CutEvent& event, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  const SimTime left = state.time;
+  const std::uint64_t strokes_left = state.dissection.strokes;
+  const std::size_t count = bodies.soft.size();
+  std::vector<Shown> shown;
+  for (const Tissue& tissue : bodies.soft)
+    shown.push_back(
+        {topology_hash(state, tissue.index), tissue.numbering, tissue.revision, tissue.state.steps_down});
+  const std::vector<Hand> present = state.hands;
+  std::vector<RigidMotion> motions;
+  for (const Hand& hand : present) motions.push_back(bodies.rigid.motion(hand.slot));
+  std::map<std::size_t, Organ> cut = state.dissection.organs;
+
+  past.take_effect();
+  for (auto& [first, organ] : cut) {
+    take_refinement_back(state, first);  // it goes on as one that was cut
+    const auto then = state.dissection.organs.find(first);
+    organ.rewind(then != state.dissection.organs.end()
+                     ? then->second
+                     : Organ(first, organ.whole(), bodies.soft[first].solver->desc().density, organ.held()),
+                 event.participant);
+  }
+  state.dissection.organs = std::move(cut);
+  state.dissection.blades.clear();
+  state.dissection.strokes = strokes_left;
+  state.time = {left.epoch + 1, left.tick};
+  report.time = state.time;
+  keep_later_pieces(state, count);
+  tell_of_changes(state, shown, event.participant, report);
+  bring_back_hands(state, present, motions, report);
+}
+
+/// Reads the state to go back to. Refused: its bytes are none of this scene.
+Refusal read_past(State& state, const CutEvent& event, std::optional<RestoredState>& past) {
+  try {
+    past.emplace(state, *event.state);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+Refusal rewind(State& state, const CutEvent& event, StepReport& report) {
+  if (!event.state) return "that state was not kept";
+  std::optional<RestoredState> past;
+  if (Refusal why = read_past(state, event, past)) return why;
+  if (Refusal why = not_of_this_past(state, *past)) return why;
+  go_back(state, *past, event, report);
+  return {};
+}
+
+}  // namespace prosector

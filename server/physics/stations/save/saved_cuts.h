@@ -1,0 +1,50 @@
+#pragma once
+// Checkpoints of what was cut: organs' logs, which are gone through again, and blades that hands hold.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "server/physics/base/record.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+void save_cuts(const State& state, RecordWriter& io);
+
+/// What a checkpoint says was cut, beside a state that may have been cut otherwise. Nothing of the
+/// state changes before take_effect().
+class RestoredCuts {
+ public:
+  /// Starts with nothing cut.
+  explicit RestoredCuts(State& state);
+  /// Throws InputError for what doesn't fit.
+  void read(RecordReader& io);
+  bool is_cut(std::size_t body) const { return organs_.contains(body); }
+  /// Returns the organs that are cut, by the index of the soft body that they were.
+  const std::map<std::size_t, Organ>& organs() const { return organs_; }
+  /// Returns the soft bodies with all pieces, by index; valid as long as this and the state are.
+  std::vector<const SoftBody*> bodies() const;
+  /// Gives the state these bodies, and hands these blades, from now on.
+  void take_effect();
+
+ private:
+  struct Piece {
+    std::size_t first = 0;             // of its organ
+    std::unique_ptr<SoftBody> solver;  // null: the state's own is right
+    Numbering numbering;
+    std::uint32_t revision = 0;
+    VecX equilibrium;
+  };
+  void read_organ(RecordReader& io, std::size_t first);
+  bool is_current(std::size_t first, const Organ& organ) const;
+
+  State& state_;
+  std::size_t count_;  // soft bodies
+  std::map<std::size_t, Organ> organs_;
+  std::map<std::size_t, Piece> pieces_;  // by body
+  std::vector<Blade> blades_;
+  std::uint64_t strokes_ = 0;
+};
+
+}  // namespace prosector

@@ -1,0 +1,43 @@
+#pragma once
+// One tick of the simulation.
+
+#include <memory>
+#include <vector>
+
+#include "server/physics/base/step_report.h"
+#include "server/physics/mechanics/coupled/step_island.h"
+#include "server/physics/stations/dissecting/blade_grip.h"
+#include "server/physics/stations/hands/pads.h"
+#include "server/physics/stations/touching/soft_contact_finder.h"
+#include "server/physics/world/state.h"
+#include "server/physics/world/tick_input.h"
+#include "server/physics/world/tick_output.h"
+
+namespace prosector {
+
+/// Buffers of a tick, and data for queries about the last tick. They don't affect the next tick.
+struct StepBuffers {
+  explicit StepBuffers(const State& state) : contacts(state.bodies.soft.size()), h(state.bodies.model.h) {}
+
+  Colliders colliders;
+  SoftContactFinder contacts;
+  std::vector<BladeGrip> grips;
+  std::vector<RigidMotion> last_good;  // by slot, before the last solve
+  std::vector<Island> islands;
+  std::vector<Pad> pads;  // in the order of the islands
+  IslandStepper stepper;
+  double h;                                 // s: duration of the tick's last part
+  std::vector<Exchange> earlier_exchanges;  // of the tick's earlier parts
+  std::vector<HandState> hand_states;
+};
+
+/// Advances the state by one tick and fills the report.
+void step(State& state, StepBuffers& buffers, const TickInput& input, StepReport& report);
+
+/// Returns the exchanges between bodies in the last tick.
+std::vector<Exchange> exchanges(const State& state, const StepBuffers& buffers);
+
+/// Clears the data of the last tick after the state was replaced. Hands have no contacts until the next tick.
+void forget_last_tick(const State& state, StepBuffers& buffers);
+
+}  // namespace prosector

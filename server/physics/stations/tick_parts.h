@@ -1,0 +1,48 @@
+#pragma once
+// Subdivision of a tick, for kinematic bodies so fast that they would pass through tissue.
+//
+// Contacts are linearised at the tick's start, with constant normals. A plate that moves farther than a
+// surface cell in a tick would be beyond the tissue, or deep inside it, before a contact could determine the
+// way out. So the whole tick is divided into equal parts, and contacts are found for each part. All bodies
+// use the same parts, so coupled bodies stay in lockstep.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "server/physics/base/step_report.h"
+#include "server/physics/stations/touching/colliders.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// The equal parts of a tick.
+class TickParts {
+ public:
+  /// Determines the number of parts. No kinematic body moves farther in a part than the tissue in its path
+  /// can follow. The number is 1 if no kinematic body moves as far as a surface cell. Refreshes `colliders`
+  /// if needed.
+  TickParts(State& state, Colliders& colliders);
+
+  int count() const { return count_; }
+  double h() const { return h_; }  // s, of each part
+  /// Sets the targets of kinematic bodies and hands for part k.
+  void aim(int k);
+  /// Restores the targets of the whole tick, and merges the report rows of the parts.
+  void finish(StepReport& report);
+
+ private:
+  struct Kinematic {
+    std::size_t slot;
+    Pose from, to;
+  };
+  void restart();
+
+  State& state_;
+  int count_;
+  double h_;
+  std::vector<Kinematic> kinematic_;
+  std::vector<std::pair<Pose, Pose>> targets_;  // of hands, before and after the tick
+};
+
+}  // namespace prosector

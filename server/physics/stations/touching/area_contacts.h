@@ -1,0 +1,26 @@
+#pragma once
+// Contacts that integrate the pressure over the area where a soft surface touches a rigid body.
+//
+// Each contact represents a part of the surface's area. Its force is distributed to all nodes of the element
+// by the element's shape functions. Within its area the gap varies, more the less parallel both surfaces are
+// (EvenSpring). So the force is as smooth as the touching area.
+
+#include <vector>
+
+#include "server/physics/mechanics/contact/memory.h"
+#include "server/physics/mechanics/contact/surface_detector.h"
+#include "server/physics/world/tissue.h"
+
+namespace prosector {
+
+/// Returns the number of features of such contacts on a surface.
+std::uint32_t area_features(const TriangleMesh& surface);
+
+/// Appends contacts at the points of the body's surface within `margin` (m) of the collider, with their
+/// memories from `held`. A vertex' feature is its index. A face point's feature is the number of vertices
+/// plus most_face_points times its triangle plus its own index. The pressure of a point beyond the depth of a
+/// dent is a separate contact; its features follow all these.
+void add_area_contacts(const Tissue& tissue, const Collider& collider, double margin,
+                       const ContactMemories& held, std::vector<Contact>& out);
+
+}  // namespace prosector

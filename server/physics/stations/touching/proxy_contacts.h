@@ -1,0 +1,19 @@
+#pragma once
+// Contacts of soft bodies that collide as a proxy shape: sphere, box or hull.
+
+#include <vector>
+
+#include "server/physics/mechanics/contact/surface_detector.h"
+#include "server/physics/world/tissue.h"
+
+namespace prosector {
+
+/// Appends contacts of the body's proxy with the collider's outline, within `margin` (m). Returns whether
+/// there was any.
+bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double margin,
+                        std::vector<Contact>& out);
+
+/// Appends contacts of two soft bodies of which at least one has a proxy. Returns whether there was any.
+bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out);
+
+}  // namespace prosector

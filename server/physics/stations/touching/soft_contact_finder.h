@@ -1,0 +1,49 @@
+#pragma once
+// Finds contacts of soft bodies, and wakes sleeping bodies that awake ones touch.
+
+#include <span>
+#include <vector>
+
+#include "server/physics/mechanics/collision/broad/broad_phase.h"
+#include "server/physics/mechanics/contact/soft_contacts.h"
+#include "server/physics/stations/touching/colliders.h"
+#include "server/physics/world/state.h"
+
+namespace prosector {
+
+/// Finds the contacts of all soft bodies in a tick.
+class SoftContactFinder {
+ public:
+  explicit SoftContactFinder(std::size_t soft_bodies);
+
+  /// Lists all contacts of soft bodies for a tick of h s. Waking propagates until no further body wakes:
+  /// tissue wakes bodies that rest on it, and vice versa. Changes these parts of the state: sleep states,
+  /// known sides of thin shells, and entanglements.
+  const SoftContacts& find(State& state, std::span<const Collider> colliders, double h);
+  const SoftContacts& found() const { return found_; }
+
+  /// Appends contacts of two soft bodies, or of one with itself, within `margin` (m). Returns whether there
+  /// was any.
+  bool add_pair_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
+                         std::vector<Contact>& out);
+
+ private:
+  void track(const Bodies& bodies, double h);
+  void meet_rigid(State& state, std::span<const Collider> colliders, double h);
+  void list_rigid(Bodies& bodies, Tissue& tissue, std::span<const Collider> colliders, double h);
+  bool woken_by_soft(State& state, std::size_t body, double h);
+  void meet_each_other(State& state, double h);
+  bool add_thin_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
+                         std::vector<Contact>& out);
+  void lead_apart(State& state, Tissue& a, Tissue& b, double h, std::size_t first, std::vector<Contact>& out);
+  void group(std::size_t soft_bodies);
+
+  BroadPhase boxes_;         // of soft bodies that collide, by index
+  std::size_t tracked_ = 0;  // number of soft bodies at the last update
+  SoftContacts found_;
+  Entanglements still_entangled_;  // found in this tick
+  std::vector<VertexMeeting> meetings_;
+  std::vector<std::vector<Contact>> by_collider_;  // of one body
+};
+
+}  // namespace prosector

@@ -1,0 +1,78 @@
+#include "server/physics/stations/touching/soft_pair_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/mechanics/contact/parting.h"
+#include "server/physics/stations/touching/thin_shell_contacts.h"
+
+namespace prosector {
+namespace {
+
+// Largest pressure of an overlap, times the softer body's Young's modulus. So bodies that overlap in the
+// scene, or collided too fast, separate slowly.
+constexpr double most_pressure = 4;
+
+}  // namespace
+
+double pair_stiffness(const Tissue& a, const Tissue& b, std::uint32_t vertex) {
+  const SoftDesc &of_a = a.desc(), &of_b = b.desc();
+  const double own = a.contact_stiffness(vertex);
+  const double ratio = of_b.youngs_modulus / of_b.surface_cell / (of_a.youngs_modulus / of_a.surface_cell);
+  return 2 * own * ratio / (1 + ratio);
+}
+
+Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, double gap) {
+  const SoftDesc &of_a = a.desc(), &of_b = b.desc();
+  Contact c;
+  c.a.kind = c.b.kind = ContactSide::Kind::soft;
+  c.a.body = a.index;
+  c.b.body = b.index;
+  c.normal = normal;
+  const double cell = std::min(of_a.surface_cell, of_b.surface_cell);
+  c.gap = std::max(gap, -most_pressure * cell / a.collision.stiffness_factor);
+  c.friction = std::sqrt(of_a.friction * of_b.friction);
+  return c;
+}
+
+Contact pair_contact(const Tissue& a, const Tissue& b, const VertexMeeting& meeting) {
+  const Anatomy& other = b.anatomy();
+  Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
+  c.a = a.side(meeting.vertex);
+  const auto& corners = other.surface.triangles[meeting.at.triangle];
+  for (std::size_t k = 0; k < 3; ++k)
+    c.b.add(other.embedding.rows[corners[k]], meeting.at.weights[static_cast<Eigen::Index>(k)]);
+  c.feature = meeting.vertex;
+  c.point = a.surface.vertices().positions()[meeting.vertex];
+  c.stiffness = pair_stiffness(a, b, meeting.vertex);
+  recall(find(a.memories, c.b, c.feature), c);
+  return c;
+}
+
+bool add_vertex_contacts(Tissue& a, Tissue& b, double margin, std::vector<VertexMeeting>& meetings,
+                         std::vector<Contact>& out) {
+  const SoftSkin first = a.skin(), second = b.skin();
+  bool deep = false;
+  const auto add = [&](const Tissue& from, const Tissue& to, const SoftSkin& own, const SoftSkin& other) {
+    meetings.clear();
+    find_meetings(own, other, margin, meetings);
+    deep = deep || may_be_immersed(own, other, meetings);
+    for (const VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
+  };
+  add(a, b, first, second);
+  add(b, a, second, first);
+  return deep;
+}
+
+void add_self_contacts(Tissue& tissue, double margin, double h, std::vector<VertexMeeting>& meetings,
+                       std::vector<Contact>& out) {
+  meetings.clear();
+  tissue.surface.self_collision()->find(tissue.skin(), margin, meetings);
+  for (const VertexMeeting& meeting : meetings) {
+    Contact c = pair_contact(tissue, tissue, meeting);
+    c.gap = std::max(c.gap, -overlap_opening_speed * h);
+    out.push_back(c);
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,157 @@
+#include "server/physics/stations/touching/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/mechanics/soft/elements/edge_nodes.h"
+#include "server/physics/mechanics/soft/mesh_follower.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t corners_of_tet = 4;
+
+ContactSide side_of_body(const Tissue& tissue) {
+  ContactSide out;
+  out.kind = ContactSide::Kind::soft;
+  out.body = tissue.index;
+  return out;
+}
+
+/// Adds `share` of a row, in terms of element corners: an edge node is the mean of its ends.
+void add_corners(const SparseMap::Row& row, double share, const EdgeNodes& edges, ContactSide& out) {
+  for (std::size_t k = 0; k < row.node.size(); ++k) {
+    if (row.weight[k] == 0) continue;
+    if (row.node[k] < edges.vertices()) {
+      out.add({{row.node[k]}, {row.weight[k]}}, share);
+      continue;
+    }
+    const auto [a, b] = edges.ends(row.node[k]);
+    out.add({{a, b}, {row.weight[k] / 2, row.weight[k] / 2}}, share);
+  }
+}
+
+/// Converts a point of a tetrahedron from corner weights to quadratic shape functions. Returns false, and
+/// adds nothing, if the corners don't belong to one tetrahedron.
+bool add_quadratic(const ContactSide& corners, const EdgeNodes& edges, ContactSide& out) {
+  if (corners.nodes > corners_of_tet) return false;
+  ContactSide made = out;
+  const auto put = [&](std::uint32_t node, double weight) {
+    made.node[made.nodes] = node;
+    made.weight[made.nodes++] = weight;
+  };
+  for (std::size_t a = 0; a < corners.nodes; ++a) {
+    const double of_a = corners.weight[a];
+    put(corners.node[a], of_a * (2 * of_a - 1));
+    for (std::size_t b = 0; b < a; ++b) {
+      const std::uint32_t middle = edges.find(corners.node[a], corners.node[b]);
+      if (middle == EdgeNodes::none) return false;
+      put(middle, 4 * of_a * corners.weight[b]);
+    }
+  }
+  out = made;
+  return true;
+}
+
+/// Returns the point of surface vertices with these weights.
+ContactSide point_of(const Tissue& tissue, const std::array<std::uint32_t, 3>& vertices,
+                     const Vec3& weights) {
+  const SparseMap& embedding = tissue.anatomy().embedding;
+  ContactSide out = side_of_body(tissue);
+  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  const auto for_vertices = [&](const auto& f) {
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (const double share = weights[static_cast<Eigen::Index>(k)]; share != 0)
+        f(embedding.rows[vertices[k]], share);
+  };
+  if (edges) {
+    ContactSide corners;
+    bool few = true;
+    for_vertices([&](const SparseMap::Row& row, double share) {
+      few = few && corners.nodes <= corners_of_tet;
+      if (few) add_corners(row, share, *edges, corners);
+    });
+    if (few && add_quadratic(corners, *edges, out)) return out;
+  }
+  for_vertices([&](const SparseMap::Row& row, double share) { out.add(row, share); });
+  return out;
+}
+
+/// Set of corner nodes of elements.
+class Corners {
+ public:
+  std::size_t count() const { return count_; }
+
+  void add(std::uint32_t node) {
+    const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(count_);
+    if (std::find(nodes_.begin(), end, node) == end) nodes_[count_++] = node;
+  }
+
+  void add(const Corners& other) {
+    for (std::size_t k = 0; k < other.count_; ++k) add(other.nodes_[k]);
+  }
+
+  /// Returns the side (m) of the square whose diagonal is the longest distance between two corners.
+  double size(const std::vector<Vec3>& positions) const {
+    double squared = 0;
+    for (std::size_t a = 0; a < count_; ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        squared = std::max(squared, (positions[nodes_[a]] - positions[nodes_[b]]).squaredNorm());
+    return std::sqrt(squared / 2);
+  }
+
+ private:
+  std::array<std::uint32_t, 3 * ContactSide::most_nodes> nodes_{};
+  std::size_t count_ = 0;
+};
+
+/// Returns the corners that carry a surface vertex; ignores weights at the level of rounding.
+Corners corners_of(const SparseMap::Row& row, const EdgeNodes* edges) {
+  constexpr double carries = 1e-9;  // weight
+  Corners out;
+  for (std::size_t k = 0; k < row.node.size(); ++k) {
+    if (std::abs(row.weight[k]) < carries) continue;
+    if (!edges || row.node[k] < edges->vertices())
+      out.add(row.node[k]);
+    else
+      for (const std::uint32_t end : edges->ends(row.node[k])) out.add(end);
+  }
+  return out;
+}
+
+}  // namespace
+
+ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec3& weights) {
+  return point_of(tissue, tissue.anatomy().surface.triangles[triangle], weights);
+}
+
+ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
+  return point_of(tissue, {vertex, vertex, vertex}, Vec3::UnitX());
+}
+
+double element_size(const Tissue& tissue, std::uint32_t triangle) {
+  const Anatomy& anatomy = tissue.anatomy();
+  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  Corners all;
+  double of_hanging = 0;  // m, sum
+  int hanging = 0;        // number of vertices that are not nodes
+  for (const std::uint32_t vertex : anatomy.surface.triangles[triangle]) {
+    const Corners own = corners_of(anatomy.embedding.rows[vertex], edges);
+    if (own.count() > 1) {
+      of_hanging += own.size(anatomy.tets.positions);
+      ++hanging;
+    }
+    all.add(own);
+  }
+  const bool within_one = all.count() <= corners_of_tet;
+  return within_one ? all.size(anatomy.tets.positions) : of_hanging / hanging;
+}
+
+Vec3 place_of(const ContactSide& side, const Tissue& tissue) {
+  Vec3 at = Vec3::Zero();
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    at += side.weight[k] * tissue.state.motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  return at;
+}
+
+}  // namespace prosector

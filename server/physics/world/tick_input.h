@@ -1,0 +1,64 @@
+#pragma once
+// The inputs that one tick of a simulation consumes.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/physics/base/part.h"
+#include "server/physics/base/topology.h"
+#include "server/physics/mechanics/panel/panel_event.h"
+
+namespace prosector {
+
+/// One participant's hand as the step consumes it: a target for the virtual coupling. Inputs are ordered by
+/// (participant, hand).
+struct HandTarget {
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  Pose target;
+  std::array<double, fingers> flexion{};
+  bool draws = false;                   // draws a cut: one stroke, even if the blade leaves tissue meanwhile
+  std::optional<double> reaction = {};  // N: force of a haptic arm on this hand; none: no arm is connected
+};
+
+/// A discrete event. Events are journalled with the tick that consumes them.
+struct HandEvent {
+  enum class Kind : std::uint8_t { appear, vanish, grasp, release, reset_body, grasp_body, regrasp } kind;
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  /// reset_body: the body to reset. grasp_body and regrasp: the body to grasp if the hand reaches it. Out of
+  /// reach, grasp_body grasps like `grasp`, and regrasp does nothing.
+  BodyId body = 0;
+};
+
+/// A change of a soft body's solver effort from this tick on: `steps_down` reductions (0: as described in the
+/// scene); see soft/base/effort.h. Bodies in one island use the smallest reduction among them.
+struct EffortChange {
+  BodyId body = 0;
+  int steps_down = 0;
+};
+
+/// Target pose of a kinematic body (a press, a clamp, a test machine) at the end of the tick. The body moves
+/// at constant velocity and nothing stops it; without a Drive in a tick it stands still. Bodies that it
+/// touches stay awake.
+struct Drive {
+  BodyId body = 0;
+  Pose pose;  // of the body's frame, in the room frame
+};
+
+/// All inputs of a tick, in canonical order.
+struct TickInput {
+  std::vector<EffortChange> efforts;
+  std::vector<HandEvent> events;
+  std::vector<HandTarget> targets;  // of hands present this tick; a hand without a target keeps its last
+  std::vector<HeadPlace> heads;     // of heads that moved
+  std::vector<PanelEvent> panels;   // applied after `parts`
+  std::vector<HeldPlace> held;      // of tablets and styluses that moved, appeared or vanished
+  std::vector<PartEvent> parts;     // applied after `events`; answered in StepReport::part_answers
+  std::vector<CutEvent> cuts;       // applied at the end of the tick; answered in StepReport::cut_answers
+  std::vector<Drive> drives;        // for programs that use the standalone physics; sessions have none
+};
+
+}  // namespace prosector
