@@ -55,15 +55,18 @@ ReplayResult replay(const JournalReader& journal, Simulation& simulation,
   require_same_scene(journal, simulation);
   ReplayResult result;
   result.last_hash = simulation.state_hash();
+  std::uint64_t compared = 0;  // the tick whose checkpoint names the value that differs
   journal.for_each_tick(simulation.time().tick, [&](const JournalTick& tick) {
     const StepReport& report = simulation.step(tick.input.input);
     const bool same = same_topology(tick.topology, report.topology);
     if (tick.rebuilt) simulation.checkpoint();
     result.last_hash = simulation.state_hash();
-    if (!result.first_difference && (result.last_hash != tick.state_hash || !same))
+    if (!result.first_difference && (result.last_hash != tick.state_hash || !same)) {
       result.first_difference = tick.tick;
+      compared = next_checkpoint(journal, tick.tick);
+    }
     if (result.first_difference) {
-      if (tick.tick < next_checkpoint(journal, *result.first_difference)) return true;
+      if (tick.tick < compared) return true;
       result.differing_value = differing_value(journal, simulation, tick.tick);
       return false;
     }
