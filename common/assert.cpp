@@ -7,7 +7,7 @@
 namespace prosector {
 
 void assertion_failed(const char* condition, const char* file, int line) {
-  throw InternalError(fmt::format("{}:{}: does not hold: {}", file, line, condition));
+  throw InternalError(fmt::format("{}:{}: assertion failed: {}", file, line, condition));
 }
 
 }  // namespace prosector

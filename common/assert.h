@@ -1,16 +1,16 @@
 #pragma once
-// What the program relies on, checked while it is tested: in the presets asan, asan-full and tsan (the option
-// PROSECTOR_ASSERTIONS). For preconditions that no input can break: bad input is an InputError.
+// PROSECTOR_ASSERT: checks of internal preconditions that no input can violate; bad input is an InputError
+// instead. Enabled by the option PROSECTOR_ASSERTIONS, which the presets asan, asan-full and tsan set.
 
 #include <algorithm>
 #include <functional>
 
 namespace prosector {
 
-/// Throws InternalError that names the place and the condition.
+/// Throws InternalError that names the file, the line and the condition.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
-/// Returns whether each value is greater than the one before.
+/// Returns whether each value is greater than the one before it (strictly ascending).
 template <class Range>
 bool is_ascending(const Range& range) {
   return std::ranges::adjacent_find(range, std::greater_equal<>()) == std::ranges::end(range);

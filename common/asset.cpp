@@ -74,7 +74,7 @@ TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
     mesh.inner.resize(mesh.triangles.size());
     for (auto& flag : mesh.inner) {
       flag = in.bits<std::uint8_t>();
-      if (flag > 1) throw InputError(fmt::format("asset: {} is no flag of an inner triangle", flag));
+      if (flag > 1) throw InputError(fmt::format("asset: {} is not a flag of an inner triangle", flag));
     }
   }
   in.end();

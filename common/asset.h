@@ -1,7 +1,7 @@
 #pragma once
-// Meshes and what surfaces hang on, as bytes with a content hash: what AssetChunk carries and what caches
-// hold. Little endian; positions as float32. Decoding trusts nothing: sizes, indices, finiteness and weights
-// are checked.
+// Meshes and surface embeddings encoded as bytes with a content hash: the payload of AssetChunk and the
+// content of caches. Little endian; positions as float32. Decoding checks all sizes, indices, weights, and
+// that numbers are finite.
 
 #include <cstdint>
 #include <span>
@@ -17,8 +17,8 @@ struct Asset {
   std::vector<std::uint8_t> bytes;
 };
 
-/// The places of a deformable's streamed points at rest, and how its surface hangs on them: what SoftState is
-/// relative to.
+/// Rest positions of a deformable's streamed points, and the embedding map from them to its surface.
+/// SoftState positions are relative to these rest positions.
 struct StreamedSurface {
   std::vector<Vec3> rest;  // metres, world frame; float32 when encoded
   SparseMap map;           // surface vertex ← streamed points
@@ -27,7 +27,7 @@ struct StreamedSurface {
 Asset encode(const TriangleMesh& mesh);
 Asset encode(const StreamedSurface& surface);
 
-/// Decodes what encode() made. Throws InputError when the bytes are no such asset.
+/// Decodes the output of encode(). Throws InputError when the bytes are not a valid asset of that type.
 TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes);
 StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Data as bytes: numbers in a fixed order as they lie in memory, little endian, read back with every size
-// checked. Checkpoints, journals, assets and caches are kept so.
+// Serialisation of plain data: numbers in a fixed order as they are in memory, little endian. Reading checks
+// every size. Used by checkpoints, journals, assets and caches.
 
 #include <algorithm>
 #include <bit>
@@ -35,8 +35,8 @@ class ByteWriter {
     raw(v.data(), sizeof(double) * static_cast<std::size_t>(v.size()));
   }
   void add(const std::string& s) { add_all(s); }
-  /// Adds the values of a vector or string as they lie in memory, which must be plain, after their count
-  /// (u64).
+  /// Adds the number of values (u64), then the values of a vector or string as they are in memory. The value
+  /// type must be plain data.
   template <class Values>
   void add_all(const Values& values) {
     add(static_cast<std::uint64_t>(values.size()));
@@ -54,12 +54,13 @@ class ByteWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// A reader of bytes. Throws InputError, which begins with `what`, at their end and for what can't be.
+/// Reader of serialised bytes. Throws InputError, whose text begins with `what`, when the data ends too early
+/// or a value is invalid.
 class ByteReader {
  public:
   ByteReader(std::span<const std::uint8_t> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}
 
-  /// Returns the next bits as they are, NaN included.
+  /// Returns the next bits unchecked, NaN included.
   template <class T>
   T bits() {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -67,11 +68,11 @@ class ByteReader {
     raw(&value, sizeof value);
     return value;
   }
-  /// Returns the next number, which is finite.
+  /// Returns the next number. Throws InputError if it is not finite.
   template <class T>
   T number() {
     const T value = bits<T>();
-    if constexpr (std::is_floating_point_v<T>) require(std::isfinite(value), "a number that isn't finite");
+    if constexpr (std::is_floating_point_v<T>) require(std::isfinite(value), "a number is not finite");
     return value;
   }
   bool flag() {
@@ -82,7 +83,7 @@ class ByteReader {
   Vec3 vector() {
     Vec3 v;
     raw(v.data(), sizeof(double) * 3);
-    require(v.allFinite(), "a vector that isn't finite");
+    require(v.allFinite(), "a vector is not finite");
     return v;
   }
   Pose pose() {
@@ -90,14 +91,14 @@ class ByteReader {
     out.p = vector();
     raw(out.q.coeffs().data(), sizeof(double) * 4);
     require(out.q.coeffs().allFinite() && std::abs(out.q.norm() - 1) < 1e-6,
-            "an orientation that isn't a unit quaternion");
+            "an orientation is not a unit quaternion");
     return out;
   }
   VecX vector(Eigen::Index expected) {
-    require(number<std::uint64_t>() == static_cast<std::uint64_t>(expected), "a vector of another size");
+    require(number<std::uint64_t>() == static_cast<std::uint64_t>(expected), "a vector has the wrong size");
     VecX v(expected);
     raw(v.data(), sizeof(double) * static_cast<std::size_t>(expected));
-    require(v.allFinite(), "a vector that isn't finite");
+    require(v.allFinite(), "a vector is not finite");
     return v;
   }
   /// Returns a count (u64), at most `limit`.
@@ -106,8 +107,8 @@ class ByteReader {
     require(n <= limit, "a count beyond its limit");
     return static_cast<std::size_t>(n);
   }
-  /// Returns a count (u32) of records of at least `size` bytes that must still fit, so that a lie can't make
-  /// anyone allocate.
+  /// Returns a count (u32) of records of at least `size` bytes each. Throws InputError if they exceed the
+  /// remaining bytes, so that a false count can't cause a large allocation.
   std::uint32_t records(std::size_t size) {
     const auto n = bits<std::uint32_t>();
     require(n <= left() / size, "more records than fit");
@@ -115,7 +116,7 @@ class ByteReader {
   }
   /// Returns the next bytes.
   std::span<const std::uint8_t> block(std::size_t size) {
-    require(left() >= size, "ends too early");
+    require(left() >= size, "truncated");
     const auto out = bytes_.subspan(at_, size);
     at_ += size;
     return out;
@@ -133,13 +134,13 @@ class ByteReader {
     if (!good) throw InputError(what_ + ": " + problem + " before byte " + std::to_string(at_));
   }
   bool done() const { return at_ == bytes_.size(); }
-  void end() const { require(done(), "more than there should be"); }
+  void end() const { require(done(), "unexpected data at the end"); }
 
  private:
   std::size_t left() const { return bytes_.size() - at_; }
   void raw(void* to, std::size_t size) {
     const auto from = block(size);
-    // Not memcpy, which must not be given the null pointer of an empty vector.
+    // Not memcpy: an empty vector's data() may be a null pointer, which memcpy must not be given.
     std::copy_n(from.data(), size, static_cast<std::uint8_t*>(to));
   }
 

@@ -1,11 +1,12 @@
 #pragma once
-// What a hand feels at one place: the tissue there as the coupled solver has it, to first order. A client
-// renders it a thousand times a second, so no delay is in the loop that its hand closes.
+// Contact plane: local linear model of a contact force, computed by the coupled solver at one point of a
+// hand. A client evaluates it at 1 kHz, so that the haptic loop contains no network delay.
 //
-// With p the hand's point, s = (point − p)·normal how far it is in, and t what of p − point lies in the
-// plane:
-//   along the normal   F = force·normal + stiffness·s − damping·ṗ·normal, never below 0 unless it holds
-//   along the plane    F = what of `force` lies in it − tangential·t, at most friction times the normal force
+// With p the position of the hand's point, penetration s = (point − p)·normal, and t the in-plane component
+// of p − point:
+//   normal force       F = force·normal + stiffness·s − damping·ṗ·normal, at least 0 unless `holds`
+//   tangential force   F = (in-plane component of `force`) − tangential·t,
+//                      at most friction times the normal force unless `holds`
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::size_t max_contact_planes = 4;  // of one hand at once
+inline constexpr std::size_t max_contact_planes = 4;  // per hand
 inline constexpr double max_plane_force = 1000;       // N
 inline constexpr double max_plane_stiffness = 1e6;    // N/m
 inline constexpr double max_plane_damping = 1e4;      // N·s/m
@@ -22,19 +23,19 @@ inline constexpr double max_plane_friction = 10;
 inline constexpr double max_plane_speed = 10;  // m/s
 
 struct ContactPlane {
-  std::uint32_t id = 0;          // the same as long as the hand touches the same thing from the same side
-  std::uint32_t body = 0;        // BodyId of what is touched
-  Vec3 arm = Vec3::Zero();       // m, in the hand's frame: the point that is pressed
-  Vec3 point = Vec3::Zero();     // m, room: where that point is under `force`
-  Vec3 normal = {0, 1, 0};       // unit, out of what is touched
+  std::uint32_t id = 0;          // persistent while the hand touches the same body from the same side
+  std::uint32_t body = 0;        // BodyId of the touched body
+  Vec3 arm = Vec3::Zero();       // m, hand frame: the hand's contact point
+  Vec3 point = Vec3::Zero();     // m, room frame: position of that point at which the force is `force`
+  Vec3 normal = {0, 1, 0};       // unit, out of the touched body
   Vec3 force = Vec3::Zero();     // N, on the hand
   double stiffness = 0;          // N/m, along the normal
   double tangential = 0;         // N/m, along the plane
   double damping = 0;            // N·s/m, along the normal
   double friction = 0;           // coefficient of Coulomb's law
-  double radius = 0;             // m: how far it holds; what `holds` yields once it is moved by more
-  Vec3 velocity = Vec3::Zero();  // m/s, of the surface, without what this hand does to it
-  bool holds = false;            // the hand holds it: it pulls, too, and friction has no bound
+  double radius = 0;             // m: range of validity; with `holds`, the model yields beyond it
+  Vec3 velocity = Vec3::Zero();  // m/s, of the surface, without the motion that this hand causes
+  bool holds = false;            // the hand holds the body: tensile forces are allowed, friction has no bound
 };
 
 }  // namespace prosector

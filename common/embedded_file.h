@@ -1,5 +1,5 @@
 #pragma once
-// Files that are part of the program, so that nothing has to be found at run time (common/embed_files.cmake).
+// Files embedded in the executable, so that none has to be found at run time (common/embed_files.cmake).
 
 #include <algorithm>
 #include <optional>
@@ -13,7 +13,7 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-/// Returns the text of the file with that name; none when there is no such file.
+/// Returns the text of the embedded file with that name, or nullopt.
 inline std::optional<std::string_view> find_embedded(std::span<const EmbeddedFile> files,
                                                      std::string_view name) {
   const auto found =

@@ -7,19 +7,19 @@
 namespace prosector {
 
 std::uint8_t level_of(double error) {
-  if (!(error >= least_mapped_error)) return 0;
-  const double level = 1 + levels_a_decade * std::log10(error / least_mapped_error);
+  if (!(error >= min_mapped_error)) return 0;
+  const double level = 1 + levels_per_decade * std::log10(error / min_mapped_error);
   return static_cast<std::uint8_t>(std::lround(std::min(level, 255.)));
 }
 
 double error_of(std::uint8_t level) {
-  return level == 0 ? 0 : least_mapped_error * std::pow(10, (level - 1) / levels_a_decade);
+  return level == 0 ? 0 : min_mapped_error * std::pow(10, (level - 1) / levels_per_decade);
 }
 
 std::optional<double> error_at(const ErrorMap& map, const Vec3& place) {
   if (map.levels.empty()) return std::nullopt;
   std::array<std::size_t, 3> low{};
-  std::array<double, 3> share{};  // of the upper value
+  std::array<double, 3> share{};  // weight of the upper value
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double last = map.size[axis] - 1;
     const double at = (place[static_cast<int>(axis)] - map.corner[static_cast<int>(axis)]) / map.cell;

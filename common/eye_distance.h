@@ -1,8 +1,8 @@
 #pragma once
-// How far apart people's eyes are.
+// Default interpupillary distance.
 
 namespace prosector {
 
-inline constexpr double usual_eye_distance = 0.063;  // m, of adults in the mean
+inline constexpr double default_interpupillary_distance = 0.063;  // m, average of adults
 
 }  // namespace prosector

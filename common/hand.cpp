@@ -1,4 +1,5 @@
 #include "common/hand.h"
+#include "common/ids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ constexpr double quarter_turn = std::numbers::pi / 2;
 
 struct FingerShape {
   Vec3 knuckle;                  // right hand, wrist frame, m
-  double yaw;                    // rad about +y, spread of the finger
+  double yaw;                    // rad about +y: spread of the finger
   std::array<double, 3> length;  // m, proximal to distal
   double radius;                 // m, at the proximal segment
 };
@@ -36,7 +37,7 @@ Quat mirrored(const Quat& q) {
 
 std::array<HandSegment, hand_joints> make_segments(bool left) {
   std::array<HandSegment, hand_joints> out;
-  // The thumb starts beside the wrist, points forward and outward, and bends across the palm.
+  // The thumb starts next to the wrist, points forward and outward, and bends across the palm.
   const Quat thumb = Eigen::AngleAxisd(0.75, Vec3::UnitY()) * Eigen::AngleAxisd(-0.25, Vec3::UnitX()) *
                      Eigen::AngleAxisd(1.0, Vec3::UnitZ());
   out[0] = {0, -1, {-0.032, -0.008, -0.045}, thumb, 0.038, 0.0105};
@@ -92,7 +93,7 @@ std::array<Pose, hand_joints> hand_pose(std::size_t hand, const std::array<doubl
   const auto angles = joint_angles(flexion);
   std::array<Pose, hand_joints> out;
   for (const HandSegment& s : segments) {
-    // Bending turns a finger towards the palm (−y): about −x for fingers that point along −z.
+    // Bending rotates a finger towards the palm (−y): about −x for fingers that point along −z.
     const Quat bend(Eigen::AngleAxisd(-angles[s.joint], Vec3::UnitX()));
     const Pose local{s.origin, s.rest * bend};
     out[s.joint] = s.parent < 0 ? local : out[static_cast<std::size_t>(s.parent)] * local;

@@ -1,5 +1,6 @@
 #pragma once
-// Two hashes: one to name content (assets, caches), one to prove state. Both are xxHash3, not cryptographic.
+// Two hashes: ContentHash identifies content (assets, caches), StateHasher verifies state. Both are xxHash3,
+// not cryptographic.
 
 #include <array>
 #include <cstddef>
@@ -11,15 +12,15 @@
 
 namespace prosector {
 
-/// A name of a piece of content; equal bytes have equal hashes on every machine.
+/// Identifier of a piece of content; equal bytes have equal hashes on every machine.
 using ContentHash = std::array<std::uint8_t, 16>;
 
 ContentHash content_hash(std::span<const std::byte> bytes);
 std::string to_hex(const ContentHash& hash);
 std::string to_hex(std::uint64_t hash);
 
-/// A digest of state, whose bits are fed in a fixed order. It is equal if and only if (but for collisions)
-/// every bit was.
+/// Digest of state whose bytes are added in a fixed order. Two digests are equal if and only if all bits were
+/// equal, except for collisions.
 class StateHasher {
  public:
   StateHasher();

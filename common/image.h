@@ -1,12 +1,12 @@
 #pragma once
-// A picture in memory.
+// An image in memory.
 
 #include <cstdint>
 #include <vector>
 
 namespace prosector {
 
-/// A picture in 8-bit sRGB, rows from the top.
+/// An 8-bit sRGB image, rows from the top.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;

@@ -1,14 +1,15 @@
 #pragma once
-// Where a hand's index finger ends.
+// Position of the index fingertip.
 
 #include "common/hand.h"
-#include "common/messages.h"
+#include "common/hand_pose.h"
+#include "common/math.h"
 
 namespace prosector {
 
 inline constexpr std::size_t index_knuckle = 2, index_end = 4;  // the index finger's first and last segment
 
-/// Returns the tip of the index finger, m, world frame.
+/// Returns the tip of the index finger, m, room frame.
 inline Vec3 index_tip(std::size_t hand, const HandPose& pose) {
   const Pose segment = pose.pose * hand_pose(hand, pose.flexion)[index_end];
   return segment * Vec3(0, 0, -hand_segments(hand)[index_end].length);

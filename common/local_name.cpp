@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/messages.h"
+#include "common/session_messages.h"
 
 namespace prosector {
 namespace {
@@ -13,8 +13,8 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Returns the tag in one spelling: small letters, hyphens.
-std::string spelt(std::string_view tag) {
+/// Returns the tag in normalised form: lower case, with hyphens.
+std::string normalised_tag(std::string_view tag) {
   std::string out(tag);
   for (char& c : out) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -48,9 +48,9 @@ std::string language_of_locale(std::string_view locale) {
 
 const std::string& name_in(std::string_view tag, const std::string& name,
                            const std::vector<LocalName>& names) {
-  for (std::string wanted = spelt(tag); !wanted.empty();) {
-    const auto found =
-        std::ranges::find_if(names, [&](const LocalName& local) { return spelt(local.language) == wanted; });
+  for (std::string wanted = normalised_tag(tag); !wanted.empty();) {
+    const auto found = std::ranges::find_if(
+        names, [&](const LocalName& local) { return normalised_tag(local.language) == wanted; });
     if (found != names.end()) return found->name;
     const std::size_t last = wanted.rfind('-');
     wanted.resize(last == std::string::npos ? 0 : last);

@@ -1,5 +1,5 @@
 #pragma once
-// The vectors and poses that all of Prosector speaks: SI units, right-handed, y up.
+// Vectors and poses used throughout Prosector: SI units, right-handed, y up.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ struct Pose {
   Pose inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };
 
-/// A linear map and a shift: x_a = A * x_b + p. What poses cannot: scaling and shearing.
+/// An affine transform: x_a = A * x_b + p. Unlike a pose it can scale and shear.
 struct Affine {
   Mat3 A = Mat3::Identity();
   Vec3 p = Vec3::Zero();  // metres

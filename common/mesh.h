@@ -10,17 +10,17 @@
 
 namespace prosector {
 
-/// The largest distance between a round surface and its triangles, where nothing else is asked for.
+/// Default bound on the distance between a curved surface and its triangles.
 inline constexpr double chord_error = 0.25e-3;  // m
 
-/// A triangle surface; counter-clockwise seen from outside.
+/// A triangle surface; triangles are counter-clockwise seen from outside.
 struct TriangleMesh {
   std::vector<Vec3> positions;                          // metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
-  std::vector<std::uint8_t> inner = {};  // per triangle: 1 where a cut laid it bare; empty: none
+  std::vector<std::uint8_t> inner = {};                 // per triangle: 1 if a cut exposed it; empty: none
 };
 
-/// Adds the other mesh's vertices and triangles; nothing is united.
+/// Appends the other mesh's vertices and triangles without merging any.
 inline void append(TriangleMesh& all, const TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(all.positions.size());
   all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -33,12 +33,12 @@ class RestStretch;
 struct TetMesh {
   std::vector<Vec3> positions;                      // metres
   std::vector<std::array<std::uint32_t, 4>> tets;   // into positions
-  std::shared_ptr<const RestStretch> stretch = {};  // of tissue under tension at rest; null: of none
+  std::shared_ptr<const RestStretch> stretch = {};  // of prestressed tissue; null: no prestress
 };
 
-/// A sparse map W from nodes to surface: x_surface = W·x_nodes and, transposed, f_nodes = Wᵀ·f_surface. A row
-/// has at most 4 nodes, and its weights sum to 1. No surface index is a degree of freedom; a surface may be
-/// finer or coarser than the elements that carry it.
+/// Sparse map W from nodes to surface vertices: x_surface = W·x_nodes and, transposed, f_nodes =
+/// Wᵀ·f_surface. A row has at most 4 nodes, and its weights sum to 1. Surface vertices add no degrees of
+/// freedom; a surface may be finer or coarser than the elements that carry it.
 struct SparseMap {
   struct Row {
     std::array<std::uint32_t, 4> node{};  // unused entries: weight 0
@@ -54,20 +54,22 @@ struct SparseMap {
   }
 };
 
-/// A deformable as geometry: what carries the mechanics, and the surface it carries, which is touched and
-/// drawn. Tetrahedra, cells of a sheet or pieces of a rope; tets.positions are the nodes of any.
+/// Geometry of a deformable: the simulation mesh and its embedded surface, which is drawn and used for
+/// contact. The simulation mesh has tetrahedra, cells of a sheet, or segments of a rope; tets.positions are
+/// its nodes.
 struct Anatomy {
   TetMesh tets;
   TriangleMesh surface;  // rest shape; surface.positions[i] = W.row(i)·tets.positions
   SparseMap embedding;   // W, one row per surface vertex
-  std::vector<std::array<std::uint32_t, 4>> quads = {};      // a sheet's cells, each around: a, b, c, d
-  std::vector<std::array<std::uint32_t, 3>> triangles = {};  // and what a cut made of others of its cells
-  std::vector<std::array<std::uint32_t, 2>> segments = {};   // a rope's pieces
-  double thickness = 0;                                      // m, of a sheet; diameter of a rope
-  std::vector<double> node_volume = {};  // m³, of a sheet that was cut; empty: lumped from the elements
+  std::vector<std::array<std::uint32_t, 4>> quads = {};  // cells of a sheet, corners in order: a, b, c, d
+  std::vector<std::array<std::uint32_t, 3>> triangles =
+      {};  // cells of a sheet that a cut turned into triangles
+  std::vector<std::array<std::uint32_t, 2>> segments = {};  // segments of a rope
+  double thickness = 0;                                     // m: thickness of a sheet, diameter of a rope
+  std::vector<double> node_volume = {};  // m³, of a sheet with cuts; empty: lumped from the elements
 };
 
-/// Returns the rope's diameter in metres; 0: not a rope.
+/// Returns the rope's diameter in metres; 0 if the body is not a rope.
 inline double tube_diameter(const Anatomy& anatomy) {
   return anatomy.segments.empty() ? 0 : anatomy.thickness;
 }

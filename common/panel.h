@@ -1,45 +1,46 @@
 #pragma once
-// The panel of an anatomical part: a board with real buttons and a slider. The one table of what is where on
-// it, for the server, which moves the controls, and for clients, which draw them.
+// The control panel of an anatomical part: a board with physical buttons and a slider. This table of its
+// layout is shared by the server, which moves the controls, and the clients, which draw them.
 //
-// The panel's frame: origin in the middle of the board's front, +x to the reader's right, +y up, +z towards
-// the reader. Metres.
+// Panel frame: origin at the centre of the board's front, +x to the reader's right, +y up, +z towards the
+// reader. Metres.
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
-#include "common/messages.h"
+#include "common/math.h"
+#include "common/panel_control.h"
 
 namespace prosector {
 
 inline constexpr double panel_width = 0.30, panel_height = 0.26, panel_thickness = 0.008;  // of the board
-inline constexpr double panel_margin = 0.012;  // from the board's rim to what stands on it
+inline constexpr double panel_margin = 0.012;  // from the board's edge to its contents
 
-/// Where the part's name and description stand.
+/// Area of the part's name and description.
 struct PanelBox {
   double left, right, bottom, top;
 };
 inline constexpr PanelBox panel_info{-panel_width / 2 + panel_margin, panel_width / 2 - panel_margin, 0.052,
                                      panel_height / 2 - panel_margin};
-inline constexpr double panel_name_height = 0.016, panel_text_height = 0.0115;  // of a line
-inline constexpr double panel_head_height = 1.6 * panel_name_height;            // of where the name stands
+inline constexpr double panel_name_height = 0.016, panel_text_height = 0.0115;  // of a line of text
+inline constexpr double panel_head_height = 1.6 * panel_name_height;            // of the area of the name
 inline constexpr double panel_head_bottom = panel_info.top - panel_head_height;
 
 enum class ControlKind : std::uint8_t {
-  button,  // moves along −z, a spring brings it back
-  slider   // moves along x, friction keeps it where it was left
+  button,  // moves along −z; a spring returns it
+  slider   // moves along x; friction holds it in position
 };
 
 struct ControlDesc {
   PanelControl control;
   ControlKind kind;
-  std::string_view label;  // while off
+  std::string_view label;  // label while off
   std::string_view label_on;
-  double x, y;                     // of its middle; slider: halfway
+  double x, y;                     // of its centre; slider: at mid-travel
   double half_width, half_height;  // of the cap
-  double height;                   // of the cap's face over the board, at rest
+  double height;                   // of the cap's face above the board, at rest
   double travel;                   // of the cap, m
 };
 
@@ -66,20 +67,20 @@ constexpr const ControlDesc& describe(PanelControl control) {
   return panel_controls[static_cast<std::size_t>(control)];
 }
 
-/// Returns the middle of the cap's face in the panel's frame, for a position of 0 … 1.
+/// Returns the centre of the cap's face in the panel frame for a control position of 0 … 1.
 inline Vec3 control_face(const ControlDesc& control, double position) {
   if (control.kind == ControlKind::slider)
     return {control.x + (position - 0.5) * control.travel, control.y, control.height};
   return {control.x, control.y, control.height - position * control.travel};
 }
 
-/// Maps the slider's place to its factor on stiffness, and back: ¼ … 4 times, evenly in its logarithm, so
-/// that the middle is 1.
+/// Maps the slider position (0 … 1) to a stiffness factor, and back. The factor is ¼ … 4 on a logarithmic
+/// scale, so position ½ is 1.
 inline double stiffness_at(double position) {
-  return least_stiffness * std::pow(most_stiffness / least_stiffness, position);
+  return min_stiffness * std::pow(max_stiffness / min_stiffness, position);
 }
 inline double position_of_stiffness(double stiffness) {
-  return std::log(stiffness / least_stiffness) / std::log(most_stiffness / least_stiffness);
+  return std::log(stiffness / min_stiffness) / std::log(max_stiffness / min_stiffness);
 }
 
 }  // namespace prosector

@@ -7,14 +7,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns an environment variable as a path; empty when unset or empty.
+/// Returns an environment variable as a path; empty if unset or empty.
 fs::path from_environment(const char* variable) {
   const char* value = std::getenv(variable);
   return value == nullptr ? fs::path() : fs::path(value);
 }
 
-/// Returns $variable, else ~/`below_home`. XDG: a relative path there is invalid and ignored. Without a home,
-/// a folder of the system's temporary one.
+/// Returns $variable, else ~/`below_home`. XDG: a relative path in the variable is invalid and ignored.
+/// Without a home directory, returns the system's temporary directory.
 fs::path xdg(const char* variable, const char* below_home) {
   if (const fs::path set = from_environment(variable); set.is_absolute()) return set;
   if (const fs::path home = from_environment("HOME"); !home.empty()) return home / below_home;

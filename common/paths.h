@@ -1,23 +1,23 @@
 #pragma once
-// Where Prosector keeps things on this machine when nobody says otherwise (XDG base directories).
+// Default directories (XDG base directories).
 
 #include <filesystem>
 
 namespace prosector {
 
-/// Returns the folder of meshes and equilibria by content hash, which may be deleted at any time:
-/// ${XDG_CACHE_HOME:-~/.cache}/prosector.
+/// Returns the cache directory of meshes and equilibria, named by content hash:
+/// ${XDG_CACHE_HOME:-~/.cache}/prosector. It may be deleted at any time.
 std::filesystem::path default_cache_dir();
 
-/// Returns the folder of volumes and surfaces that scenes name, put there by the set-up:
+/// Returns the directory of volumes and surfaces that scenes refer to, filled by the set-up:
 /// ${PROSECTOR_DATA:-${XDG_DATA_HOME:-~/.local/share}/prosector}.
 std::filesystem::path default_data_dir();
 
-/// Returns the folder of what people chose: ${XDG_CONFIG_HOME:-~/.config}/prosector.
+/// Returns the directory of user settings: ${XDG_CONFIG_HOME:-~/.config}/prosector.
 std::filesystem::path default_config_dir();
 
-/// Returns the folder of scenes that come with the program in `programs`: of an installed one, else of the
-/// checkout that it was built in; empty: there is none.
+/// Returns the directory of scenes shipped with the executables in `programs`: the installed one, else that
+/// of the source checkout. Empty if there is none.
 std::filesystem::path shipped_scenes_dir(const std::filesystem::path& programs);
 
 }  // namespace prosector

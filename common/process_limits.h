@@ -3,9 +3,9 @@
 
 namespace prosector {
 
-/// Raises the number of files that this process may have open to what its hard limit permits. Throws
-/// InputError if fewer than 64 files may be open, or less than 1 GB of addresses may be reserved: the
-/// network's library ends the process where either runs out.
+/// Raises the soft limit on open files to the hard limit. Throws InputError if fewer than 64 files may be
+/// open, or less than 1 GB of address space may be reserved. The DDS library terminates the process when
+/// either runs out.
 void check_process_limits();
 
 }  // namespace prosector

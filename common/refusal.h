@@ -1,5 +1,5 @@
 #pragma once
-// The answer of what can be refused: nothing, or why not.
+// Result of an operation that can be refused: nothing, or the reason.
 
 #include <cstddef>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Why something was refused, for people. True means refused; a default one that it was done or accepted.
-/// Not for bad files (InputError) and not for faults of the program (InternalError).
+/// Reason why an operation was refused, as text for users. Converts to true if refused; a default-constructed
+/// one means success. Not for bad files (InputError) nor for errors in the program (InternalError).
 class [[nodiscard]] Refusal {
  public:
   Refusal() = default;
@@ -20,7 +20,7 @@ class [[nodiscard]] Refusal {
   Refusal(std::nullptr_t) = delete;
 
   explicit operator bool() const { return why_.has_value(); }
-  /// Returns the reason; empty where nothing was refused.
+  /// Returns the reason; empty if the operation was not refused.
   std::string why() const { return why_.value_or(std::string()); }
   bool operator==(const Refusal&) const = default;
 

@@ -14,7 +14,7 @@
 namespace prosector {
 namespace {
 
-/// An open file, closed with the object.
+/// An open file, closed by the destructor.
 class OpenFile {
  public:
   explicit OpenFile(int handle) : handle_(handle) {}
@@ -45,31 +45,30 @@ const char* kind_in_words(mode_t mode) {
 }
 
 [[noreturn]] void refuse_larger(const std::filesystem::path& file, std::size_t max_bytes) {
-  throw InputError(fmt::format("{}: larger than {} bytes, which is as much as is allowed of such a file",
-                               file.string(), max_bytes));
+  throw InputError(fmt::format("{}: too large; allowed: at most {} bytes", file.string(), max_bytes));
 }
 
 }  // namespace
 
-void refuse_special_file(const std::filesystem::path& file) {
+void require_regular_file(const std::filesystem::path& file) {
   struct stat status {};
   if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) refuse_kind(file, status.st_mode);
 }
 
 std::string read_regular_file(const std::filesystem::path& file, std::size_t max_bytes) {
-  // Without O_NONBLOCK, opening a pipe waits for somebody who writes to it.
+  // Without O_NONBLOCK, opening a pipe blocks until a writer opens it.
   const OpenFile in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) refuse_unreadable(file, errno);
   if (!S_ISREG(status.st_mode)) refuse_kind(file, status.st_mode);
   const auto said = static_cast<std::size_t>(status.st_size);
   if (said > max_bytes) refuse_larger(file, max_bytes);
-  // One byte more than the file says it has: its end is seen without growing.
-  constexpr std::size_t least_step = 1 << 16;
+  // One byte more than the file's stated size, so that its end is detected without another allocation.
+  constexpr std::size_t min_growth = 1 << 16;
   std::string bytes;
   std::size_t filled = 0;
   for (;;) {
-    if (filled == bytes.size()) bytes.resize(filled == 0 ? said + 1 : filled + std::max(filled, least_step));
+    if (filled == bytes.size()) bytes.resize(filled == 0 ? said + 1 : filled + std::max(filled, min_growth));
     const ssize_t got = ::read(in.get(), bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse_unreadable(file, errno);

@@ -1,5 +1,5 @@
 #pragma once
-// Files that people name, read whole: what would wait for ever or never end is refused first.
+// Reading of whole user-specified files. Special files, which may block or never end, are refused first.
 
 #include <cstddef>
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace prosector {
 
-/// Reads all bytes of `file`. Throws InputError that names the file when it can't be opened, is a folder, a
-/// pipe, a device or a socket, or holds more than `max_bytes`. Never waits for a writer.
+/// Reads all bytes of `file`. Throws InputError that names the file if it can't be opened, is a directory,
+/// pipe, device or socket, or exceeds `max_bytes`. Never waits for a writer.
 std::string read_regular_file(const std::filesystem::path& file, std::size_t max_bytes);
 
-/// Throws InputError that names the file and its kind where it exists but is no regular file: a folder, a
-/// pipe, a device or a socket.
-void refuse_special_file(const std::filesystem::path& file);
+/// Throws InputError that names the file and its kind if it exists but is a directory, pipe, device or
+/// socket.
+void require_regular_file(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -1,12 +1,12 @@
 #pragma once
-// What roles are called, in words that people type and read.
+// Role names as users type and read them.
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
 
-#include "common/messages.h"
+#include "common/ids.h"
 
 namespace prosector {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The room around every scene, as it is drawn and as it collides.
+// Dimensions of the room around every scene, used for drawing and for collision.
 
 namespace prosector {
 

@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// Returns the shortest rotation vector that leads from a to b, world frame.
+/// Returns the shortest rotation vector from orientation a to orientation b, world frame.
 inline Vec3 turn(const Quat& a, const Quat& b) {
   Quat q = b * a.conjugate();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
@@ -13,8 +13,8 @@ inline Vec3 turn(const Quat& a, const Quat& b) {
   return rotation.angle() * rotation.axis();
 }
 
-/// Returns the turn by a rotation vector.
-inline Quat turned_by(const Vec3& vector) {
+/// Returns the rotation of a rotation vector (exponential map).
+inline Quat rotated_by(const Vec3& vector) {
   const double angle = vector.norm();
   return angle > 0 ? Quat(Eigen::AngleAxisd(angle, vector / angle)) : Quat::Identity();
 }

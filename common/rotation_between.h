@@ -1,13 +1,13 @@
 #pragma once
-// The rotation that turns one direction into another.
+// The rotation between two directions.
 
 #include "common/math.h"
 
 namespace prosector {
 
-/// Turns the direction `from` into the direction `to` by the least angle; of two opposite ones, by any half
-/// turn. Neither needs to be of unit length. Defined in a file of its own, for Eigen's decomposition behind
-/// it takes seconds to compile.
+/// Returns the smallest rotation that maps direction `from` to direction `to`. For opposite directions it is
+/// a half turn about any perpendicular axis. Neither needs unit length. In a separate file because the Eigen
+/// decomposition that it uses takes seconds to compile.
 Quat rotation_between(const Vec3& from, const Vec3& to);
 
 }  // namespace prosector

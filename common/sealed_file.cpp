@@ -31,7 +31,7 @@ void put(std::ofstream& out, const Bytes& bytes) {
 
 }  // namespace
 
-FoundFile read_sealed(const std::filesystem::path& file, const std::string& key) {
+SealedFileResult read_sealed_file(const std::filesystem::path& file, const std::string& key) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(file, unknown)) return {};
   std::ifstream in(file, std::ios::binary);
@@ -39,7 +39,7 @@ FoundFile read_sealed(const std::filesystem::path& file, const std::string& key)
   if (in.bad() || !in.is_open()) return {std::nullopt, "cannot be read"};
   constexpr std::size_t head = magic.size() + sizeof(ContentHash);
   if (bytes.size() < head || !std::equal(magic.begin(), magic.end(), bytes.begin()))
-    return {std::nullopt, "is of another version, or damaged"};
+    return {std::nullopt, "has another version, or is damaged"};
   const ContentHash seal = seal_of(key, std::span(bytes).subspan(head));
   if (!std::equal(seal.begin(), seal.end(), bytes.begin() + magic.size()))
     return {std::nullopt, "is damaged"};
@@ -47,8 +47,8 @@ FoundFile read_sealed(const std::filesystem::path& file, const std::string& key)
   return {std::move(bytes), ""};
 }
 
-bool write_sealed(const std::filesystem::path& file, const std::string& key,
-                  std::span<const std::uint8_t> bytes) {
+bool write_sealed_file(const std::filesystem::path& file, const std::string& key,
+                       std::span<const std::uint8_t> bytes) {
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   const std::filesystem::path aside = file.string() + fmt::format(".{}.tmp", getpid());

@@ -1,5 +1,5 @@
 #pragma once
-// Files that prove themselves: bytes under a key, with a hash over both. Caches are kept so.
+// Files with an integrity check: payload, key, and a hash over both. Used for caches.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace prosector {
 
-/// What was found at a path: the bytes, or none and why not ("" where there was no file).
-struct FoundFile {
+/// Result of reading a sealed file: its bytes, or none and the reason ("" if no file exists).
+struct SealedFileResult {
   std::optional<std::vector<std::uint8_t>> bytes;
   std::string trouble;
 };
 
-/// Reads what write_sealed() wrote under the same key. Whatever bit differs, nothing is returned.
-FoundFile read_sealed(const std::filesystem::path& file, const std::string& key);
+/// Reads a file written by write_sealed_file() with the same key. Returns no bytes if any bit differs.
+SealedFileResult read_sealed_file(const std::filesystem::path& file, const std::string& key);
 
-/// Writes aside and renames, so that readers see all or nothing; makes the folder. Returns false when it
-/// can't be written.
-bool write_sealed(const std::filesystem::path& file, const std::string& key,
-                  std::span<const std::uint8_t> bytes);
+/// Writes to a temporary file and renames it, so that readers never see a partial file. Creates the
+/// directory. Returns false if the file can't be written.
+bool write_sealed_file(const std::filesystem::path& file, const std::string& key,
+                       std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector

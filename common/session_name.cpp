@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/error.h"
-#include "common/messages.h"
+#include "common/ids.h"
 #include "common/valid_text.h"
 
 namespace prosector {

@@ -1,5 +1,5 @@
 #pragma once
-// Normals of surfaces that are drawn smooth.
+// Vertex normals for smooth shading.
 
 #include <array>
 #include <cstdint>
@@ -10,9 +10,8 @@
 
 namespace prosector {
 
-/// Computes unit normals at vertices: the mean of the triangles around, weighted by area. A vertex whose
-/// triangles have no area gets +y, never NaN. `normals` is resized; nothing is allocated when its size
-/// already fits.
+/// Computes unit vertex normals as the area-weighted mean of the adjacent triangles' normals. A vertex whose
+/// triangles have no area gets +y, never NaN. Resizes `normals`; allocates nothing if its size already fits.
 void smooth_normals(std::span<const Eigen::Vector3f> positions,
                     std::span<const std::array<std::uint32_t, 3>> triangles,
                     std::vector<Eigen::Vector3f>& normals);

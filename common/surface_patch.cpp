@@ -17,7 +17,7 @@ bool is_inner(const TriangleMesh& mesh, std::size_t triangle) {
   return !mesh.inner.empty() && mesh.inner[triangle] != 0;
 }
 
-/// A surface vertex as its bits: −0 is not 0.
+/// Bit pattern of a surface vertex, for comparison: −0 differs from 0.
 struct VertexBits {
   std::array<float, 3> rest;
   std::array<std::uint32_t, 4> point;
@@ -46,8 +46,8 @@ TriangleBits bits_of(const TriangleMesh& mesh, std::size_t triangle) {
   return {mesh.triangles[triangle], is_inner(mesh, triangle) ? 1U : 0U};
 }
 
-/// Counts the slots that there are once those of `entries` are set; they may only be set or appended one by
-/// one.
+/// Returns the number of slots after `entries` are applied. Entries may only set existing slots or append
+/// slots one by one. Throws InputError otherwise.
 template <class Entry>
 std::size_t count_after(std::size_t count, const std::vector<Entry>& entries, const char* what) {
   std::uint64_t least = 0;
@@ -84,7 +84,7 @@ void check(const SurfacePatch& patch, const DrawnSurface& surface) {
 
 }  // namespace
 
-// Not inlined: where it vectorises two lanes, GCC 12 takes the two conversions for none.
+// Not inlined: when GCC 12 vectorises two lanes, it removes the two conversions.
 [[gnu::noinline]] double to_float(double x) {
   return static_cast<double>(static_cast<float>(x));
 }
@@ -114,7 +114,7 @@ SurfacePatch difference(const DrawnSurface& before, const DrawnSurface& after) {
     if (i >= points)
       out.points.push_back({rest, rest});
     else if (rest != before.streamed.rest[i].cast<float>())
-      throw InternalError(fmt::format("surface patch: point {} is elsewhere at rest", i));
+      throw InternalError(fmt::format("surface patch: point {} has another rest position", i));
   }
   for (std::size_t v = 0; v < after.rest.positions.size(); ++v) {
     const VertexBits now = bits_of(after, v);

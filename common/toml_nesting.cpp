@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-/// Walks the text once, minding what quotes and comments hide.
+/// Single pass over the text that skips strings and comments.
 class NestingScan {
  public:
   NestingScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -54,14 +54,14 @@ class NestingScan {
       default:
         if (static_cast<unsigned char>(c) >= 0x80)
           throw InputError(
-              fmt::format("{}:{}: what isn't ASCII must stand in quotes or a comment", file_, line_));
+              fmt::format("{}:{}: non-ASCII text must be in quotes or in a comment", file_, line_));
         break;
     }
     ++at_;
   }
 
-  /// Skips a string. One-line strings end at the line's end at the latest; those in three quotes at the
-  /// text's.
+  /// Skips a string. A single-line string ends at the end of its line at the latest, a triple-quoted one at
+  /// the end of the text.
   void skip_string(char quote) {
     const std::string three(3, quote);
     const bool multiline = text_.substr(at_, 3) == three;
@@ -79,26 +79,25 @@ class NestingScan {
     }
   }
 
-  /// Tells whether only blanks stand before this place in its line, outside all brackets.
+  /// Returns whether only blanks precede the current position in its line, outside all brackets.
   bool begins_line() const {
     if (brackets_ > 0) return false;
     const std::size_t before = at_ == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", at_ - 1);
     return before == std::string_view::npos || text_[before] == '\n' || text_[before] == '\r';
   }
 
-  /// Checks that a table's header begins with a name. toml++ takes that for granted once it is past the
-  /// bracket.
+  /// Checks that a table header begins with a name, which toml++ assumes after the bracket.
   void check_header() const {
     std::size_t name = at_ + 1;
     const bool is_doubled = name < text_.size() && text_[name] == '[';
     if (is_doubled) ++name;
     name = text_.find_first_not_of(" \t", name);
-    if (name == std::string_view::npos) return;  // the parser says so
+    if (name == std::string_view::npos) return;  // the parser reports it
     const char c = text_[name];
     const bool is_bare =
         (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     if (!is_bare && c != '"' && c != '\'' && c != ']' && (is_doubled || c != '['))
-      throw InputError(fmt::format("{}:{}: a table's name must follow its bracket", file_, line_));
+      throw InputError(fmt::format("{}:{}: a table name must follow the bracket", file_, line_));
   }
 
   void limit(int levels, const char* what) const {
@@ -110,8 +109,8 @@ class NestingScan {
   const std::string& file_;
   std::size_t at_ = 0;
   int line_ = 1;
-  int brackets_ = 0;  // open ones
-  int dots_ = 0;      // of the key that is being read
+  int brackets_ = 0;  // open brackets
+  int dots_ = 0;      // of the current key
 };
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "common/valid_text.h"
 
-#include "common/messages.h"
+#include "common/ids.h"
 
 namespace prosector {
 namespace {
 
-/// Decodes one code point at `i` and moves past it; −1 for bytes that aren't UTF-8 (RFC 3629: overlong forms,
-/// surrogates and values past U+10FFFF are refused).
+/// Decodes one code point at `i` and advances past it. Returns −1 for invalid UTF-8 (RFC 3629: overlong
+/// forms, surrogates and values above U+10FFFF are refused).
 long next_code_point(std::string_view text, std::size_t& i) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = byte(i);

@@ -19,6 +19,6 @@ if [ -n "$steps" ]; then
     "knows them; each compiler takes up to about 2 GB of memory"
 fi
 NINJA_STATUS="[%f of %t, %p, %e s] " ninja -C "build/$preset" -j "$jobs" "$@" || {
-  echo "build: compiling failed; the first error stands above (memory short? PROSECTOR_JOBS=1 deploy/build.sh $preset)" >&2
+  echo "build: compiling failed; see the first error above (memory short? PROSECTOR_JOBS=1 deploy/build.sh $preset)" >&2
   exit 1
 }

@@ -2,15 +2,14 @@
 """check_comments.py [--root ROOT] [FOLDER]...: what a reader of our C++ comments would stumble over,
 in the folders held to it, or in FOLDERs (or files).
 
-A function's /// comment begins with a verb in the third person (Returns, Makes, Tells whether). No sentence is longer than
+A function's /// comment begins with a verb in the third person (Returns, Computes, Reports whether). No sentence is longer than
 30 words. No comment begins with "Of", "From" or "To", says "likewise" or "part of it", or is "the same" alone. Each C++
 file but those of tests is held, or waits in NOT_YET.
 
-Comments with a word of UNPLAIN, or that begin with "What" or "Who", are counted by top folder. The counts may not exceed
-MOST_UNPLAIN, and a count below its bound must lower it. --unplain lists these comments.
+A comment with a word of UNPLAIN, or that begins with "What" or "Who", is a fault. A run without FOLDERs prints their number and its
+bound, 0. --unplain lists them.
 """
 
-import collections
 import pathlib
 import re
 import sys
@@ -18,7 +17,7 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it; FOLDER/* holds its own files only.
-HELD = ("client", "common", "deploy", "drivers", "idl", "server")
+HELD = ("client", "common", "deploy", "drivers", "idl", "server", "twins")
 # Not yet held.
 NOT_YET = ()
 
@@ -39,8 +38,7 @@ ANYWHERE = (
 # Words for which docs/understand/glossary.md or common technical English has a plainer one.
 UNPLAIN = re.compile(
     r"\b(anew|mends?|mended|tells?|told|dear|who|whoever|whom|beside|at once|by itself|by themselves|of its own|of their own|"
-    r"lets? go|takes? hold|to be had|so much|likewise|happenings?)\b|^(What|Who)\b", re.I)
-MOST_UNPLAIN = {"client": 440, "common": 113, "drivers": 262, "idl": 41, "server": 25}
+    r"lets? go|takes? hold|to be had|so much|happenings?)\b|^(What|Who)\b", re.I)
 NO_FUNCTION = re.compile(r"^(struct|class|enum|union|using|namespace|friend|concept|#|public:|private:|protected:)")
 
 
@@ -127,7 +125,7 @@ def faults(file):
                 yield number, f"{why}: {flat[:70]}"
         first = re.match(r"[\w`']*", flat)[0]
         if kind == "///" and is_function(below) and (not re.fullmatch(r"[A-Z][a-z]+s", first) or first in NO_VERBS):
-            yield number, f"a function's comment begins with a verb (Returns, Makes, Tells whether): {flat[:70]}"
+            yield number, f"a function's comment begins with a verb (Returns, Computes, Reports whether): {flat[:70]}"
         for sentence in sentences(text):
             if len(words_of(sentence)) > MOST_WORDS:
                 yield number, f"{len(words_of(sentence))} words: {sentence[:70]}…"
@@ -140,21 +138,6 @@ def unplain(file):
         found = UNPLAIN.search(flat)
         if found:
             yield number, found[0], flat
-
-
-def unplain_faults(root, names):
-    """What is wrong with the counts of unplain comments; prints each count and its bound."""
-    counts = collections.Counter()
-    for name in names:
-        top = name.split("/")[0]
-        if top in MOST_UNPLAIN:
-            counts[top] += sum(1 for _ in unplain(root / name))
-    print("comments with unplain words, and the bound: " + ", ".join(f"{top} {counts[top]} ({most})" for top, most in MOST_UNPLAIN.items()))
-    for top, most in MOST_UNPLAIN.items():
-        if counts[top] > most:
-            yield f"{top}: {counts[top]} comments with unplain words, at most {most}; list them by check_comments.py --unplain {top}"
-        elif counts[top] < most:
-            yield f"{top}: {counts[top]} comments with unplain words are fewer than {most}: lower the bound in check_comments.py"
 
 
 def holds(folder, name):
@@ -187,8 +170,9 @@ def main():
     if not words:
         found += [(name, 1, "is neither held nor waiting: name its folder in deploy/check_comments.py") for name in names
                   if not any(holds(folder, name) for folder in (*HELD, *NOT_YET, "tests"))]
-        if root == own:
-            found += [("deploy/check_comments.py", 1, why) for why in unplain_faults(root, names)]
+    plain = [(name, number, f"unplain word {word}: {text[:70]}") for name in held for number, word, text in unplain(root / name)]
+    print(f"comments with unplain words: {len(plain)} (bound 0)")
+    found += plain
     for name, number, why in found:
         print(f"{name}:{number}: {why}", file=sys.stderr)
     waiting = f"; not held yet: {', '.join(NOT_YET)}" if NOT_YET and not words else ""

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if ! git ls-files -z '*.cpp' '*.h' | xargs -0 -r clang-format --dry-run -Werror; then
-  echo "format: mend it with: git ls-files '*.cpp' '*.h' | xargs clang-format -i" >&2
+  echo "format: fix it with: git ls-files '*.cpp' '*.h' | xargs clang-format -i" >&2
   exit 1
 fi
 echo "format: good"

@@ -9,11 +9,11 @@ usage() {
   cat <<TXT
 deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--no-film] [--skip-setup]
   --headless     no window; without it, and with a display, you join as a desk user
-  --seconds N    how long the session lasts (default 20; with a window: until you close it)
-  --out DIR      where pictures, video and figures go (default out/demo)
-  --scene FILE   scene to host (default deploy/scenes/abdomen.toml, which the film is of, too)
-  --no-film      without the film of 20 s that follows
-  --skip-setup   don't install, fetch or build (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --seconds N    duration of the session (default 20; with a window: until you close it)
+  --out DIR      output folder for screenshots, video and figures (default out/demo)
+  --scene FILE   scene to host (default deploy/scenes/abdomen.toml, which the film also shows)
+  --no-film      omit the film of 20 s that follows
+  --skip-setup   don't install, fetch or build (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 TXT
 }
 
@@ -31,8 +31,8 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-case "$seconds" in '' | *[!0-9]*) echo "demo: --seconds $seconds: give a whole number" >&2; exit 2 ;; esac
-[ "$seconds" -ge 16 ] || { echo "demo: --seconds $seconds: at least 16, the hand needs that long to press and let go" >&2; exit 2; }
+case "$seconds" in '' | *[!0-9]*) echo "demo: --seconds $seconds: must be a whole number" >&2; exit 2 ;; esac
+[ "$seconds" -ge 16 ] || { echo "demo: --seconds $seconds: must be at least 16, which the hand needs to press and release" >&2; exit 2; }
 
 if [ $setup = yes ]; then
   "$root/deploy/setup.sh"
@@ -75,7 +75,7 @@ if [ -r "${PROSECTOR_DATA:-${XDG_DATA_HOME:-$HOME/.local/share}/prosector}/model
   film=$!
   pids+=("$film")
 else
-  echo "no camera user: deploy/fetch_models.sh fetches the networks that find bare hands"
+  echo "no camera user: the hand tracking networks are missing; fetch them with deploy/fetch_models.sh"
 fi
 
 host "$scene" "$session"
@@ -94,8 +94,8 @@ joined=$SECONDS
 
 camera=
 if [ -n "$film" ]; then
-  say "A camera user joins: the bare hand of a film"
-  wait "$film" || fail "there is no film" "$out/film.log"
+  say "A camera user joins: a recorded bare hand"
+  wait "$film" || fail "the film was not created" "$out/film.log"
   cp "$root/deploy/demo/camera_user.toml" "$out"
   "$bin/prosector-client" join --session "$session" --name "camera user" --config "$out/camera_user.toml" \
     --tracker "hands:$out/film.avi" --display none --latency-log "$out/camera.csv" --summary "$out/camera.json" \
@@ -151,6 +151,6 @@ rm -f "$out"/*.terminal
 
 say "Figures"
 python3 "$root/deploy/demo_report.py" "$out"
-echo "Pictures and video: $out"
+echo "Screenshots and video: $out"
 film_it
 build_the_rest

@@ -13,7 +13,7 @@ deploy/demo_cut.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where pictures and figures go (default out/demo_cut)
   --scene FILE   scene to host (default deploy/scenes/cut.toml); liver, scalpel and knife where that one has them
   --size WxH     of the pictures (default 800x600)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It takes half a minute, on a busy machine longer. Only root can cut somebody off: two network namespaces hold the session and the
 one who is; without them all is on this machine's loopback and that one is left out.
 TXT
@@ -48,10 +48,10 @@ if open_network; then
   in_room
 else
   cut_off=no
-  echo "skipped: somebody who is cut off the network (needs root, ip and network namespaces)"
+  echo "skipped: the observer with a lost connection (needs root, ip and network namespaces)"
 fi
 host "$scene" "$session"
-say "One watches all, one from close by"
+say "One observer watches everything, one close up"
 watch observer 7 --fps 6 --session-log "$out/log.jsonl" --summary "$out/observer.json"
 clients=("${pids[-1]}")
 watch close 8 --fps 2 --no-overlay --summary "$out/close.json"
@@ -85,11 +85,11 @@ moment opened "The first user has opened the right lobe"
 go_on second
 sleep 4
 moment during "The second user's knife is in the left lobe"
-say "An observer comes"
+say "An observer joins"
 watch latecomer 6 --fps 2 --summary "$out/latecomer.json"
 clients+=("${pids[-1]}")
 if [ $cut_off = yes ]; then
-  say "One of the observers is cut off the network for 3 s, while the knife goes on"
+  say "One of the observers is disconnected from the network for 3 s while the knife keeps cutting"
   ip -n "$ward" link set lan0 down
 fi
 go_on second

@@ -11,7 +11,7 @@ deploy/demo_film.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where the film, pictures and figures go (default out/demo_film)
   --scene FILE   scene to host (default deploy/scenes/abdomen.toml); a liver and a scalpel where that one has them
   --size WxH     of the film (default 960x540)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It takes half a minute, on a busy machine longer. docs/pictures/film.png is the picture cut.png that it leaves, and film.webp is made of
 its film by deploy/animated_picture.py OUT/film.avi docs/pictures/film.webp 640 360 6.
 TXT
@@ -35,7 +35,7 @@ twins first. "$root/deploy/demo/film_first.csv" "$root/deploy/demo/film_first.cs
 twins second. "$root/deploy/demo/film_second.csv" "$root/deploy/demo/film_second.csv" 0.5
 users
 
-say "An observer comes close and records"
+say "An observer moves close and records"
 watch observer 7 --fps 12 --record "$out/film.avi" --session-log "$out/log.jsonl" --summary "$out/observer.json"
 clients+=("${pids[-1]}")
 echo "labels" >&7

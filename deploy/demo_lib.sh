@@ -22,7 +22,7 @@ fail() {
 wait_for() {  # FILE PATTERN SECONDS WHAT
   local waited=0
   until grep -q -- "$2" "$1" 2>/dev/null; do
-    [ "$waited" -lt "$(($3 * 10))" ] || fail "$4 did not come up within $3 s" "$1"
+    [ "$waited" -lt "$(($3 * 10))" ] || fail "$4 did not start within $3 s" "$1"
     sleep 0.1
     waited=$((waited + 1))
   done
@@ -36,7 +36,7 @@ host() {
     > "$out/server.log" 2>&1 &
   server=$!
   pids+=("$server")
-  wait_for "$out/server.log" "take part" 180 "the server"
+  wait_for "$out/server.log" "participate:" 180 "the server"
   grep -E "bodies|session|fem_" "$out/server.log" | head -n 12 || true
 }
 
@@ -59,13 +59,13 @@ twins() {
   local link
   for link in "$1tracker" "$1glove"; do
     for _ in $(seq 50); do [ -e "$out/$link" ] && break; sleep 0.1; done
-    [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
+    [ -e "$out/$link" ] || fail "the simulated $link did not start" "$out/$link.log"
   done
 }
 
 # everyone_agrees: says what topology each process in $out held in the end; fails where they differ.
 everyone_agrees() {
-  say "What everyone holds in the end"
+  say "Final topology of all processes"
   python3 - "$out" <<'PY'
 import glob, json, os, sys
 hashes = {}

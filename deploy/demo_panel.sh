@@ -12,7 +12,7 @@ deploy/demo_panel.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where pictures and figures go (default out/demo_panel)
   --scene FILE   scene to host (default deploy/scenes/touch.toml); liver and kidney where that one has them
   --size WxH     of the pictures (default 800x600)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It takes half a minute, on a busy machine longer.
 TXT
 }

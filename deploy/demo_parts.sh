@@ -11,7 +11,7 @@ deploy/demo_parts.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where pictures go (default out/demo_parts)
   --scene FILE   scene to host (default deploy/scenes/brain.toml)
   --size WxH     of the pictures (default 800x600)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It needs xvfb and xdotool.
 TXT
 }
@@ -32,7 +32,7 @@ picture() {
   echo "picture $out/$1.png" >&7
   local waited=0
   until [ -s "$out/$1.png" ]; do
-    [ "$waited" -lt 300 ] || fail "no picture of \"$2\" within 30 s" "$out/watcher.log"
+    [ "$waited" -lt 300 ] || fail "no screenshot of \"$2\" within 30 s" "$out/watcher.log"
     sleep 0.1
     waited=$((waited + 1))
   done
@@ -41,7 +41,7 @@ press() { xdotool key "$@"; sleep 0.5; }
 tell() { echo "$1" >&7; sleep 0.5; }
 
 host "$scene" "$session"
-say "Somebody watches in a window"
+say "A user observes in a window"
 display=window
 watch watcher 7 --no-overlay
 clients=("${pids[-1]}")

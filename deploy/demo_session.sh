@@ -71,7 +71,7 @@ moment() {
   echo "picture $out/$second_view-$1.png" >&8
   local waited=0
   until [ -s "$out/$1.png" ] && [ -s "$out/$second_view-$1.png" ]; do
-    [ "$waited" -lt 200 ] || fail "no picture of \"$2\" within 20 s" "$out/observer.log"
+    [ "$waited" -lt 200 ] || fail "no screenshot of \"$2\" within 20 s" "$out/observer.log"
     sleep 0.1
     waited=$((waited + 1))
   done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sheets that are cut, shown: two headset users, through simulated trackers and gloves, cut a flap out of a skin and a drape's
-# hem. An observer comes after the cuts, and shows them; docs/pictures/cut-sheet.png is that picture. In the end all hold one
+# hem. An observer joins after the cuts, and shows them; docs/pictures/cut-sheet.png is that picture. In the end all hold one
 # topology, by its hash. Leaves pictures, log.jsonl (what the first observer knew), everyone's figures and the journal.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -12,7 +12,7 @@ deploy/demo_sheet.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where pictures and figures go (default out/demo_sheet)
   --scene FILE   scene to host (default deploy/scenes/sheet_cut.toml); skin, drape, scalpel and beam where that one has them
   --size WxH     of the pictures (default 800x600)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It takes half a minute, on a busy machine longer.
 TXT
 }
@@ -22,7 +22,7 @@ begin --scene "$root/deploy/scenes/sheet_cut.toml" "$@"
 second_view=late
 
 host "$scene" "$session"
-say "One watches all"
+say "One observer watches everything"
 watch observer 7 --fps 2 --session-log "$out/log.jsonl" --summary "$out/observer.json"
 clients=("${pids[-1]}")
 
@@ -43,7 +43,7 @@ go_on second
 until_is 60 "the skin is cut" "now['parts']['skin']['revision'] > 5"
 until_is 60 "the drape is cut" "now['parts']['drape']['revision'] > 0"
 sleep 12
-say "An observer comes"
+say "An observer joins"
 watch late 8 --fps 2 --summary "$out/late.json"
 clients+=("${pids[-1]}")
 sleep 3

@@ -12,7 +12,7 @@ deploy/demo_touch.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --out DIR      where pictures and figures go (default out/demo_touch)
   --scene FILE   scene to host (default deploy/scenes/touch.toml); liver and kidney where that one has them
   --size WxH     of the pictures (default 800x600)
-  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 It takes half a minute, on a busy machine longer.
 TXT
 }
@@ -26,7 +26,7 @@ touches() { until_is 60 "$1 touches the $2" "now['touches']['$1, right']['body']
 kidney_panel() { until_is 60 "$1" "now['panels']['first user']['part'] == 'kidney' and $2"; }
 
 host "$scene" "$session"
-say "An observer watches, and an onlooker through the first user's eyes"
+say "One observer watches, another follows the first user's view"
 watch observer 7 --fps 6 --session-log "$out/log.jsonl"
 clients=("${pids[-1]}")
 watch onlooker 8 --fps 2 --follow "first user"

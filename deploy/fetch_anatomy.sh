@@ -39,7 +39,7 @@ take() {
   esac
 }
 
-lack() { echo "anatomy: $1; scenes use implicit shapes for what is missing (run deploy/fetch_anatomy.sh again to retry)"; }
+lack() { echo "anatomy: $1; scenes use implicit shapes instead (run deploy/fetch_anatomy.sh again to retry)"; }
 give_up() {
   lack "$1"
   exit 0

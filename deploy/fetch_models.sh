@@ -36,7 +36,7 @@ take() {
   esac
 }
 
-lack() { echo "models: $1; cameras find no bare hands or faces without them (run deploy/fetch_models.sh again to retry)"; }
+lack() { echo "models: $1; they are needed to track bare hands and faces with cameras (run deploy/fetch_models.sh again to retry)"; }
 give_up() {
   lack "$1"
   exit 0

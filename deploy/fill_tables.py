@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import re
+import statistics
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -16,10 +17,8 @@ PAGES = [f"docs/look-up/{page}.md" for page in ("measurements", "soft-tissue-fig
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
-
 class Missing(Exception):
     """A table's report was not given."""
-
 
 class Reports:
     def __init__(self, folder):
@@ -37,7 +36,6 @@ class Reports:
         found = [row for report in self.of(bench) for row in report["rows"]]
         return [row for row in found if all(row.get(key) == value for key, value in settings.items())]
 
-
 def number(value):
     """Three digits that count."""
     if value is None or not math.isfinite(value):
@@ -49,21 +47,18 @@ def number(value):
         return f"{value:.1e}"
     return f"{value:.{max(0, 2 - math.floor(math.log10(size)))}f}"
 
-
 def kept(before, what):
     """The lines of a table as it was whose first cell starts so."""
-    lines = [[cell.strip() for cell in line.strip("| ").split(" | ")] for line in before.splitlines() if line.startswith("| ")]
+    lines = [[cell.strip() for cell in line.strip("| ").split(" |")] for line in before.splitlines() if line.startswith("|")]
     return [line for line in lines if line[0].startswith(what)]
-
 
 def percent(value):
     return DASH if value is None else f"{number(100 * value)} %"
 
-
 def table(heads, rows):
-    lines = [heads, ["---"] * len(heads), *rows]
-    return "".join("| " + " | ".join(str(cell) for cell in line) + " |\n" for line in lines)
-
+    """A pipe stands close to the cell behind it: these tables are wide."""
+    lines = ["|" + " |".join(str(cell) for cell in line) + "|\n" for line in [heads, *rows]]
+    return lines[0] + "|---" * len(heads) + "|\n" + "".join(lines[1:])
 
 def grouped(rows, *keys):
     groups = {}
@@ -71,10 +66,8 @@ def grouped(rows, *keys):
         groups.setdefault(tuple(row.get(key) for key in keys), []).append(row)
     return groups
 
-
 def count(value):
     return f"{value:,}"
-
 
 def rung(row):
     """Model to effort, in words."""
@@ -86,9 +79,7 @@ def rung(row):
     solver = " ".join(part for part in (row["solver"], effort) if part)
     return f"`{row['model']}`, {row['element']}, {row['integrator']}, {solver}"
 
-
 # Goals.
-
 
 def cheapest(rows, allowed):
     """Of the rows that are allowed, the quickest with most threads, beside the same with one; None: there is none."""
@@ -99,7 +90,6 @@ def cheapest(rows, allowed):
         if allowed(by_threads[-1]):
             pairs.append((by_threads[0], by_threads[-1]))
     return min(pairs, key=lambda pair: pair[1]["ms_per_frame"], default=None)
-
 
 def goal_line(what, goal, peers, figure, rows, allowed, error):
     """None where nothing of the kind was run."""
@@ -114,7 +104,6 @@ def goal_line(what, goal, peers, figure, rows, allowed, error):
     return [what, goal, peers, rung(most) + f", {count(most['tets'])} tets", "; ".join(told),
             number(most["cpu_ms_per_frame"]), off]
 
-
 def sofa_goals(reports):
     for ground, name in ((0, "free"), (1, "with the ground")):
         rows = reports.rows("beam101k", ground=ground)
@@ -123,11 +112,9 @@ def sofa_goals(reports):
         yield goal_line(f"SOFA's beam, {name}, within 1 % of the converged path", "≥ 25 steps/s", "4.6", "steps_per_s", rows,
                         lambda row: row["error_mesh"] <= 0.01, "error_mesh")
 
-
 def press_goals(reports):
     yield goal_line("organ pressed by a ball, within 1 % of its mesh's path", "≥ 60 steps/s", DASH, "steps_per_s",
                     reports.rows("press"), lambda row: row["error_mesh"] <= 0.01, "error_mesh")
-
 
 def beam_goals(reports):
     for model, peers in (("fem_corotational", "74.5"), ("fem_neo_hookean_polynomial", "80.1")):
@@ -136,7 +123,6 @@ def beam_goals(reports):
                         [row for row in rows if row["tets"] == 31944], lambda row: row["error_mesh"] <= 0.001, "error_mesh")
         yield goal_line("peers' beam, within 1 % of the continuum's settled answer", "≤ 8 ms", DASH, "ms_per_frame",
                         rows, lambda row: row["error_continuum"] <= 0.01, "error_continuum")
-
 
 def goals(reports, before):
     sections = {"beam101k": (sofa_goals, "SOFA's beam"), "press": (press_goals, "organ"), "beam": (beam_goals, "peers' beam")}
@@ -147,15 +133,13 @@ def goals(reports, before):
         lines += [line for line in fill(reports) if line] if bench in reports.all else kept(before, what)
     return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"], lines)
 
-
 # Other codes' beams and the press, row by row.
-
 
 def side_by_side(rows, figure, errors, **first):
     """A line for each setting, with a column for each number of threads."""
     threads = sorted({row["threads"] for row in rows})
     heads = [*first.values(), *(f"{figure[1]}, {n} thread{'s' if n > 1 else ''}" for n in threads),
-             "CPU ms", "iterations", "residual", *errors.values()]
+             "iterations", *errors.values()]
     lines = []
     keys = [*first, "newton_iterations", "solver_iterations", "solver_tolerance"]
     for same in grouped(rows, *keys).values():
@@ -163,38 +147,30 @@ def side_by_side(rows, figure, errors, **first):
         row = same[0]
         settings = [effort_in(row) if key == "solver" else cell(row[key]) for key in first]
         lines.append([*settings, *(number(by_threads[n][figure[0]]) if n in by_threads else DASH for n in threads),
-                      number(row["cpu_ms_per_frame"]), number(row["iterations_per_frame"]), number(row["residual"]),
-                      *(percent(row[key]) for key in errors)])
+                      number(row["iterations_per_frame"]), *(percent(row[key]) for key in errors)])
     return table(heads, lines)
-
 
 def cell(value):
     return count(value) if isinstance(value, int) else value
 
-
 def effort_in(row):
     return f"{row['solver']} {row['newton_iterations']} × {row['solver_iterations']} to {row['solver_tolerance']:.0e}"
-
 
 def beam101k(reports):
     rows = [{**row, "where": "with it" if row["ground"] else "without"} for row in reports.rows("beam101k")]
     return side_by_side(rows, ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
                         where="ground", solver="solver")
 
-
 def press(reports):
     return side_by_side(reports.rows("press"), ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
                         tets="tets", solver="solver")
 
-
 def ours(rows):
     return [row for row in rows if not row["model"].startswith("bullet_")]
-
 
 # CPU ms a frame, one thread, on the machine that other codes were measured on.
 BULLET_ELSEWHERE = {"bullet_deformable_linear": {648: 3.4, 5184: 42.9, 31944: 327},
                     "bullet_deformable_neo_hookean": {648: 6.1, 5184: 72.4, 31944: 584}}
-
 
 def bullet_here(reports):
     lines = []
@@ -205,7 +181,6 @@ def bullet_here(reports):
             lines.append([f"`{row['model']}`", count(row["tets"]), number(there), number(here), number(here / there)])
     return table(["Bullet on that beam", "tets", "CPU ms there", "here", "ratio"], lines)
 
-
 def beam(reports):
     quickest = []
     for same in grouped(ours(reports.rows("beam")), "model", "element", "tets").values():
@@ -215,7 +190,6 @@ def beam(reports):
                         {"error_mesh": "off its mesh", "error_continuum": "off the continuum", "error_dynamic": "in motion"},
                         model="model", element="element", tets="tets", solver="solver")
 
-
 # The trade.
 
 ERROR_KEYS = {"bend": "error_material", "bend_incompressible": "error_material", "swing": "error_dynamic",
@@ -223,16 +197,12 @@ ERROR_KEYS = {"bend": "error_material", "bend_incompressible": "error_material",
               **dict.fromkeys(("heavy", "cube", "slab", "hang", "press", "organ"), "error_material")}
 MORE = {"error_frequency": ("frequency", percent), "amplitude_lost_per_period": ("amplitude lost a period", percent),
         "energy_drift": ("energy", percent), "momentum_drift": ("momentum", percent),
-        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent), "force_N": ("force, N", number),
-        "memory_kib": ("KiB", number)}
-
+        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent), "force_N": ("force, N", number)}
 
 def measured(rows, key):
     return [row for row in rows if row.get(key) is not None and row.get("ms_per_simulated_s")]
 
-
 NEGLIGIBLE = 1e-5  # as trade_plot.h has it
-
 
 def front(rows, key):
     """Rows than which nothing is both cheaper and better, cheapest first."""
@@ -244,6 +214,13 @@ def front(rows, key):
             out.append(row)
     return out
 
+def thinned(rows, key):
+    """Rows of a front, without those that lower the last shown error by less than a fifth."""
+    out = []
+    for row in rows:
+        if not out or abs(row[key]) < 0.8 * abs(out[-1][key]):
+            out.append(row)
+    return out
 
 def trade_case(case):
     def fill(reports):
@@ -252,18 +229,13 @@ def trade_case(case):
             raise Missing(f"trade, case {case}")
         key = ERROR_KEYS[case]
         rows = measured(rows, key)
-        told = front(rows, key)
-        for same in grouped(rows, "model", "element").values():
-            if not any(row in told for row in same):
-                told.append(min(same, key=lambda row: abs(row[key])))
-        more = [name for name in MORE if any(row.get(name) is not None for row in rows)]
-        return table(["Rung", "tets", "step, ms", "ms a frame", "ms a simulated s", "error", *(MORE[name][0] for name in more)],
+        told = [row for row in thinned(front(rows, key), key) if abs(row[key]) <= 1]
+        more = [name for name in MORE if name != "largest_stable_step_s" and any(row.get(name) is not None for row in rows)]
+        return table(["Rung", "tets", "step, ms", "ms a frame", "error", *(MORE[name][0] for name in more)],
                      [[rung(row), count(row["tets"]), number(row["dt_ms"]), number(row["ms_per_frame"]),
-                       number(row["ms_per_simulated_s"]), percent(abs(row[key])), *(MORE[name][1](row.get(name)) for name in more)]
-                      for row in told])
+                       percent(abs(row[key])), *(MORE[name][1](row.get(name)) for name in more)] for row in told])
 
     return fill
-
 
 def refine(body):
     def fill(reports):
@@ -279,17 +251,28 @@ def refine(body):
 
     return fill
 
-
 def references(reports):
+    """Of bodies whose meshes are extrapolated, the finest alone."""
+    rows = []
+    for same in grouped(reports.rows("references"), "case").values():
+        rows += same[-2:-1] if same[-1]["mesh"] == "extrapolated" else same
     return table(["Case", "quadratic mesh", "off what is stored", "stored to within", "force, N"],
                  [[row["case"], row["mesh"], percent(abs(row["off"])), percent(row["unsettled"]), number(row["force_N"]) if row.get("force_N") else DASH]
-                  for row in reports.rows("references")])
+                  for row in rows])
 
-
-def advice(reports):
-    lines = [line for report in reports.of("trade") for line in report["recommendation"]]
-    return "```\n" + "\n".join(lines) + "\n```\n"
-
+def advice(reports, before):
+    """A block for each case, headed by its name; those of cases that were not run stay."""
+    blocks, block = {}, []
+    told = [line for report in reports.of("trade") for line in report["recommendation"]]
+    for line in [*before.splitlines(), *told]:
+        limit = re.match(r"  within ([\d, ]+) %: (.*)", line)  # the fronts show what fits a budget
+        if limit and block and block[-1].endswith(f" %: {limit[2]}"):
+            block[-1] = block[-1].replace(" %:", f", {limit[1]} %:", 1)
+        elif limit:
+            block.append(line)
+        elif not line.startswith((" ", "```")):
+            block = blocks[line] = []
+    return "```\n" + "".join(f"{line}\n" for head, lines in blocks.items() for line in (head, *lines)) + "```\n"
 
 def cost_and_error(rows, key):
     """Of the cheapest run that ends within half a per cent of the best on its mesh: what solving better would not mend."""
@@ -299,7 +282,6 @@ def cost_and_error(rows, key):
     best = min(abs(row[key]) for row in ended)
     run = min((row for row in ended if abs(row[key]) <= best + 0.005), key=lambda row: row["ms_per_frame"])
     return f"{number(run['ms_per_frame'])} ms, {percent(abs(run[key]))}"
-
 
 def bend_sizes(reports):
     rows = reports.rows("trade", case="bend")
@@ -315,9 +297,7 @@ def bend_sizes(reports):
         lines.append([f"`{model}`, {element}", *cells])
     return table(["A beam bends, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
 
-
 # For docs/look-up/soft-tissue-figures.md.
-
 
 def place(reports, case, tets, **settings):
     rows = reports.rows("trade", case=case, tets=tets, **settings)
@@ -325,36 +305,31 @@ def place(reports, case, tets, **settings):
         return DASH
     return cost_and_error(rows, ERROR_KEYS[case]) if rows else DASH
 
-
 def verdicts(reports, **settings):
     rows = [row["verdict"] for row in reports.rows("stability", **settings) if row["verdict"]]
     return " / ".join(str(rows.count(name)) for name in ("survives", "degrades", "refuses", "fails")) if rows else DASH
 
-
 def rungs(reports):
     lines = []
-    bent = reports.rows("trade", case="bend")
-    if not bent:
-        raise Missing("trade, case bend")
-    for model, element in grouped(bent, "model", "element"):
+    for case in ("bend", "bend_incompressible", "heavy"):
+        if not reports.rows("trade", case=case):
+            raise Missing(f"trade, case {case}")
+    reports.of("stability")
+    for model, element in grouped(reports.rows("trade", case="bend"), "model", "element"):
         if model.startswith("bullet_"):
             continue
         kind = {"model": model, "element": element}
-        lines.append([f"`{model}`, {element}", place(reports, "bend", 1536, **kind),
-                      place(reports, "bend_incompressible", 1536, **kind), place(reports, "heavy", 384, **kind),
+        lines.append([f"`{model}`, {element}", place(reports, "bend_incompressible", 1536, **kind), place(reports, "heavy", 384, **kind),
                       verdicts(reports, **kind)])
-    return table(["Rung", "beam, ν = 0.3", "beam, ν = 0.45", "cube under load, ν = 0.49",
+    return table(["Rung", "beam, ν = 0.45", "cube under load, ν = 0.49",
                   "extremes: survives / degrades / refuses / fails"], lines)
 
-
 EXPLICIT = ("explicit_euler", "symplectic_euler", "rk2", "rk4", "verlet")
-
 
 def kind_of(row):
     if row["model"] == "xpbd":
         return "XPBD"
     return "explicit" if row["integrator"] in EXPLICIT else "implicit"
-
 
 def extremes(reports):
     lines = []
@@ -366,37 +341,26 @@ def extremes(reports):
                       told.count(None), f"{late} of {len(run)}"])
     return table(["Methods", "cells", "survive", "degrade", "refuse", "fail", "not run", "missed their frames"], lines)
 
-
 def integrators(reports):
     key = ERROR_KEYS["swing"]
     rows = measured(reports.rows("trade", case="swing", model="fem_corotational"), key)
     if not rows:
         raise Missing("trade, case swing")
     rows = [row for row in rows if row["tets"] == min(r["tets"] for r in rows)]
-    lines = []
+    lines, carried = [], {}
     for (element, name, dt_ms), same in sorted(grouped(rows, "element", "integrator", "dt_ms").items(),
                                                key=lambda group: len(group[0][0])):  # tet4, then tet10
         run = min(same, key=lambda row: abs(row[key]))
+        figures = percent(run[key]), percent(run["amplitude_lost_per_period"])
+        implicit = carried.setdefault((element, dt_ms), figures)  # implicit_euler comes first
+        if name in EXPLICIT and figures == implicit or (5 if name in EXPLICIT else 2) < dt_ms < 10:
+            continue
         lines.append([f"`{name}`", element, number(dt_ms), number(run["ms_per_simulated_s"]), percent(run[key]),
                       *(shown(run.get(figure)) for figure, (_, shown) in MORE.items() if figure in INTEGRATOR_FIGURES)])
     return table(["Integrator", "element", "step, ms", "CPU ms a simulated s", "path",
                   *(MORE[figure][0] for figure in MORE if figure in INTEGRATOR_FIGURES)], lines)
 
-
 INTEGRATOR_FIGURES = ("error_frequency", "amplitude_lost_per_period", "energy_drift", "largest_stable_step_s")
-
-
-def springs(reports):
-    """Of a spring without a guard, next to theory."""
-    def pair(row, figure, digits):
-        return f"{row[figure]:.{digits}f} ({row[figure + '_theory']:.{digits}f})"
-
-    return table(["Integrator", "ωh", "order (theory)", "largest ωh (theory)", "growth in a step (theory)", "in 100 steps",
-                  "frequency, of the exact one (theory)"],
-                 [[f"`{row['integrator']}`", number(row["omega_dt"]), pair(row, "order", 2),
-                   f"{row['holds']} ({row['holds_theory']})", pair(row, "growth_per_step", 6),
-                   number(row["growth_100_steps"]), pair(row, "frequency_ratio", 6)] for row in reports.rows("integrators")])
-
 
 def laws(reports):
     lines = []
@@ -406,38 +370,51 @@ def laws(reports):
                                      for figure in ("ms_iteration_per_1000_tets", "ms_multiply_per_1000_tets"))])
     return table(["Law", "linear: iteration", "product", "quadratic: iteration", "product"], lines)
 
+def decades(rows):
+    """Of each rung every other size, from the largest down."""
+    out = []
+    for same in grouped(rows, "model", "element", "solver").values():
+        sizes = sorted({row["tets"] for row in same}, reverse=True)[::2]
+        out += [row for row in same if row["tets"] in sizes]
+    return out
 
 def scaling(reports):
-    rows = reports.rows("scaling")
-    models = ("fem_corotational", "mass_spring", "xpbd")
+    rows = decades([row for row in reports.rows("scaling") if row["cpu_ms_per_frame"] <= 2000])
+    models = ("fem_corotational", "xpbd")
     lines = []
     for same in grouped([row for row in rows if row["model"] in models], "model", "element", "solver", "tets").values():
-        by_threads = {row["threads"]: row for row in same}
-        one = by_threads[1]
+        one = next(row for row in same if row["threads"] == 1)
         lines.append([f"`{one['model']}`, {one['element']}", one["solver"], count(one["tets"]),
-                      *(number(by_threads[n]["ms_per_frame"]) if n in by_threads else DASH for n in (1, 2)),
                       number(one["cpu_ms_per_frame"]), number(one["cpu_us_per_tet"]), number(one["bytes_per_tet"]),
                       number(one["residual"])])
-    return table(["Rung", "solver", "tets", "ms a frame, 1 thread", "2 threads", "CPU ms", "CPU µs a tet", "bytes a tet",
+    return table(["Rung", "solver", "tets", "CPU ms a frame", "CPU µs a tet", "bytes a tet",
                   "residual"], lines)
-
 
 # Collision.
 
-
 ERRORS = ["false hits", "missed hits", "depth off", "normal off, °"]
 
+def per_fidelity(rows, columns):
+    """A line for each fidelity: the median over shapes, then the greatest value with its shape."""
+    lines = []
+    for (fidelity,), same in grouped(rows, "fidelity").items():
+        cells = []
+        for key, shown in columns.items():
+            values = [row for row in same if row[key] is not None]
+            if not values:
+                cells.append(DASH)
+                continue
+            worst = max(values, key=lambda row: row[key])
+            cells.append(f"{shown(statistics.median(row[key] for row in values))}; {shown(worst[key])} {worst.get('shape', 'another organ')}")
+        lines.append([f"`{fidelity}`", *cells])
+    return lines
 
-def errors_of(row):
-    return [percent(row["false_hits"]), percent(row["missed_hits"]), percent(row["depth_error"]), number(row["normal_error_deg"])]
-
+PAIR = {"us_per_pair": number, "false_hits": percent, "missed_hits": percent, "depth_error": percent, "normal_error_deg": number}
 
 def collision_shapes(reports):
-    """A line for each shape and fidelity of rigid bodies."""
-    lines = [[row["shape"], f"`{row['fidelity']}`", number(row["us_per_pair"]), *errors_of(row), count(row["bytes_per_object"])]
-             for row in reports.rows("collision", case="pairs")]
-    return table(["Shape", "fidelity", "CPU µs a pair", *ERRORS, "bytes"], lines)
-
+    """A line for each fidelity of rigid bodies."""
+    lines = per_fidelity(reports.rows("collision", case="pairs"), {**PAIR, "bytes_per_object": lambda n: count(round(n))})
+    return table(["Fidelity", "CPU µs a pair", *ERRORS, "bytes"], lines)
 
 def collision_scale(reports):
     """A line for each shape: what rigid bodies miss at fidelity hull, the larger they are."""
@@ -449,13 +426,10 @@ def collision_scale(reports):
         lines.append([life["shape"], percent(life["missed_hits"]), *(percent(by_scale[scale]["missed_hits"]) for scale in scales)])
     return table(["Shape", "missed hits in life size", *(f"{scale:g} times as large" for scale in scales)], lines)
 
-
 def collision_organs(reports):
-    """A line for each partner of an organ and its fidelity."""
+    """A line for each fidelity of an organ."""
     rows = reports.rows("collision", case="organ_rigid") + reports.rows("collision", case="two_organs")
-    lines = [[row.get("shape", "another organ"), f"`{row['fidelity']}`", number(row["us_per_pair"]), *errors_of(row)] for row in rows]
-    return table(["Organ with", "organ's fidelity", "CPU µs a pair", *ERRORS], lines)
-
+    return table(["Organ's fidelity", "CPU µs a pair", *ERRORS], per_fidelity(rows, PAIR))
 
 def collision_bodies(reports):
     """A line for each size of scene, a column for each fidelity."""
@@ -468,7 +442,6 @@ def collision_bodies(reports):
                       *(count(by_fidelity[f]["contacts"]) if f in by_fidelity else DASH for f in ("sphere", "hull"))])
     return table(["Bodies", *(f"`{f}`" for f in fidelities), "contacts, `sphere`", "contacts, `hull`"], lines)
 
-
 def collision_surfaces(reports):
     keys = ["ms_build", "ms_refit", "ms_apart", "ms_crossing", "ms_list", "ms_self"]
     lines = [[count(row["triangles"]), *(number(row[key]) for key in keys), count(round(row["bytes_per_triangle"]))]
@@ -476,26 +449,38 @@ def collision_surfaces(reports):
     return table(["Triangles of each", "made", "moved", "meetings, nearly touching", "meetings, a tenth deep", "itself, listed anew", "itself, later",
                   "bytes a triangle"], lines)
 
-
 def collision_layers(reports):
     lines = [[count(row["cells"]), number(row["ms_refit"]), number(row["ms_layers"]), count(row["meetings"])]
              for row in reports.rows("collision", case="layers")]
     return table(["Cells of each", "moved", "found", "meetings"], lines)
 
-
 def collision_soft_sessions(reports):
     lines = [[count(row["bodies"]), count(row["all_pairs"]), number(row["ms_narrow"])] for row in reports.rows("collision", case="soft_session")]
     return table(["Soft bodies", "pairs of them", "ms"], lines)
 
-
-def contact(reports):
-    def shown(row):
+def contact(reports, before):
+    """A line for each figure of a case: the setting nearest to its tolerance; besides it, those that failed.
+    Lines of cases that were not run stay."""
+    def shown(row, of):
         tolerance = "told only" if row["tolerance"] is None else f"± {number(row['tolerance'])}"
-        return [row["case"], row["setting"], row["figure"], f"{number(row['measured'])} {row['unit'].strip('1')}".strip(),
+        return [row["case"], row["figure"], row["setting"], of, f"{number(row['measured'])} {row['unit'].strip('1')}".strip(),
                 number(row["reference"]), tolerance, number(row["ms_per_tick"]), row.get("verdict", DASH)]
-    return table(["case", "setting", "figure", "measured", "reference", "within", "CPU ms a tick", "verdict"],
-                 [shown(row) for row in reports.rows("contact") if row["case"] != "hertz" or row["tolerance"] is not None])
 
+    def nearness(row):
+        return abs(row["measured"] - row["reference"]) / row["tolerance"] if row["tolerance"] else 0
+
+    rows = [row for row in reports.rows("contact") if row["case"] != "hertz" or row["tolerance"] is not None]
+    cases = {}
+    for line in kept(before, "")[2:]:
+        cases.setdefault(line[0], []).append(line)
+    cases |= {row["case"]: [] for row in rows}
+    for (case, _), same in grouped(rows, "case", "figure").items():
+        nearest = max(same, key=nearness)
+        cases[case] += [shown(row, len(same)) for row in same if row is nearest or row.get("verdict", "survives") != "survives"]
+    lines = [line for same in cases.values() for line in same]
+    return table(["case", "figure", "setting nearest to its tolerance", "settings", "measured", "reference", "within", "CPU ms a tick", "verdict"], lines)
+
+USUAL = "2 cores", "avx512", "24 GiB", "g++ 12.2.0", "Release"  # named above the table
 
 def machine(reports, before):
     if not reports.all:
@@ -503,19 +488,27 @@ def machine(reports, before):
 
     def where(report):
         m = report["machine"]
-        return f"{m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; {report['compiler']}, {m['build']}"
+        parts = f"{m['cores']} cores", m["vector"], f"{m['memory_bytes'] / 2**30:.0f} GiB", report["compiler"], m["build"]
+        return ", ".join([m["cpu"], *(part for part in parts if part not in USUAL)])
 
-    lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"]), where(report | {"compiler": told["compiler"]})]
-             for bench in reports.all for told in reports.all[bench] for report in told.get("measured", [told])]
-    lines += [line for line in kept(before, "`") if line[0].strip("`") not in reports.all]
-    return table(["Bench", "run at", "commit", "load average at its end", "machine"], sorted(lines))
-
+    runs = {}  # benches and loads
+    for bench in reports.all:
+        for told in reports.all[bench]:
+            for report in told.get("measured", [told]):
+                run = report["date"][:10], report["commit"], where(report | {"compiler": told["compiler"]})
+                benches, loads = runs.setdefault(run, (set(), []))
+                benches.add(f"`{bench}`")
+                loads.append(report["machine"]["load_average"])
+    lines = [[", ".join(sorted(benches)), *run[:2], number(min(loads)) + (f" to {number(max(loads))}" if len(loads) > 1 else ""), run[2]]
+             for run, (benches, loads) in runs.items()]
+    for line in kept(before, "`"):
+        others = [bench for bench in line[0].split(", ") if bench.strip("`") not in reports.all]
+        lines += [[", ".join(others), *line[1:]]] if others else []
+    return table(["Bench", "run on", "commit", "load average at its end", "machine"], sorted(lines))
 
 # Cameras.
 
-
 HAND_TRIALS = {"first": "first sight", "followed": "followed"}  # the report's other rows are gestures
-
 
 def hands(reports):
     return table(["Networks", "trial", "cameras", "seen", "points right", "side right", "points off", "lateral mm", "depth mm", "turned °", "bends",
@@ -524,7 +517,6 @@ def hands(reports):
                    ("seen", "right_points", "right_side", "points_median")), f"{row['lateral_mm']:.1f}", f"{row['depth_mm']:.1f}",
                    f"{row['turn_deg']:.1f}", f"{row['flexion_median']:.3f}", f"{row['find_ms']:.1f}", f"{row['fit_ms']:.2f}"]
                   for row in reports.rows("hands") if row["trial"] in HAND_TRIALS])
-
 
 def hand_gestures(reports):
     rows = {(row["nets"], row["trial"]): row for row in reports.rows("hands") if row["trial"] not in HAND_TRIALS}
@@ -541,37 +533,34 @@ def hand_gestures(reports):
     return table(["Made", "full: right", "taken for", "lite: right", "taken for"],
                  [[f"`{name}`", *told("full", name), *told("lite", name)] for name in names] + [["mean", mean("full"), "", mean("lite"), ""]])
 
-
-KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
-TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
-          "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
+KEEPING = {"machine": machine, "goals": goals, "advice": advice, "contact": contact}  # lines of what was not run stay
+TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here,
+          "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
-          "contact": contact, "hands": hands, "hand-gestures": hand_gestures,
+          "hands": hands, "hand-gestures": hand_gestures,
           **{f"trade-{case}": trade_case(case) for case in ERROR_KEYS},
           **{f"refine-{body}": refine(body) for body in ("layer", "organ", "liver")}, "references": references}
 
-
 def main():
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
-        sys.exit("usage: deploy/fill_tables.py FOLDER   (with reports that prosector-bench wrote by --json)")
+        sys.exit("usage: deploy/fill_tables.py FOLDER   (with reports written by prosector-bench --json)")
     reports = Reports(pathlib.Path(sys.argv[1]))
 
     def filled(match):
         name = match[2]
         if name not in TABLES | KEEPING:
-            sys.exit(f"fill_tables: no table is called {name}; there are {', '.join(TABLES | KEEPING)}")
+            sys.exit(f"fill_tables: unknown table {name}; tables: {', '.join(TABLES | KEEPING)}")
         try:
             return match[1] + (KEEPING[name](reports, match[3]) if name in KEEPING else TABLES[name](reports)) + match[4]
         except Missing as missing:
-            print(f"{name}: stays as it was, there is no report of {missing}")
+            print(f"{name}: unchanged, no report of {missing}")
             return match[0]
 
     for page in PAGES:
         file = ROOT / page
         file.write_text(MARKED.sub(filled, file.read_text()))
-
 
 if __name__ == "__main__":
     main()

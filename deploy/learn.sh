@@ -7,9 +7,9 @@ usage() {
   cat <<TXT
 deploy/learn.sh [--out DIR] [--renew] [LESSON]...
   LESSON       desk, headset, host, observer, programmer, researcher, webcam (default: all, in 10 minutes at most)
-  --out DIR    logs, and pictures in its folder pictures (default out/learn)
-  --renew      puts the pictures into docs/pictures
-The programs are those of build/release/bin, or of PROSECTOR_BIN.
+  --out DIR    logs, and screenshots in its subfolder pictures (default out/learn)
+  --renew      copies the screenshots to docs/pictures
+Uses the programs in build/release/bin, or in PROSECTOR_BIN.
 TXT
 }
 

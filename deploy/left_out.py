@@ -46,7 +46,7 @@ def left_out(every, wheres):
         if not any(re.search(tests, name) for name in every):
             sys.exit(f"{place}: no test matches {tests}")
         if not is_of(unbuilt, stand_in) and not any(re.search(stand_in, name) for name in every if name not in out):
-            sys.exit(f"{place}: {stand_in} should stay, but is left out or is no test")
+            sys.exit(f"{place}: {stand_in} should remain, but is omitted or is not a test")
     return out | slow(every, out) if "asan" in wheres else out
 
 
@@ -63,7 +63,7 @@ def slow(every, out):
         sys.exit(f"{slow_ones.name}: no test is named {min(strange)}")
     stay = {program_of(name) for name in every if name not in out | named}
     if gone := {program_of(name) for name in named} - stay:
-        sys.exit(f"{slow_ones.name}: nothing stays of {min(gone)}")
+        sys.exit(f"{slow_ones.name}: nothing remains of {min(gone)}")
     return named
 
 

@@ -8,9 +8,9 @@ usage() {
   cat <<TXT
 deploy/measure.sh [--quick] [--out DIR] [--skip-build] [SUBJECT...]
   SUBJECT        of: ${subjects[*]} (default: all, an hour or more)
-  --quick        coarser and shorter: to see whether all runs, not to publish
-  --out DIR      where the reports go (default out/measure); pictures go to docs/pictures
-  --skip-build   PROSECTOR_BIN says where the programs are, if not in build/release/bin
+  --quick        coarser and shorter: checks that everything runs; not for publication
+  --out DIR      output folder for reports (default out/measure); pictures go to docs/pictures
+  --skip-build   don't build (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 TXT
 }
 
@@ -24,7 +24,7 @@ while [ $# -gt 0 ]; do
     *)
       case " ${subjects[*]} " in
         *" $1 "*) chosen+=("$1") ;;
-        *) echo "measure: $1 is neither an option nor a subject" >&2; usage >&2; exit 2 ;;
+        *) echo "measure: $1 is not an option or a subject" >&2; usage >&2; exit 2 ;;
       esac ;;
   esac
   shift
@@ -84,7 +84,7 @@ for subject in "${chosen[@]}"; do
 done
 
 if [ $quick = yes ]; then
-  printf '\nReports and pictures: %s; the tables in docs/ stay as they are\n' "$out"
+  printf '\nReports and pictures: %s; the tables in docs/ are unchanged\n' "$out"
 else
   "$root/deploy/fill_tables.py" "$out"
 fi

@@ -10,13 +10,13 @@ usage() {
 deploy/nightly.sh [--hours N] [--only PART]... [--out DIR] [--list]
   PART         package  the Debian packages in a bare root (docs/do/packages.md)
                learn    the lessons of docs/learn, in real windows, at a person's pace
-               mice     two people in real windows, with mouse and keys, half an hour in each shipped scene
+               mice     two simulated users in real windows, with mouse and keyboard, half an hour per shipped scene
                asan   every test under the address and undefined-behaviour sanitizers, all their checks on
-               tsan   what has threads of its own, under the thread sanitizer
-               seeds  tests that draw a new seed, again and again: optimised, and under sanitizers when \`asan\` built them
+               tsan   multi-threaded tests, under the thread sanitizer
+               seeds  randomised tests, repeated with new seeds: optimised, and under sanitizers if \`asan\` built them
                play   deploy/play.sh
-  --hours N    ends after N hours (default 16): a part that takes longer is cut off and counts as failed;
-               \`seeds\` and \`play\` share what is left of them
+  --hours N    ends after N hours (default 16): a part that takes longer is stopped and counts as failed;
+               \`seeds\` and \`play\` share the remaining time
   --out DIR    figures.json, table.md, each run's log (default out/nightly)
   --list       prints each part's tests, where built, and runs nothing
 TXT
@@ -176,7 +176,7 @@ run_seeds() {
 run_play() {
   local status=0 began=$SECONDS
   if [ ! -x deploy/play.sh ]; then
-    echo "nightly: there is no deploy/play.sh; nothing played"
+    echo "nightly: deploy/play.sh is missing; nothing played"
     return 0
   fi
   bounded "$(left)" deploy/play.sh --hours "$(awk -v s="$1" 'BEGIN { printf "%.3f", s / 3600 }')" >"$out/play.log" 2>&1 || status=$?

@@ -42,7 +42,7 @@ if [ $shipped = yes ]; then
 fi
 rm -f "$out"/*.json "$out"/*.log
 end=$((SECONDS + $(awk -v h="$hours" 'BEGIN { printf "%d", 3600 * h }')))
-echo "play: seeds from $seed on, until $hours h are over"
+echo "play: seeds from $seed on, for $hours h"
 
 # play_one NUMBER SCENE MODEL: some bouts of one seed.
 play_one() {

@@ -23,7 +23,7 @@ if [ "$(id -u)" -ne 0 ]; then
   fi
   as_root=(sudo)
   if ! sudo true; then
-    echo "setup: packages are missing and sudo refuses you; $by_hand" >&2
+    echo "setup: packages are missing and you may not use sudo; $by_hand" >&2
     exit 1
   fi
 fi
@@ -36,7 +36,7 @@ apt update -q || {
   exit 1
 }
 apt install -y -q --no-install-recommends "${missing[@]}" || {
-  echo "setup: apt-get install failed; mend what it says above (often: apt-get -f install), then run this again" >&2
+  echo "setup: apt-get install failed; fix the error above (often: apt-get -f install), then run this again" >&2
   exit 1
 }
 echo "setup: done"

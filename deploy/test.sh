@@ -10,7 +10,7 @@ for option in "$@"; do
   case $option in
     --all) sanitized=yes ;;
     -h | --help) echo "usage: deploy/test.sh [--all]"; exit 0 ;;
-    *) echo "test: $option is no option; usage: deploy/test.sh [--all]" >&2; exit 2 ;;
+    *) echo "test: unknown option $option; usage: deploy/test.sh [--all]" >&2; exit 2 ;;
   esac
 done
 
@@ -31,9 +31,9 @@ summary() {
   local status=$?
   [ $status -eq 0 ] || echo "test: failed in: $phase" >&2
   step ""
-  printf '\n== minutes of each phase\n'
+  printf '\n== duration of each phase\n'
   printf '%s\n' "${phases[@]}"
-  printf '%3d min %02d s  in all\n' $((SECONDS / 60)) $((SECONDS % 60))
+  printf '%3d min %02d s  in total\n' $((SECONDS / 60)) $((SECONDS % 60))
   [ ${#reports[@]} -eq 0 ] || deploy/test_report.py --slowest 10 "${reports[@]}"
   command -v ccache >/dev/null && ccache --show-stats | sed -n '1,4p'
   exit $status
@@ -50,11 +50,11 @@ run_tests() {
   deploy/left_out.py stay "$build" $where -- "$@" >"$build/gate_tests"
   ctest --test-dir "$build" --output-on-failure -j2 -I "$build/gate_tests" --output-junit "$build/tests.xml" \
     --test-output-size-passed 1000000 "$@" || {
-    echo "test: see above; again: ctest --test-dir build/$preset --rerun-failed --output-on-failure" >&2
+    echo "test: see above; repeat with: ctest --test-dir build/$preset --rerun-failed --output-on-failure" >&2
     return 1
   }
   # shellcheck disable=SC2086
-  echo "test: left to deploy/nightly.sh: $(deploy/left_out.py list "$build" $where -- "$@" | wc -l) tests"
+  echo "test: deferred to deploy/nightly.sh: $(deploy/left_out.py list "$build" $where -- "$@" | wc -l) tests"
 }
 
 step "set-up"
@@ -63,9 +63,12 @@ deploy/fetch_anatomy.sh
 deploy/fetch_models.sh
 step "include rules and layout"
 deploy/check_includes.sh
+deploy/check_folders.py
 deploy/check_types.py
+deploy/check_assertions.py
 deploy/check_format.sh
 deploy/check_docs.py
+deploy/changelog.py check
 deploy/check_language.py
 deploy/check_comments.py
 step "build: release"

@@ -8,7 +8,7 @@ import junit
 
 def tell(name, path, slowest):
     if not pathlib.Path(path).exists():
-        print(f"{name}: no {path}: did ctest run?")
+        print(f"{name}: no {path}: run ctest first")
         return
     cases = junit.cases_of(path)
     failed = [junit.name(case) for case in cases if junit.failed(case)]

@@ -1,41 +1,59 @@
-// The table of drivers.
+// Table of the device drivers.
 #include <algorithm>
 
-#include "drivers/camera/face/face_device.h"
-#include "drivers/camera/hands/hands_device.h"
-#include "drivers/device.h"
-#include "drivers/device_address.h"
-#include "drivers/fastrak.h"
-#include "drivers/five_dt.h"
-#include "drivers/igtl_device.h"
-#include "drivers/leap_device.h"
-#include "drivers/recorded.h"
-#include "drivers/space_mouse.h"
-#include "drivers/tags_device.h"
-#include "drivers/vrpn_device.h"
+#include "drivers/camera/devices/face_device.h"
+#include "drivers/camera/devices/hands_device.h"
+#include "drivers/camera/devices/tags_device.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/device_address.h"
+#include "drivers/device/driver_table.h"
+#include "drivers/gloves/five_dt.h"
+#include "drivers/recordings/recorded.h"
+#include "drivers/trackers/fastrak.h"
+#include "drivers/trackers/igtl_device.h"
+#include "drivers/trackers/leap_device.h"
+#include "drivers/trackers/space_mouse.h"
+#include "drivers/trackers/vrpn_device.h"
 
 namespace prosector {
+namespace {
+
+using Path = const std::string&;
+using Config = const DeviceConfig&;
+
+}  // namespace
 
 const std::vector<DriverRow>& drivers() {
   static const std::vector<DriverRow> rows = {
-      {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0", open_fastrak},
-      {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
+      {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0",
+       [](Path path, Config c) { return open_fastrak(path, c.placement, c.fastrak); }},
+      {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1",
+       [](Path path, Config c) { return open_five_dt(path, c.gestures, c.glove); }},
       {"5dt-wireless", "wireless 5DT Data Glove at its receiver's serial port, 5dt-wireless:/dev/ttyS1",
-       open_five_dt_wireless},
-      {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
-      {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab", open_vrpn_device},
-      {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]", open_igtl},
-      {"leap", "both hands by Ultraleap's WebSocket, leap:localhost:6437", open_leap, true},
-      {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock", open_space_mouse},
+       [](Path path, Config c) { return open_five_dt_wireless(path, c.gestures, c.glove); }},
+      {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0",
+       [](Path path, Config c) { return open_five_dt_usb(path, c.gestures, c.glove); }},
+      {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab",
+       [](Path path, Config c) { return open_vrpn_device(path, c.placement, c.gestures, c.glove); }},
+      {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]",
+       [](Path path, Config c) { return open_igtl(path, c.placement); }},
+      {"leap", "both hands by Ultraleap's WebSocket, leap:localhost:6437",
+       [](Path path, Config c) { return open_leap(path, c.placement, c.gestures); }, true},
+      {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock",
+       [](Path path, Config c) { return open_space_mouse(path, c.placement); }},
       {"tags",
-       "printed boards before a camera, tags:0, tags:/dev/video0, tags:clip.mkv, tags:synthetic:SCENE.toml",
-       open_tags, false, true},
-      {"hands", "bare hands before a camera, or two, hands:CAMERA[,CAMERA] as with tags", open_hands, true,
+       "printed boards tracked by a camera, tags:0, tags:/dev/video0, tags:clip.mkv, "
+       "tags:synthetic:SCENE.toml",
+       [](Path path, Config c) { return open_tags(path, c.placement, c.camera, c.tags); }, false, true},
+      {"hands", "bare hands tracked by one or two cameras, hands:CAMERA[,CAMERA] as with tags",
+       [](Path path, Config c) { return open_hands(path, c.placement, c.camera, c.hands, c.gestures); }, true,
        true},
-      {"face", "the eyes of a face before a camera, face:CAMERA as with tags; station 1 is between them",
-       open_face, false, true, true},
-      {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
-      {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
+      {"face", "the eyes tracked by a camera, face:CAMERA as with tags; station 1 is between them",
+       [](Path path, Config c) { return open_face(path, c.placement, c.camera, c.face); }, false, true, true},
+      {"recorded", "samples from a CSV file, played once, recorded:hand.csv",
+       [](Path path, Config) { return open_recorded(path); }},
+      {"recorded-loop", "the same, repeated, recorded-loop:hand.csv",
+       [](Path path, Config) { return open_recorded_loop(path); }},
   };
   return rows;
 }

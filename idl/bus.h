@@ -1,6 +1,6 @@
 #pragma once
-// The network as the rest of Prosector sees it: publish and take plain samples. Implementations: Cyclone DDS
-// (idl/cyclone_bus.h) and an in-process one with seeded loss, delay and reordering for tests
+// Network interface of Prosector: publishes and receives plain messages. Implementations: Cyclone DDS
+// (idl/cyclone_bus.h), and an in-process network with seeded loss, delay and reordering for tests
 // (idl/local_bus.h).
 
 #include <chrono>
@@ -10,28 +10,30 @@
 #include <string>
 #include <vector>
 
-#include "common/messages.h"
+#include "idl/message.h"
 
 namespace prosector {
 
-/// Which end of the star this is. It decides the topics that are written and read, so a client never sees
-/// another client's Presence. Who may do what is the session's to say, and roles change while it runs.
+/// Role of this end in the star topology. It determines the topics that are written and read, so a client
+/// never receives another client's Presence. Permissions are checked by the session, since roles change while
+/// it runs.
 enum class BusEnd : std::uint8_t { server, dissector, observer };
 
 enum class Liveness : std::uint8_t { alive, gone };  // gone: disposed, or its writer left or died
 
-/// A sample that passed every check at the edge, or news that its instance is gone (then only the key fields
-/// are set). Such news is told once, and only of the process that had said the instance (idl/claims.h).
+/// A sample that passed all wire checks, or the notification that its instance is gone (then only the key
+/// fields are set). The notification is sent once, and only if it comes from the process that published the
+/// instance (idl/instance_owners.h).
 struct Received {
   Message message;
   Liveness liveness = Liveness::alive;
-  // Identifies the remote writer's process; the server ties participants to it. What clients write never has
-  // 0.
+  // Id of the remote writer's process; the server ties participants to it. Never 0 for samples from clients.
   std::uint64_t writer = 0;
   std::int64_t arrival_ns = 0;  // monotonic_ns() when it reached this process
 };
 
-/// What the edge refused, by reason ("HandInput: pose not finite"), and what it let through.
+/// Counters of a Bus: samples dropped by the wire checks, by reason ("HandInput: pose not finite"), and
+/// samples passed.
 struct BusCounters {
   std::map<std::string, std::uint64_t> dropped;
   std::uint64_t dropped_total = 0;
@@ -39,36 +41,36 @@ struct BusCounters {
   std::uint64_t bytes_out = 0, bytes_in = 0;  // serialised payload, without protocol overhead
 };
 
-/// Thread safe: one thread may publish while another waits and takes.
+/// Abstract message bus. Thread safe: one thread may publish while another waits and takes.
 class Bus {
  public:
   virtual ~Bus() = default;
 
-  /// Sends one sample. Best-effort topics never block; reliable ones may for at most their blocking time, so
-  /// the publisher thread calls them, not the step. Returns false when the sample could not be sent
-  /// (counted).
+  /// Sends one sample. Best-effort topics never block. Reliable ones may block up to their blocking time, so
+  /// they are called from the publisher thread, not from the simulation step. Returns false if the sample
+  /// could not be sent, and counts it.
   virtual bool publish(const Message& message) = 0;
-  /// Ends a keyed instance that this end wrote (Presence on leaving, RosterEntry of who left): readers get
-  /// Liveness::gone.
+  /// Ends a keyed instance that this end wrote, such as the Presence or RosterEntry of a leaving participant.
+  /// Readers receive Liveness::gone.
   virtual void dispose(const Message& message) = 0;
-  /// Moves everything that arrived since the last call to `out` (cleared first), in order per topic instance.
+  /// Moves all samples that arrived since the last call to `out` (cleared first), in order per topic
+  /// instance.
   virtual void take(std::vector<Received>& out) = 0;
-  /// Blocks until something can be taken or the time is over; returns true if something can.
+  /// Blocks until a sample is available or the timeout expires. Returns whether a sample is available.
   virtual bool wait(std::chrono::milliseconds timeout) = 0;
   virtual BusCounters counters() const = 0;
 };
 
-/// How far the network reaches. The default never leaves this machine.
+/// Network configuration of a Bus. The default never leaves this machine.
 struct BusConfig {
   BusEnd end = BusEnd::observer;
   std::string session = "prosector";  // DDS partition
   std::uint32_t domain = 0;           // 0–230
-  std::string profile;                // empty: built-in loopback; else a file of deploy/dds
-  std::string interface;              // for profiles that name one: "eth0" or an address
-  bool arm = false;                   // of a client: it has a haptic arm, and takes part in topics for these
-  std::vector<std::string> peers;     // explicit servers, "host" or "host:port"
-  std::uint32_t server_index =
-      0;  // fixed participant index of the server: its port is 7410 + 250·domain + 2·index
+  std::string profile;                // empty: built-in loopback profile; else a file of deploy/dds
+  std::string interface;              // for profiles that require one: "eth0" or an address
+  bool arm = false;                   // clients only: has a haptic arm, and takes part in the topics for arms
+  std::vector<std::string> peers;     // explicit server addresses, "host" or "host:port"
+  std::uint32_t server_index = 0;  // of the server's DDS participant; its port is 7410 + 250·domain + 2·index
 };
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// BusCounters that two threads may count into.
+// Thread-safe BusCounters.
 
 #include <mutex>
 

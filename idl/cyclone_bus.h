@@ -1,5 +1,5 @@
 #pragma once
-// The Bus over Cyclone DDS, and what there is on the network before one joins.
+// The Bus over Cyclone DDS, and discovery of sessions before joining one.
 
 #include <chrono>
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace prosector {
 
-/// Joins the network as one end of a session. Throws InputError when the configuration is not valid or, for a
-/// server, its index is taken on this host. BusConfig::profile: empty or "loopback", "lan", "wan", or a file.
+/// Joins a session. Throws InputError if the configuration isn't valid or, for a server, its index is taken
+/// on this host. BusConfig::profile is empty or "loopback", "lan", "wan", or a file.
 std::unique_ptr<Bus> make_cyclone_bus(const BusConfig& config);
 
-/// Returns every session that the configuration reaches, whatever its name, after listening for `timeout`.
-/// Wants some 0.5 s; peers without a port are asked at all ten server indices.
+/// Returns all sessions that the configuration reaches, whatever their names, after listening for `timeout`.
+/// About 0.5 s is needed. Peers without a port are queried at all ten server indices.
 std::vector<SessionInfo> list_sessions(const BusConfig& config, std::chrono::milliseconds timeout);
 
-/// Returns the lowest server index that is free on this host, so that several sessions can share it.
-std::optional<std::uint32_t> free_server_index(const BusConfig& config);
+/// Returns the lowest server index that is free on this host, so that several sessions can share the host.
+std::optional<std::uint32_t> find_free_server_index(const BusConfig& config);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// Which fields of a message say what instance of its topic it is: a list of members for each.
+// Key fields of each message, which identify its instance within the topic.
 
 #include <array>
 #include <cstddef>
@@ -10,13 +10,14 @@
 #include <type_traits>
 #include <variant>
 
-#include "common/messages.h"
+#include "common/hash.h"
+#include "idl/message.h"
 
 namespace prosector {
 
 using InstanceKey = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
-/// Returns the index of a message's topic: its place in the Message variant.
+/// Returns the index of a message's topic, which is its index in the Message variant.
 template <class M, std::size_t i = 0>
 constexpr std::size_t topic_of() {
   static_assert(i < std::variant_size_v<Message>, "no message that a Bus carries");
@@ -26,14 +27,14 @@ constexpr std::size_t topic_of() {
     return topic_of<M, i + 1>();
 }
 
-/// How instances of one topic are told apart.
+/// Functions that identify the instances of one topic.
 struct InstanceRules {
-  std::size_t message;                  // the index of the topic whose messages the two others take
+  std::size_t message;                  // index of the topic whose messages `key` and `key_only` take
   InstanceKey (*key)(const Message&);   // see instance_key()
   Message (*key_only)(const Message&);  // see key_only()
 };
 
-/// Appends the words of key fields.
+/// Packs key fields into an InstanceKey. Strings are hashed.
 class KeyWords {
  public:
   void add(std::uint64_t word) { words_.at(count_++) = word; }
@@ -76,7 +77,8 @@ Message only_key_of(const Message& message) {
   return key;
 }
 
-/// Messages M, of which equal `fields` mean the same instance; without fields there is but one.
+/// Rules for messages of type M: messages with equal `fields` belong to the same instance; without fields
+/// there is only one instance.
 template <class M, auto... fields>
 inline constexpr InstanceRules keyed{topic_of<M>(), key_of<M, fields...>, only_key_of<M, fields...>};
 

@@ -1,7 +1,7 @@
 #pragma once
-// The Bus inside one process, for tests: the same star, keys, histories and late joining as over DDS, and a
-// network whose loss, delay and reordering follow from a seed. Samples pass idl/wire, so they are checked and
-// quantised as on the wire.
+// In-process Bus for tests, with the same topology, keys, histories and late joining as DDS. Loss, delay and
+// reordering of its network depend on a seed only. Samples pass idl/wire, so they are checked and quantised
+// as on a real network.
 
 #include <chrono>
 #include <cstdint>
@@ -13,23 +13,23 @@ namespace prosector {
 
 struct LocalNetworkConfig {
   std::uint64_t seed = 1;
-  double loss = 0;                     // share of transmissions lost; reliable ones are then repeated
+  double loss = 0;                     // fraction of transmissions lost; reliable ones are repeated
   std::chrono::microseconds delay{0};  // one way
   std::chrono::microseconds jitter{
       0};               // uniform in ±jitter; overtaken best-effort samples are lost, as in DDS
-  bool stepped = true;  // time stands still but for advance(), wait() returns at once; else the real clock
+  bool stepped = true;  // time advances only by advance(), wait() doesn't block; false: real clock
 };
 
-/// Ends may outlive the network object, and may be used from several threads.
+/// Simulated network. Its buses may outlive this object and may be used from several threads.
 class LocalNetwork {
  public:
   explicit LocalNetwork(const LocalNetworkConfig& config);
   ~LocalNetwork();
 
-  /// Joins; domain and session must be the same for ends to hear each other. Throws InputError when a
-  /// server's index is taken. Destroying the bus is leaving.
+  /// Creates a bus. Only buses of equal domain and session can communicate. Throws InputError if a server's
+  /// index is taken. Destroying the bus leaves the network.
   std::unique_ptr<Bus> join(const BusConfig& config);
-  /// Stops the end as if its process were killed: the others notice when its lease runs out.
+  /// Stops the bus as if its process were killed: others notice when its lease expires.
   void crash(Bus& bus);
 
   void advance(std::chrono::nanoseconds time);

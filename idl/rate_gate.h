@@ -1,11 +1,11 @@
 #pragma once
-// Lets each writer send each topic no faster than the topic's row allows.
+// Rate limit per writer and topic, with the limits of the topic table.
 
 #include <map>
 #include <utility>
 
+#include "idl/token_bucket.h"
 #include "idl/topics.h"
-#include "idl/wire/token_bucket.h"
 
 namespace prosector {
 

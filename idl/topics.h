@@ -1,7 +1,7 @@
 #pragma once
-// Every topic in one table: its message and key, who writes it, its quality of service, its limits.
-// docs/look-up/topics.md says the same for people. A message's place in the Message variant is its topic's
-// index, here and in idl/wire; what is missing or out of order doesn't compile.
+// Table of all topics: message and key, writer, quality of service, limits. docs/look-up/topics.md describes
+// it for users. A message's index in the Message variant is its topic's index, here and in idl/wire; a
+// missing or misplaced row doesn't compile.
 
 #include <array>
 #include <cstddef>
@@ -14,23 +14,23 @@
 
 namespace prosector {
 
-enum class Writers : std::uint8_t { server, clients };  // clients: observers too, who may become dissectors
+enum class Writers : std::uint8_t { server, clients };  // clients: observers may become dissectors
 
-/// Best-effort readers drop what was overtaken by a later sample of the same *writer*, whatever the instance.
-/// So streams that send many instances at once have several writers, and an instance always takes the same
-/// one.
+/// Properties of a topic. Best-effort readers drop a sample if a later one of the same *writer* has arrived,
+/// whatever the instance. Streams with many instances per tick therefore use several writers (lanes), and
+/// each instance always uses the same one.
 struct TopicSpec {
   const char* name;
   Writers writers;
-  bool reliable;        // else best effort: never blocks, a lost sample stays lost
-  bool kept_for_late;   // transient-local: whoever joins later gets the last `depth` of each instance
-  std::uint32_t depth;  // samples kept an instance (keep last); 0: keep all
-  double lease;         // s: liveliness of the writer; 0: that of its participant
-  bool announces_gone;  // readers hear of an instance's end
-  bool needs_reader;    // publish() fails while nobody would get the sample
-  double rate, burst;   // samples/s and at once that one writer may send; 0: not limited
-  std::uint32_t lanes;  // writers that share the instances
-  bool for_arms;        // there is neither writer nor reader before somebody has a haptic arm
+  bool reliable;         // false: best effort, never blocks, a lost sample isn't repeated
+  bool transient_local;  // transient-local: late joiners receive the last `depth` samples of each instance
+  std::uint32_t depth;   // samples stored per instance (keep last); 0: keep all
+  double lease;          // s: liveliness lease of the writer; 0: that of its participant
+  bool notifies_end;     // readers are notified when an instance ends
+  bool requires_reader;  // publish() fails without a reader
+  double rate, burst;    // limit per writer: samples/s, and samples in a burst; 0: unlimited
+  std::uint32_t lanes;   // number of writers that share the instances
+  bool for_arms;         // writers and readers are created only after a participant with a haptic arm joins
   InstanceRules instance;
 };
 
@@ -44,16 +44,17 @@ inline constexpr std::array<TopicSpec, topic_count> topics{{
   {"RosterEntry",       Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, false, keyed<RosterEntry, &RosterEntry::participant>},
   {"HandInput",         Writers::clients,  false,   false,    1, 0,   false, false, 400, 40,   1, false, keyed<HandInput, &HandInput::participant>},
   {"UserState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, false, keyed<UserState, &UserState::participant>},
-  // A command that nobody hears is not sent, so that a server which starts later never obeys a stale one.
+  // A command without a reader isn't sent, so that a server that starts later never executes a stale one.
   {"Command",           Writers::clients,  true,    false,    0, 0,   false, true,   50, 50,   1, false, keyed<Command, &Command::participant>},
-  // Results stay a while: the writer never blocks on a stopped client, and none is lost while ends still match.
+  // Results are stored, so that the writer never blocks on a stopped client and none is lost while ends are
+  // still matching.
   {"CommandResult",     Writers::server,   true,    true,    32, 0,   false, false,   0,  0,   1, false, keyed<CommandResult, &CommandResult::participant>},
   {"SceneInfo",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<SceneInfo>},
   {"AssetChunk",        Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<AssetChunk, &AssetChunk::hash, &AssetChunk::chunk>},
   {"RigidState",        Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  16, false, keyed<RigidState, &RigidState::body>},
   {"SoftState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  32, false, keyed<SoftState, &SoftState::body, &SoftState::chunk>},
   {"Settled",           Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<Settled, &Settled::body>},
-  // Each revision is an instance. Not keep-all: one stopped reader would make each write block and drop it.
+  // Each revision is an instance. Not keep-all: one stopped reader would make each write block and then fail.
   {"TopologyRevision",  Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<TopologyRevision, &TopologyRevision::body, &TopologyRevision::revision>},
   {"ContactSample",     Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, false, keyed<ContactSample, &ContactSample::participant, &ContactSample::hand>},
   {"ServerStatus",      Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   1, false, keyed<ServerStatus>},
@@ -67,7 +68,7 @@ inline constexpr std::array<TopicSpec, topic_count> topics{{
 }};
 // clang-format on
 
-/// Tells whether every topic obeys a rule.
+/// Returns whether all topics satisfy a rule.
 template <class Rule>
 constexpr bool all_topics(Rule rule) {
   for (std::size_t i = 0; i < topic_count; ++i)
@@ -85,16 +86,16 @@ static_assert(all_topics([](std::size_t, const TopicSpec& t) {
               }),
               "topics: what clients write is limited");
 
-/// Tells whether an end writes or reads the topic, ever. Topics for arms: if `arm` says that it has one, or,
-/// of a server, that somebody has.
+/// Returns whether an end ever writes or reads the topic. For topics for arms `arm` decides: a client has a
+/// haptic arm, or, for a server, any participant has one.
 bool writes(BusEnd end, bool arm, const TopicSpec& topic);
 bool reads(BusEnd end, bool arm, const TopicSpec& topic);
 
-/// Identifies an instance of a topic: what the @key fields of prosector.idl say.
+/// Returns the identity of a message's instance: the @key fields in prosector.idl.
 InstanceKey instance_key(const Message& message);
-/// Returns which of the topic's writers sends this message.
+/// Returns the index of the topic's writer that sends this message.
 std::size_t lane(const Message& message);
-/// Returns the message with only its key fields set.
+/// Returns a message with only the key fields set.
 Message key_only(const Message& message);
 
 }  // namespace prosector

@@ -1,26 +1,28 @@
-// How open the surroundings of a point are: 1 on a plane, less in a crease.
+// Ambient occlusion: computes the openness of a point's surroundings: 1 on a plane, less in a crease.
 
 #include "ambient_occlusion.glsl"
 
 out vec4 color;
 
-const float farthest = 2.4;       // m: beyond, nothing is darkened …
-const float fades = 1.6;          // m: … and less from here on
-const float most_pixels = 56.0;   // of the ball's radius
+const float farthest = 2.4;       // m: no darkening beyond …
+const float fades = 1.6;          // m: … and a fade from here on
+const float most_pixels = 56.0;   // limit of the sphere's radius
 const float strength = 1.15;
 
-// How much more than half of two lines through the ball is filled. They run along the eye's ray, `offset` pixels
-// to both sides of its middle, `half_length` radii each way. `radii`: for each 1/m of nearness.
+// Returns by how much the filled part of two lines through the sphere exceeds one half. The lines are
+// parallel to the eye's ray, `offset` pixels to both sides of its centre, `half_length` radii each way.
+// `radii`: radii per 1/m of nearness.
 float filled(ivec2 here, vec2 offset, float half_length, float nearness, float radii) {
   ivec2 aside = ivec2(floor(offset + 0.5));
   vec2 rises = radii * (vec2(nearness_at(here + aside), nearness_at(here - aside)) - nearness);
   vec2 full = clamp(0.5 + (0.5 / half_length) * rises, 0.0, 1.0);
-  // What stands far before the ball says nothing of it: as if it went on as on the other side.
+  // A surface far in front of the sphere gives no information: the value mirrored from the other side is
+  // used.
   full = mix(1.0 - full.yx, full, clamp(2.2 - rises, 0.0, 1.0));
   return full.x + full.y - 1.0;
 }
 
-// 0 … 3, far from those of the neighbours, for a place among 2 × 2.
+// Returns 0 … 3 for a position among 2 × 2, very different from those of its neighbours.
 int spread(ivec2 cell) { return 2 * (cell.x ^ cell.y) + cell.y; }
 
 void main() {
@@ -28,14 +30,14 @@ void main() {
   float nearness = nearness_at(here);
   float distance = 1.0 / nearness;
   if (distance > farthest) discard;
-  float pixels = lens[0].z * nearness;  // a metre
-  // The ball ends at the picture's border.
+  float pixels = lens[0].z * nearness;  // per metre
+  // The sphere is limited to the viewport's border.
   vec2 low = vec2(here) - viewport[0].xy, high = viewport[0].zw - 1.0 - low;
   float border = min(min(low.x, low.y), min(high.x, high.y));
   float reach = max(min(min(lens[0].w * pixels, most_pixels), border), 0.4);
   float radii = distance * distance * pixels / reach;
 
-  // Sixteen places look in as many times eight directions, and as many times four distances.
+  // Sixteen neighbouring samples together use 16 × 8 directions and 16 × 4 distances.
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
   int which = 4 * spread(cell & 1) + spread(cell >> 1);
   float turn = 0.04908739 * (float(which) + 0.5);

@@ -1,5 +1,5 @@
-// Lays what ambient occlusion leaves of the light over the picture: between the four places around a pixel, those
-// that lie in its plane. So nearer and farther surfaces leave no rim on it.
+// Applies the ambient occlusion to the frame: interpolates between the four samples around a pixel, using
+// only those in the pixel's plane. This avoids halos at nearer and farther surfaces.
 
 #include "ambient_occlusion.glsl"
 
@@ -7,11 +7,11 @@ uniform sampler2D openness;
 
 out vec4 color;
 
-const float unknown = 0.02;  // weight of being open, for a pixel that no place tells of
+const float unknown = 0.02;  // weight of full openness, for a pixel without a usable sample
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy), most = textureSize(openness, 0) - 1;
-  // Where the pixel is among the places.
+  // Position of the pixel in the grid of samples.
   vec2 at = vec2(pixel - COARSER / 2) / float(COARSER);
   if (texture(openness, (at + 0.5) / vec2(most + 1)).r > 0.995) discard;
   ivec2 first = ivec2(floor(at));

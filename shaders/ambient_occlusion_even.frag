@@ -1,5 +1,5 @@
-// The mean of 4 × 4 places, so that each of their sixteen ways to look counts as much. Places of another surface
-// do not count: they would leave rims.
+// Averages 4 × 4 samples, so that each of their sixteen directions has the same weight. Samples of other
+// surfaces are excluded, because they would cause halos.
 
 #include "ambient_occlusion.glsl"
 
@@ -10,7 +10,7 @@ out vec4 color;
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy), most = textureSize(openness, 0) - 1;
   vec2 size = vec2(most + 1), low = (vec2(here) - 1.0) / size, high = (vec2(here) + 1.0) / size;
-  // Four reads of four places each: most of a picture is open.
+  // Four reads of four samples each, as an early exit: most of a frame is open.
   float least = min(min(texture(openness, low).r, texture(openness, vec2(high.x, low.y)).r),
                     min(texture(openness, vec2(low.x, high.y)).r, texture(openness, high).r));
   if (least > 0.998) discard;
@@ -24,5 +24,5 @@ void main() {
       weights += weight;
     }
   }
-  color = vec4(sum / weights);  // its own place is in its plane
+  color = vec4(sum / weights);  // weights > 0, since the pixel's own sample is in its plane
 }

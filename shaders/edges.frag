@@ -1,8 +1,8 @@
-// Blends the steps of edges in a finished picture (after Lottes 2009): follow the border between two rows of
-// pixels to both its ends; the nearer one tells how much of this pixel lies beyond the border. Pixels at no
-// edge are left alone, and whole blocks of those cost a CPU little.
+// Antialiasing of a finished frame (after Lottes 2009). Follows the border between two rows of pixels to both
+// its ends; the nearer end determines how much of this pixel is beyond the border. Pixels that are not at an
+// edge are unchanged; blocks of such pixels cost a CPU little.
 
-uniform sampler2D picture;  // alpha: brightness as it is seen
+uniform sampler2D picture;  // alpha: perceived brightness
 
 out vec4 color;
 
@@ -31,7 +31,7 @@ void main() {
   vec2 across = side * (level ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
   vec2 along = level ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
 
-  // Halfway between both rows the sampler's average stays near `border` as long as the border goes on.
+  // Halfway between both rows, the sampler's average stays near `border` as long as the border continues.
   vec2 start = gl_FragCoord.xy + 0.5 * across;
   float reach_back = 0.0, reach_ahead = 0.0, end_back = 0.0, end_ahead = 0.0;
   for (int k = 0; k < most_steps; ++k) {

@@ -1,8 +1,9 @@
-// Light through a layer of glass (Wyman 2005), for client/render/glass_pass.*.
+// Refraction by a layer of glass (Wyman 2005), for client/render/glass_pass.*.
 
 uniform vec3 transmittance;  // through 10 mm
 
-// Unpolarised light that a smooth face turns back (Fresnel); `index` of the far side over the near one's.
+// Returns the reflectance of a smooth surface for unpolarised light (Fresnel); `index`: refractive index of
+// the far side relative to the near side.
 float fresnel(float cosine, float index) {
   float g2 = index * index - 1.0 + cosine * cosine;
   if (g2 <= 0.0) return 1.0;
@@ -40,8 +41,8 @@ vec3 place_at(vec2 pixel, float depth) {
 
 vec3 scene_at(vec2 pixel) { return place_at(pixel, texelFetch(scene_depth, ivec2(pixel), 0).r); }
 
-// What a ray from `from` meets: the picture where it comes out in front of what the picture holds there, else the
-// room around.
+// Returns the radiance along a ray from `from`: that of the frame where the ray meets it, or else the
+// environment map.
 vec3 met(vec3 from, vec3 ray) {
   float reach = length(scene_at(pixel_of(from)) - from);
   vec2 pixel = pixel_of(from + reach * ray);
@@ -49,19 +50,19 @@ vec3 met(vec3 from, vec3 ray) {
   reach = length(scene_at(pixel) - from);
   pixel = pixel_of(from + reach * ray);
   if (!is_seen(pixel)) return mirrored(ray, 0.0);
-  // What stands before the glass is not behind it.
+  // Points in front of the glass are not refracted by it.
   if (dot(scene_at(pixel) - from, ray) < -0.003) pixel = gl_FragCoord.xy;
   return unshown(texture(picture, pixel / vec2(textureSize(picture, 0))).rgb);
 }
 
-// Light of one index that comes through the layer.
+// Returns the light of one refractive index that passes through the layer.
 vec3 through(vec3 place, vec3 normal, vec3 view, float index) {
   ivec2 here = ivec2(gl_FragCoord.xy);
   vec3 inside = refract(-view, normal, 1.0 / index);
   vec3 back = place_at(gl_FragCoord.xy, min(texelFetch(back_depth, here, 0).r, texelFetch(scene_depth, here, 0).r));
   float thickness = length(back - place);
   vec3 outward = inside;
-  // From the back face that is drawn where the ray would leave, a step of Newton's method to where it does.
+  // Newton's method for the exit point, starting from the back face drawn at the pixel of the estimated exit.
   for (int k = 0; k < 2; ++k) {
     vec2 pixel = pixel_of(place + thickness * inside);
     vec4 face = is_seen(pixel) ? texelFetch(back_normals, ivec2(pixel), 0) : vec4(0.0);
@@ -73,7 +74,7 @@ vec3 through(vec3 place, vec3 normal, vec3 view, float index) {
     thickness = clamp(dot(there - place, outward) / steep, 0.3 * thickness, 2.0 * thickness);
   }
   vec3 leaves = place + thickness * inside;
-  // Seen from inside, a back face looks along the ray.
+  // Seen from inside, a back face's normal points along the ray.
   float cosine = max(dot(outward, inside), 0.0);
   float kept = fresnel(cosine, 1.0 / index);
   vec3 ray = refract(inside, -outward, index);
@@ -92,6 +93,6 @@ vec3 transmitted(vec3 place, vec3 normal, vec3 view) {
 #endif
 }
 
-// Other layers of glass in this pixel are drawn by themselves.
+// Returns whether the fragment belongs to another layer of glass, which is drawn separately.
 bool is_other_layer() { return abs(gl_FragCoord.z - texelFetch(front_depth, ivec2(gl_FragCoord.xy), 0).r) > 1e-6; }
 #endif

@@ -1,9 +1,9 @@
 // Depth and normals of glass, one layer of faces at a time (Everitt 2001: depth peeling).
 
-uniform sampler2D nearer;  // faces up to here are passed over
+uniform sampler2D nearer;  // faces up to this depth are skipped
 uniform sampler2D scene_depth;
 uniform int is_peeled;
-uniform int is_hidden;  // 1: faces beyond the scene's depth are
+uniform int is_hidden;  // 1: faces behind the scene's depth are skipped
 
 in vec3 room_normal;
 out vec4 normal;

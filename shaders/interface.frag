@@ -1,4 +1,4 @@
-// Controls and their letters: a texture that is tinted. No lamp lights them.
+// Controls and their text: a texture with a tint, without lighting.
 
 uniform sampler2D picture;
 

@@ -1,4 +1,4 @@
-// A corner of a control: where it is on the picture, in a texture, and its colour as the screen shows it.
+// A vertex of a control: its position in the frame, its texture coordinates, and its colour as displayed.
 
 layout(location = 0) in vec2 at;
 layout(location = 1) in vec2 place;

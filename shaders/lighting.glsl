@@ -1,24 +1,25 @@
-// Light that a point sends to the eye: GGX specular (Walter et al. 2007) with Schlick's Fresnel term, Lambert
-// diffuse, a clear film on top where it is wet (FILM), and one shadow map.
+// Radiance from a point to the eye: GGX specular (Walter et al. 2007) with Schlick's Fresnel term, Lambert
+// diffuse, a clear film on top if wet (FILM), and one shadow map.
 //
-// EACH_LIGHT(X) is X(0, kind) X(1, kind) …, with kind 0 directional, 1 point, 2 spot, and SHADOW_LIGHT the light
-// that has the shadow map, −1 for none: compiled for the scene, because on a CPU a branch costs both its sides.
+// EACH_LIGHT(X) is X(0, kind) X(1, kind) …, with kind 0 directional, 1 point, 2 spot. SHADOW_LIGHT is the
+// light with the shadow map, −1 for none. Both are compiled for the scene, because on a CPU a branch costs
+// both its sides.
 
 const int max_lights = 16;
 
 uniform vec4 light_position[max_lights];
 uniform vec4 light_direction[max_lights];  // w: cosine of a spot's half angle
-uniform vec4 light_color[max_lights];      // w: cosine inside which a spot is at full strength
+uniform vec4 light_color[max_lights];      // w: cosine of the angle within which a spot has full strength
 
 #if SHADOW_LIGHT >= 0
 uniform sampler2D shadow_map;  // depth; its outermost texels are lit
-uniform float shadow_size;     // texels, each way
+uniform float shadow_size;     // texels, width and height
 in vec4 shadow_place;
 #endif
 
 const float film_f0 = 0.025;
 const float film_roughness = 0.20;
-const float lamp_radius = 0.15;  // m: point and spot lights shine from a disk, so that highlights have a width
+const float lamp_radius = 0.15;  // m: point and spot lights are disks, so that highlights have a width
 
 float schlick(float cosine) {
   float x = clamp(1.0 - cosine, 0.0, 1.0);
@@ -26,8 +27,9 @@ float schlick(float cosine) {
   return x2 * x2 * x;
 }
 
-// π times distribution times visibility (height-correlated Smith, Heitz 2014, in Hammon's 2017 approximation).
-// `width` is added to the roughness squared: half of the light's radius over its distance (Karis 2013).
+// Returns π times distribution times visibility (height-correlated Smith, Heitz 2014, in Hammon's 2017
+// approximation). `width` is added to the squared roughness: half of the light's radius over its distance
+// (Karis 2013).
 float ggx(float ndl, float ndv, float ndh, float roughness, float width) {
   float a = min(max(roughness * roughness, 0.002) + width, 1.0);
   float d = ndh * ndh * (a * a - 1.0) + 1.0;
@@ -35,9 +37,9 @@ float ggx(float ndl, float ndv, float ndh, float roughness, float width) {
 }
 
 #ifdef BRUSHED
-// Metal that was ground along an axis mirrors sharply along it and broadly across: the same with a width for each
-// of the two (Burley 2012). `along`: unit, in the surface.
-const float across_grinding = 2.4;  // times the roughness squared, and one over that along the axis
+// Brushed metal reflects sharply along the grinding direction and broadly across it: anisotropic GGX with one
+// width per direction (Burley 2012). `along`: unit, tangent to the surface.
+const float across_grinding = 2.4;  // factor of the squared roughness; its reciprocal applies along the axis
 
 float brushed_ggx(float ndl, float ndv, vec3 halfway, vec3 normal, vec3 along, float roughness, float width) {
   float a = max(roughness * roughness, 0.002);
@@ -48,8 +50,8 @@ float brushed_ggx(float ndl, float ndv, vec3 halfway, vec3 normal, vec3 along, f
   return 0.5 / (w.x * w.y * d * d * mix(2.0 * ndl * ndv, ndl + ndv, sqrt(w.x * w.y)));
 }
 
-// The normal by which a brushed metal mirrors the room: bent towards the eye across the grinding, where it mirrors
-// from all around.
+// Returns the normal for reflections of the room in brushed metal. It is bent towards the eye across the
+// grinding direction, because the reflection is spread there.
 vec3 bent_normal(vec3 normal, vec3 along, vec3 view) {
   vec3 across = view - dot(view, along) * along;
   return normalize(mix(normal, normalize(across + 1e-4 * normal), 0.35));
@@ -57,14 +59,14 @@ vec3 bent_normal(vec3 normal, vec3 along, vec3 view) {
 #endif
 
 #ifdef PROBE
-// A bright ceiling over a dim floor.
+// Ambient light from a bright ceiling over a dim floor.
 vec3 surroundings(vec3 normal) {
   float t = clamp(0.77 * normal.y + 0.31, 0.0, 1.0);
   return ambient * (0.45 + 1.45 * t * t * (3.0 - 2.0 * t));
 }
 #else
-// Light from around: spherical harmonics up to the second order (Ramamoorthi and Hanrahan 2001), ready for the
-// normal's products (client/render/irradiance.h).
+// Irradiance as spherical harmonics up to the second order (Ramamoorthi and Hanrahan 2001), with the
+// coefficients of the normal's products (client/render/irradiance.h).
 uniform vec4 irradiance[9];
 
 vec3 surroundings(vec3 n) {
@@ -75,10 +77,10 @@ vec3 surroundings(vec3 n) {
 }
 #endif
 
-// The environment map's texels hold the root of a quarter of the radiance.
+// Texels of the environment map hold the square root of a quarter of the radiance.
 vec3 encoded(vec3 radiance) { return sqrt(clamp(0.25 * radiance, 0.0, 1.0)); }
 
-// What a mirror at the place reflects: the room, the more blurred the rougher.
+// Returns the reflection of the room, blurred by roughness.
 #if defined(EFFECT_REFLECTIONS) && !defined(PROBE)
 uniform samplerCube environment_map;
 
@@ -97,8 +99,8 @@ vec3 lit_row(ivec2 middle, float depth) {
   return vec3(lit(middle - ivec2(1, 0), depth), lit(middle, depth), lit(middle + ivec2(1, 0), depth));
 }
 
-// Share of the shadow map's light that arrives: 3 × 3 texels, weighted by a tent two texels wide. Texels are
-// fetched and compared here, because a sampler that does it costs a CPU more.
+// Returns the unshadowed fraction of the light: 3 × 3 texels, weighted by a tent two texels wide. Texels are
+// fetched and compared here, because a comparison sampler is slower on a CPU.
 float shadow_at(vec4 clip) {
   vec3 at = clip.xyz / clip.w * 0.5 + 0.5;
   at.z = min(at.z, 1.0);
@@ -112,9 +114,9 @@ float shadow_at(vec4 clip) {
 }
 #endif
 
-// Towards the light, and what arrives from there. A point or spot light of intensity 1 lights a surface that
-// faces it at 1 m as a directional light of intensity 1 does.
-// `width`: how wide it is seen, as ggx() takes it. Shadows are left out.
+// Computes the direction to the light and the irradiance from it, without shadows. A point or spot light of
+// intensity 1 lights a facing surface at 1 m like a directional light of intensity 1. `width`: the light's
+// angular width as used by ggx().
 vec3 sent(int k, int kind, vec3 place, out vec3 towards, out float width) {
   if (kind == 0) {
     towards = -light_direction[k].xyz;
@@ -156,7 +158,7 @@ void add_share(inout vec3 all, inout vec3 left, int k, int kind, vec3 place, vec
   left += unshadowed(k) * light;
 }
 
-// What shadows leave of the light that falls on a place.
+// Returns the fraction of the light on a point that shadows leave.
 vec3 share_of_light(vec3 place, vec3 normal) {
   vec3 all = surroundings(normal);
   vec3 left = all;
@@ -178,7 +180,7 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
   vec3 light = arriving(k, kind, place, towards, width);
   float raw = dot(normal, towards);
   float ndl = max(raw, 0.0);
-  // Halfway between light and eye, without making the vector.
+  // Products with the half vector between light and eye, without computing the vector.
   float ldv = dot(towards, view);
   float inverse = inversesqrt(max(2.0 + 2.0 * ldv, 1e-4));
   float ndh = max((raw + ndv) * inverse, 0.0);
@@ -206,7 +208,7 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
 #endif
 }
 
-// `film_normal` is that of the film, which fills the relief.
+// `film_normal`: normal of the film, which fills the relief.
 vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   float ndv = max(dot(normal, view), 1e-3);
   float film_ndv = max(dot(film_normal, view), 1e-3);

@@ -6,14 +6,14 @@ layout(location = 3) in float hollow;
 uniform mat4 room_from_mesh;
 uniform mat4 room_from_normal;
 uniform mat4 clip_from_room;
-uniform vec4 kept;  // its product with a place is above zero on the side of the section that stays
+uniform vec4 kept;  // clipping plane: its product with a point is positive on the remaining side of the section
 
 #ifdef BRUSHED
-uniform vec3 long_axis;          // of something slender, in the mesh's frame
+uniform vec3 long_axis;          // of a slender item, in the mesh's frame
 uniform vec3 eye;
-uniform float least_half_width;  // m, of what is a metre away
+uniform float least_half_width;  // m, at a distance of 1 m
 
-// Something slender is no thinner than a pixel or two, however far away: it would be dotted.
+// Slender items are widened to a pixel or two at any distance; otherwise they would look dotted.
 vec3 widened(vec3 at) {
   float least = least_half_width * distance(eye, (room_from_mesh * vec4(at, 1.0)).xyz);
   return mix(sign(at) * max(abs(at), least), at, long_axis);
@@ -41,7 +41,7 @@ void main() {
   rest_place = rest;
   hollowness = hollow;
 #if SHADOW_LIGHT >= 0
-  // Moved off the surface by about a texel, so that it does not shade itself. w is the distance to the light.
+  // Offset from the surface by about a texel, to avoid self-shadowing. w is the distance to the light.
   vec4 unmoved = shadow_clip_from_room * place;
   shadow_place = unmoved + shadow_clip_from_room * vec4(room_normal * (shadow_offset * unmoved.w), 0.0);
 #endif

@@ -1,4 +1,4 @@
-// A rectangle with round corners and a rim: the ground that text over a picture stands on.
+// A rectangle with round corners and a border: the background of text over the frame.
 
 #include "color.glsl"
 

@@ -4,9 +4,9 @@ layout(location = 2) in vec4 plate_fill;
 layout(location = 3) in vec4 plate_rim;
 layout(location = 4) in vec4 plate_shape;
 
-out vec2 place;  // pixels from the plate's middle
+out vec2 place;  // pixels from the plate's centre
 flat out vec4 fill, rim;
-flat out vec4 shape;  // pixels: half its width and height, the radius of its corners, how wide its rim is
+flat out vec4 shape;  // pixels: half width and height, corner radius, border width
 
 void main() {
   place = from_middle;

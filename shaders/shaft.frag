@@ -1,17 +1,17 @@
-// Light that dust in a spot light's beam sends to the eye: single scattering, summed over a few places along the
-// part of the eye's ray that lies in the cone and before the first surface; what is in shadow sends none.
+// Light scattered by dust in a spot light's beam: single scattering, summed over a few points on the part of
+// the eye's ray inside the cone and in front of the first surface. Shadowed points contribute nothing.
 
 uniform sampler2D scene_depth;
 uniform sampler2D shadow_map;
 uniform float shadow_size;
 uniform mat4 shadow_clip_from_room;
 uniform mat4 room_from_clip;
-uniform vec4 viewport[1];  // x, y, width, height, in pixels of this picture: COARSER times those of scene_depth
+uniform vec4 viewport[1];  // x, y, width, height, in pixels of this layer, which is coarser than scene_depth by COARSER
 uniform vec3 eye;
 uniform vec3 lamp;
 uniform vec3 axis;
 uniform float cone;
-uniform float core;  // cosine inside which the light is at full strength
+uniform float core;  // cosine of the angle within which the light has full strength
 uniform float reach;
 uniform vec3 light;
 
@@ -19,8 +19,8 @@ in vec3 room_place;
 out vec4 color;
 
 const int steps = 6;
-const float scattered = 0.006;  // share of light per metre
-const float least_distance = 0.3;  // m from the lamp: nearer, the beam is as bright as there
+const float scattered = 0.006;  // fraction of light per metre
+const float least_distance = 0.3;  // m from the lamp: closer, the beam does not get brighter
 
 void main() {
   vec3 ray = normalize(room_place - eye);
@@ -29,7 +29,7 @@ void main() {
   vec4 surface = room_from_clip * vec4(2.0 * vec3(at, depth) - 1.0, 1.0);
   float last = min(dot(surface.xyz / surface.w - eye, ray), dot(room_place - eye, ray));
 
-  // Where the ray meets the cone: |x·axis|² = cos² |x|², x = offset + t ray.
+  // Intersection of the ray and the cone: |x·axis|² = cos² |x|², x = offset + t ray.
   vec3 offset = eye - lamp;
   float outer = cos(cone), c2 = outer * outer;
   float u = dot(ray, axis), w = dot(offset, axis);
@@ -45,7 +45,7 @@ void main() {
   float span = last - first;
   if (!(span > 0.0)) discard;
 
-  // Each pixel of 4 × 4 begins elsewhere, so that few steps make no bands.
+  // Each pixel of 4 × 4 starts at a different offset, so that few steps cause no banding.
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
   float start = (float((cell.x * 4 + cell.y * 10 + (cell.x & 1) * 7) & 15) + 0.5) / 16.0;
   float sum = 0.0;

@@ -1,4 +1,4 @@
-// Lays the light in air, drawn more coarsely, over the picture.
+// Adds the light shaft, which was rendered at lower resolution, to the frame.
 
 uniform sampler2D air;
 uniform vec4 texel_from_pixel[1];  // scale, offset

@@ -1,10 +1,10 @@
-// A glyph of a sheet: how much of a pixel it covers, as it is on the sheet or by how far the outline is. No lamp
-// lights it.
+// A glyph: the covered part of a pixel, read from a coverage image or computed from a distance field. Without
+// lighting.
 
 #include "color.glsl"
 
 uniform sampler2D sheet;
-uniform float distance_reach;  // pixels of the sheet that its distances reach
+uniform float distance_reach;  // pixels of the sheet: range of the distances
 
 flat in vec3 letter_color;
 in vec2 texel;
@@ -14,8 +14,8 @@ out vec4 color;
 void main() {
   float on_sheet = texture(sheet, texel / vec2(textureSize(sheet, 0))).r;
 #ifdef DISTANCES
-  // Green 2007: distances to the outline stay sharp however they are enlarged. Pixels are as many of the sheet's
-  // pixels wide as a square of the same area.
+  // Green 2007: distance fields stay sharp at any magnification. The pixel size is the side of a square with
+  // the pixel's area on the sheet.
   vec2 dx = dFdx(texel), dy = dFdy(texel);
   float pixel = sqrt(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-6));
   float inside = (on_sheet - 128.0 / 255.0) * (255.0 / 127.0) * distance_reach;

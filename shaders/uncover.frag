@@ -1,4 +1,4 @@
-// What is real, before what was drawn: the camera's picture, less and less of it towards a rim.
+// Real objects in front of the drawn ones: shows the camera image, fading out towards the objects' borders.
 #include "backdrop.glsl"
 
 in vec3 room_place;
@@ -8,7 +8,7 @@ uniform vec3 eye;
 
 out vec4 color;
 
-const float soft = 0.35;  // sine by which a surface faces the eye, below which it is half seen through
+const float soft = 0.35;  // cosine of the angle between normal and view direction below which the image fades out
 
 void main() {
   float facing = dot(normalize(room_normal), normalize(eye - room_place));

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drivers/gesture.h"
+#include "drivers/device/gesture.h"
 
 namespace prosector {
 
@@ -14,9 +14,10 @@ inline constexpr double bent_thumb = 0.6;  // a hand's thumb hardly closes
 /// make another gesture.
 inline bool opens_thumb(const GestureRow& row) {
   const auto all = gesture_table();
-  return row.thumb == ThumbNeed::open ||
-         (row.thumb == ThumbNeed::any && std::any_of(all.begin(), all.end(), [&](const GestureRow& other) {
-            return other.open_fingers == row.open_fingers && other.thumb == ThumbNeed::bent;
+  return row.thumb == ThumbRequirement::open ||
+         (row.thumb == ThumbRequirement::any &&
+          std::any_of(all.begin(), all.end(), [&](const GestureRow& other) {
+            return other.open_fingers == row.open_fingers && other.thumb == ThumbRequirement::bent;
           }));
 }
 

@@ -7,14 +7,14 @@
 
 #include "client/ar/paper_light.h"
 #include "common/clock.h"
-#include "drivers/camera/camera_frames.h"
-#include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/base/camera_frames.h"
+#include "drivers/camera/tags/standard_boards.h"
 
 namespace prosector {
 namespace {
 
-constexpr double paper_settles = 0.5;  // s, in which the light follows that of the paper
-constexpr double silent = 1.5;         // s without a picture, after which it says so
+constexpr double light_time_constant = 0.5;  // s, time constant of the light estimate
+constexpr double silent = 1.5;               // s without an image, after which a problem is reported
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
@@ -22,14 +22,14 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
 
 }  // namespace
 
-CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
-                         const std::optional<SightBoard>& tablet, const std::optional<SightBoard>& phantom)
+CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const CameraConfig& config,
+                         const std::optional<ObjectBoard>& tablet, const std::optional<ObjectBoard>& phantom)
     : camera_(std::move(camera)),
       room_board_(config.room_table),
       reader_(camera_->reader(config.lens)),
       tracker_(find_board(config.table.empty() ? "table" : config.table)),
       tablet_(tablet ? std::optional<BoardTracker>(find_board(tablet->board)) : std::nullopt),
-      tablet_panel_(tablet ? worn_on(tablet->board) * tablet->mount : Pose{}),
+      tablet_panel_(tablet ? board_wearer_pose(tablet->board) * tablet->mount : Pose{}),
       phantom_(phantom ? std::optional<BoardTracker>(find_board(phantom->board)) : std::nullopt),
       board_phantom_(phantom ? phantom->mount : Pose{}),
       seat_(
@@ -41,7 +41,7 @@ CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfi
           [this](const Frame& frame) { see(frame); }, true) {}
 
 void CameraSight::see(const Frame& frame) {
-  const TagPicture& picture = reader_->read(frame);
+  const TagImage& picture = reader_->read(frame);
   const TagOptics& optics = reader_->optics();
   if (std::exchange(changes_, reader_->changes()) != reader_->changes()) {
     tracker_.forget();
@@ -49,7 +49,7 @@ void CameraSight::see(const Frame& frame) {
     if (phantom_) phantom_->forget();
     last_eye_.reset();
   }
-  auto out = std::make_shared<SightPicture>();
+  auto out = std::make_shared<UndistortedImage>();
   out->image = std::make_shared<const Image>(reader_->straightener().straight(frame.image));
   out->bent = optics.bent;
   out->straight = optics.straight;
@@ -57,7 +57,7 @@ void CameraSight::see(const Frame& frame) {
   if (const auto seen = tracker_.update(picture, optics)) {
     last_eye_ = room_board_ * seen->camera_board.inverse() * device_camera;
     if (const auto paper = paper_light(*out->image, optics.straight, tracker_.board(), seen->camera_board)) {
-      const double share = 1 - std::exp(-seconds_between(seen_ns_, frame.time_ns) / paper_settles);
+      const double share = 1 - std::exp(-seconds_between(seen_ns_, frame.time_ns) / light_time_constant);
       paper_ = paper_ ? Vec3(*paper_ + share * (*paper - *paper_)) : *paper;
     }
     seen_ns_ = frame.time_ns;
@@ -74,20 +74,20 @@ void CameraSight::see(const Frame& frame) {
   came_.notify_one();
 }
 
-/// Says where the camera is, and looks for the boards beside the table's. A phantom whose board isn't seen is
-/// believed to stand where it stood.
-void CameraSight::find_boards(SightPicture& out, const TagPicture& picture) {
+/// Publishes the camera's pose and detects the boards of tablet and phantom. A phantom whose board isn't
+/// detected keeps its last pose.
+void CameraSight::find_boards(UndistortedImage& out, const TagImage& picture) {
   const Pose room_camera = *out.room_eye * device_camera;
-  camera_->put_place(room_camera);
+  camera_->set_room_camera(room_camera);
   const auto tablet = tablet_ ? tablet_->update(picture, reader_->optics()) : std::nullopt;
   if (tablet) out.room_tablet = room_camera * tablet->camera_board * tablet_panel_;
   const auto phantom = phantom_ ? phantom_->update(picture, reader_->optics()) : std::nullopt;
   if (phantom) room_phantom_ = room_camera * phantom->camera_board * board_phantom_;
 }
 
-std::shared_ptr<const SightPicture> CameraSight::next(std::chrono::milliseconds patience) {
+std::shared_ptr<const UndistortedImage> CameraSight::next(std::chrono::milliseconds time_limit) {
   std::unique_lock lock(mutex_);
-  came_.wait_for(lock, patience, [this] { return newest_ && newest_->number > taken_; });
+  came_.wait_for(lock, time_limit, [this] { return newest_ && newest_->number > taken_; });
   if (newest_) taken_ = newest_->number;
   return newest_;
 }
@@ -96,10 +96,11 @@ std::string CameraSight::trouble(const Catalogue& words) const {
   const CameraState camera = camera_->state();
   if (!camera.problem.empty()) return words.tr("camera {}", camera.problem);
   const std::lock_guard lock(mutex_);
-  if (!newest_ || seconds_since(newest_->time_ns) > silent) return words.tr("the camera gives no pictures");
+  if (!newest_ || seconds_since(newest_->time_ns) > silent) return words.tr("the camera delivers no images");
   if (!newest_->room_eye)
-    return words.tr("the board \"{}\" isn't seen: is there light, and is it in the picture, flat and whole?",
-                    tracker_.board().name);
+    return words.tr(
+        "the board \"{}\" is not detected: provide light, and show it flat and complete in the image",
+        tracker_.board().name);
   return {};
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// What a camera sees of the table, for who looks through it: each picture with the pose from which it was
-// taken.
+// Camera view of the table for augmented reality: undistorted images with the camera pose of each.
 
 #include <chrono>
 #include <condition_variable>
@@ -11,74 +10,75 @@
 
 #include "client/language/catalogue.h"
 #include "common/image.h"
-#include "drivers/camera/shared_camera.h"
+#include "drivers/camera/devices/camera_config.h"
+#include "drivers/camera/devices/shared_camera.h"
 #include "drivers/camera/tags/tag_reader.h"
-#include "drivers/device.h"
 
 namespace prosector {
 
-/// A picture without distortion.
-struct SightPicture {
+/// Undistorted camera image.
+struct UndistortedImage {
   std::shared_ptr<const Image> image;
-  Lens bent, straight;                    // of the camera, and of `image`
-  std::int64_t time_ns = 0;               // of its exposure
-  std::uint64_t number = 0;               // counts what was seen, from 1
-  std::optional<Pose> room_eye;           // x right, y up, −z ahead; nullopt: the board is lost
-  std::optional<Pose> room_tablet = {};   // of the panel that it is; nullopt: it isn't seen
-  std::optional<Vec3> paper = {};         // light of the board's white paper, as paper_light() has it
-  std::optional<Pose> room_phantom = {};  // of the phantom that is on a board; nullopt: it wasn't seen yet
+  Lens bent, straight;           // lens models of the camera, and of `image`
+  std::int64_t time_ns = 0;      // time of exposure
+  std::uint64_t number = 0;      // sequence number, from 1
+  std::optional<Pose> room_eye;  // camera pose: x right, y up, −z ahead; nullopt: the board is not detected
+  std::optional<Pose> room_tablet = {};   // pose of the tablet's panel; nullopt: not detected
+  std::optional<Vec3> paper = {};         // light on the board's white paper, see paper_light()
+  std::optional<Pose> room_phantom = {};  // pose of the phantom with a board; nullopt: not detected yet
 };
 
-/// A board that something is fixed to: the looker's tablet, a phantom.
-struct SightBoard {
-  std::string board;  // a known one's name, or a file
-  Pose mount;         // of the panel, where it is worn, or of the phantom's shape, in the board's frame
+/// Board to which an object is fixed: the user's tablet, a phantom.
+struct ObjectBoard {
+  std::string board;  // name of a known board, or a file
+  Pose mount;  // pose of the panel at its wearing position, or of the phantom's shape, in the board frame
 };
 
 class CameraSight {
  public:
-  /// Looks from now on. `config` says which lens the camera has, which board lies on the table, and where
-  /// there. Throws InputError where a lens' or board's file can't be read.
-  CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
-              const std::optional<SightBoard>& tablet, const std::optional<SightBoard>& phantom = {});
+  /// Starts to analyse images. `config` gives the camera's lens, the board on the table and its pose there.
+  /// Throws InputError if the file of a lens or board can't be read.
+  CameraSight(std::shared_ptr<SharedCamera> camera, const CameraConfig& config,
+              const std::optional<ObjectBoard>& tablet, const std::optional<ObjectBoard>& phantom = {});
 
-  /// Waits for a picture that wasn't returned yet, at most that long. Returns the newest, which may be an old
-  /// one; null: none was ever seen.
-  std::shared_ptr<const SightPicture> next(std::chrono::milliseconds patience);
-  /// Tells whether all who see by the camera have looked at the picture of that time.
-  bool all_saw(std::int64_t time_ns) const { return camera_->told_ns() >= time_ns; }
-  /// Returns what is wrong with what was seen last, for people; empty: nothing.
+  /// Waits up to `patience` for an image that was not returned yet. Returns the newest, possibly an old one;
+  /// null: none yet.
+  std::shared_ptr<const UndistortedImage> next(std::chrono::milliseconds time_limit);
+  /// Reports whether all users of the camera have processed the image captured at `time_ns`.
+  bool all_analysed(std::int64_t time_ns) const { return camera_->reported_ns() >= time_ns; }
+  /// Returns a message about the present problem, with advice; empty: none.
   std::string trouble(const Catalogue& words = {}) const;
   const Pose& room_board() const { return room_board_; }
 
-  static constexpr double held = 0.5;  // s that the last pose holds while the board isn't seen
+  static constexpr double held =
+      0.5;  // s for which the last pose remains valid while the board isn't detected
 
  private:
   void see(const Frame& frame);
-  void find_boards(SightPicture& out, const TagPicture& picture);
+  void find_boards(UndistortedImage& out, const TagImage& picture);
 
   std::shared_ptr<SharedCamera> camera_;
   const Pose room_board_;
 
-  // Only the camera's thread uses these.
+  // The following members are used only by the camera thread.
   const std::shared_ptr<TagReader> reader_;
   BoardTracker tracker_;
   std::optional<BoardTracker> tablet_;
   const Pose tablet_panel_;  // in its board's frame
   std::optional<BoardTracker> phantom_;
   const Pose board_phantom_;
-  std::optional<Pose> room_phantom_;  // where it was last
-  int changes_ = 0;                   // of the reader that the tracker knows of
+  std::optional<Pose> room_phantom_;  // last detected pose
+  int changes_ = 0;                   // reader's change count known to the trackers
   std::optional<Pose> last_eye_;
   std::optional<Vec3> paper_;
-  std::int64_t seen_ns_ = 0;  // of the last picture that showed the board
+  std::int64_t seen_ns_ = 0;  // time of the last image with the board
 
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards newest_ and taken_
   std::condition_variable came_;
-  std::shared_ptr<const SightPicture> newest_;
-  std::uint64_t taken_ = 0;  // number of the last one that was returned
+  std::shared_ptr<const UndistortedImage> newest_;
+  std::uint64_t taken_ = 0;  // number of the last returned image
 
-  SharedCamera::Seat seat_;  // last: it uses what is above
+  SharedCamera::Seat seat_;  // declared last: it uses the members above
 };
 
 }  // namespace prosector

@@ -7,7 +7,7 @@ namespace prosector {
 CameraView view_of(const Lens& bent, const Lens& straight, int width, int height) {
   CameraView out;
   out.step = std::max(static_cast<double>(bent.width) / width, static_cast<double>(bent.height) / height);
-  // The middle of what the lens sees, in the straight picture, from its border.
+  // Centre of the lens' image, in the undistorted image, from its border.
   const double x = bent.width / 2.0 + straight.cx - bent.cx;
   const double y = bent.height / 2.0 + straight.cy - bent.cy;
   out.left = x - out.step * width / 2;

@@ -1,24 +1,23 @@
 #pragma once
-// A camera's straight picture as what lies behind everything, and the eye that sees the room as the camera
-// does.
+// Undistorted camera image as background, and the matching render camera.
 
 #include "client/view/draw_list.h"
-#include "drivers/camera/lens.h"
+#include "drivers/camera/base/lens.h"
 
 namespace prosector {
 
-/// How a straight picture fills a picture of ours.
+/// How an undistorted image fills a frame.
 struct CameraView {
   DrawCamera camera;  // its pose is not set
   double left = 0, top = 0,
-         step = 1;  // pixels of the straight picture: of our upper left corner from its own, and of a pixel
-                    // of ours
+         step = 1;  // in pixels of the undistorted image: offset of the frame's upper left corner from the
+                    // image's, and size of a frame's pixel
 };
 
-/// Returns the view of `bent`'s pictures, which `straight` shows without distortion, in a picture of that
-/// size (pixels). A frame as large as the lens' own is whole in it, and as large as it can be.
+/// Returns the view for images with lens model `bent`, undistorted as `straight`, in a frame of this size
+/// (pixels). A frame with the lens' image size shows the image completely, at maximum scale.
 ///
-/// With K of OpenCV's pixel centres and OpenGL's of pixels' borders, the tangents follow from the borders:
+/// K of OpenCV refers to pixel centres, OpenGL's frustum to pixel borders. Hence the tangents at the borders:
 /// left = (l − ½ − cx)/fx, top = (cy − t + ½)/fy.
 CameraView view_of(const Lens& bent, const Lens& straight, int width, int height);
 

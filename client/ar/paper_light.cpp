@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t least_places = 8;
 
-// IEC 61966-2-1.
+// Returns the linear light of an sRGB value, IEC 61966-2-1.
 double light_of(std::uint8_t byte) {
   const double shown = byte / 255.0;
   return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
@@ -22,7 +22,7 @@ std::optional<Vec3> paper_light(const Image& picture, const Lens& straight, cons
                                 const Pose& camera_board) {
   std::array<std::vector<std::uint8_t>, 3> seen;
   for (const BoardTag& tag : board.tags) {
-    const double rim = tag.size * (0.5 + 0.5 / black_cells);  // the middle of the white cells around it
+    const double rim = tag.size * (0.5 + 0.5 / black_cells);  // centre line of the white cells around the tag
     for (const double along : {-0.3, 0.0, 0.3})
       for (const auto& [x, y] : {std::pair{rim, along * tag.size},
                                  {-rim, along * tag.size},

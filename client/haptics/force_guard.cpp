@@ -6,11 +6,11 @@
 namespace prosector {
 namespace {
 
-constexpr double rise_seconds = 0.3;    // from nothing to all of the force, once it may act
-constexpr double fade_seconds = 0.025;  // and back to nothing once it may not
-constexpr double longest_ramp = 0.003;  // of a ramp that one cycle goes: a late one would make a jolt
-constexpr double heat_seconds = 20;     // in which motors' heat follows what they do
-constexpr double warm = 0.8;            // of the heat that may last: from here on less force is let through
+constexpr double rise_seconds = 0.3;    // s from zero to full force, once it is allowed
+constexpr double fade_seconds = 0.025;  // s from full force to zero, once it is not allowed
+constexpr double longest_ramp = 0.003;  // s: maximum ramp step of a cycle, as a late cycle would cause a jolt
+constexpr double heat_seconds = 20;     // s, time constant of the motors' heating
+constexpr double warm = 0.8;            // fraction of the continuous heat above which the force limit falls
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Vec3 ForceGuard::pass(const Vec3& wanted, bool allowed, bool hot, double dt) {
   share_ = allowed && finite ? std::min(1., share_ + ramp / rise_seconds)
                              : std::max(0., share_ - ramp / fade_seconds);
   left_ = std::max(0., left_ - ramp / fade_seconds);
-  // What fades is the force that acted, if there is no better one.
+  // Without a finite wanted force, the last force fades.
   Vec3 force =
       finite ? Vec3(share_ * wanted + left_ * leaving_) : Vec3(last_ * std::max(0., 1 - ramp / fade_seconds));
 

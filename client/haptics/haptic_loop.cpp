@@ -11,13 +11,14 @@ namespace prosector {
 namespace {
 
 constexpr double usual_cycle = 1e-3;    // s
-constexpr double longest_cycle = 0.02;  // s: after a longer one force begins at nothing again
-constexpr double cutoff = 150;          // Hz, of the velocity's filter: encoders have steps …
-constexpr double slow_cutoff = 40;      // … which the passivity's strong damping must not make felt
+constexpr double longest_cycle = 0.02;  // s: after a longer cycle the force ramps up from zero
+constexpr double cutoff = 150;          // Hz, of the velocity filter: encoders are quantised …
+constexpr double slow_cutoff =
+    40;  // … which the strong damping of the passivity controller must not transmit to the hand
 
-/// Returns where a hand is that moved on like that for dt s.
+/// Returns the hand's pose after moving with a constant velocity for dt s.
 Pose moved(const Pose& hand, const HandMotion& motion, double dt) {
-  return {hand.p + dt * motion.velocity, turned_by(dt * motion.spin) * hand.q};
+  return {hand.p + dt * motion.velocity, rotated_by(dt * motion.spin) * hand.q};
 }
 
 }  // namespace
@@ -50,12 +51,14 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   }
   known_ = valid;
 
-  // A force is held until the next cycle. What a spring would do meanwhile is what it does half a cycle on.
+  // A force is held until the next cycle. On average a spring's force over the cycle is that of half a cycle
+  // ahead.
   const Pose ahead = safeguards_.prediction ? moved(hand_, motion_, 0.5 * dt) : hand_;
   const FeltWrench felt = planes_.advance(ahead, motion_, ahead * grip_, dt);
   Wrench wrench = shown(felt, reading.turns);
   if (valid) {
-    // A turn against a torque that no motor shows costs the hand nothing, but is put in all the same.
+    // Rotation against a torque that the arm can't render costs the hand no work, but is counted as energy
+    // put in.
     const double unshown = std::max(0., -(felt.wrench.torque - wrench.torque).dot(motion_.spin));
     passivity_.observe(stylus(), felt.stored, felt.power + unshown, dt);
     const HandMotion damped = {slow_motion_.velocity, reading.turns ? slow_motion_.spin : Vec3(Vec3::Zero())};
@@ -68,7 +71,7 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   acts_.torque =
       reading.turns ? torque_guard_.pass(wrench.torque, allowed, reading.hot, dt) : Vec3(Vec3::Zero());
   passivity_.applied(acts_);
-  // What lets through a part of the force lets through that part of its slope.
+  // If only a fraction of the force passes the guard, the stiffness is scaled by the same fraction.
   const double asked = wrench.force.norm();
   stiffness_ = std::isfinite(asked) && asked > 0
                    ? Mat3(std::min(1., acts_.force.norm() / asked) * felt.stiffness)
@@ -76,14 +79,15 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   return acts_.force;
 }
 
-/// Returns what of it the arm can show: less torque where a turn would be harder than it is stable at.
+/// Returns the force and torque that the arm can render. Torque is scaled down if the torsional stiffness
+/// exceeds the arm's stable limit.
 Wrench HapticLoop::shown(const FeltWrench& felt, bool turns) const {
   Wrench out{felt.wrench.force, Vec3::Zero()};
   if (turns) out.torque = (felt.torsion > torsion_ ? torsion_ / felt.torsion : 1) * felt.wrench.torque;
   return out;
 }
 
-/// Takes where the hand is now, and how fast.
+/// Updates the hand's pose and filtered velocities.
 void HapticLoop::follow(const Pose& hand, double dt) {
   const auto share = [&](double at) { return 1 - std::exp(-2 * std::numbers::pi * at * dt); };
   const Pose before = std::exchange(hand_, hand);

@@ -1,6 +1,6 @@
 #pragma once
-// One cycle of the servo loop: a reading of the arm becomes a force. It reads no clock, so it runs in tests'
-// own time as well; servo_thread.h calls it a thousand times a second.
+// One cycle of the servo loop: computes a force from a reading of the arm. It reads no clock, so tests run it
+// in simulated time; servo_thread.h calls it a thousand times a second.
 
 #include <span>
 
@@ -10,23 +10,23 @@
 
 namespace prosector {
 
-/// What can be left out to measure what it is for; nothing else leaves it out.
+/// Safeguards that tests can disable to measure their effect; they are always on otherwise.
 struct Safeguards {
-  bool prediction = true;  // forces are those in the middle of the cycle in which they act
-  bool passivity = true;   // damping where energy is missing
+  bool prediction = true;  // forces are evaluated at the middle of the cycle in which they act
+  bool passivity = true;   // damping while there is an energy deficit
 };
 
 class HapticLoop {
  public:
-  /// Makes a loop. `grip`: the stylus' point, m, in the hand's frame, where force acts, and torque about it.
+  /// Creates a loop. `grip`: the stylus point at which force and torque act, m, hand frame.
   explicit HapticLoop(const ArmLimits& limits, Safeguards safeguards = {}, const Vec3& grip = Vec3::Zero());
 
-  /// Takes a message's planes, before the cycle at `time` (s, of the servo's clock).
+  /// Applies the contact planes of a message, before the cycle at `time` (s, servo clock).
   void take(std::span<const ContactPlane> planes, double time);
-  /// Notes that the newest message came once more.
-  void heard_again(double time) { planes_.heard_again(time); }
-  /// Returns the force for the arm, N, room frame. `time` rises from call to call. Unless it is `allowed`,
-  /// force fades, and comes back slowly once it is.
+  /// Notes that the newest message was received again.
+  void repeat_received(double time) { planes_.repeat_received(time); }
+  /// Returns the force for the arm, N, room frame. `time`, s, must increase from call to call. While
+  /// `allowed` is false the force fades; it ramps up slowly afterwards.
   Vec3 cycle(const ArmReading& reading, double time, bool allowed = true);
 
   const EnergyBook& energy() const { return passivity_.book(); }
@@ -35,10 +35,10 @@ class HapticLoop {
   /// Returns the hand's pose and the force of the last cycle.
   const Pose& hand() const { return hand_; }
   const Vec3& force() const { return acts_.force; }
-  /// Returns the torque of the last cycle about the stylus' point, N·m, room frame; none where motors don't
-  /// turn it.
+  /// Returns the torque of the last cycle about the stylus point, N·m, room frame; zero if the arm has no
+  /// torque motors.
   const Vec3& torque() const { return acts_.torque; }
-  /// Returns by how much that force falls along a way of the hand, N/m, room frame.
+  /// Returns the stiffness of the last force with respect to displacements of the hand, N/m, room frame.
   const Mat3& stiffness() const { return stiffness_; }
 
  private:
@@ -52,11 +52,11 @@ class HapticLoop {
   ForceGuard guard_, torque_guard_;
   Safeguards safeguards_;
   Vec3 grip_;
-  double torsion_;      // N·m/rad: of the hardest turn that the arm shows
+  double torsion_;      // N·m/rad: maximum torsional stiffness that the arm can render
   bool known_ = false;  // the last reading was valid
   double time_ = 0;     // s, of the last cycle
   Pose hand_;
-  HandMotion motion_, slow_motion_;  // filtered: of the hand, and more so of the stylus' point
+  HandMotion motion_, slow_motion_;  // filtered: of the hand, and with a lower cutoff of the stylus point
   Wrench acts_;
   Mat3 stiffness_ = Mat3::Zero();
 };

@@ -1,16 +1,17 @@
 #pragma once
-// Keeps the arm from giving a hand energy that nobody put in: a passivity observer and controller in time
-// (Hannaford & Ryu 2002, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robotics and
-// Automation 18). Delay, lost messages or a wrong estimate of stiffness would.
+// Prevents the arm from delivering more energy to the hand than was put in. Passivity observer and controller
+// in the time domain (Hannaford & Ryu 2002, "Time-domain passivity control of haptic interfaces", IEEE Trans.
+// Robotics and Automation 18). Delay, lost messages or a wrong stiffness estimate would otherwise create
+// energy.
 //
-// Forces are held between cycles, so the energy is known exactly: F of the last cycle times the way since,
-// and its torque times the turn.
+// Forces are held between cycles, so the energy is known exactly: last force times displacement plus last
+// torque times rotation.
 
 #include "client/haptics/hand_motion.h"
 
 namespace prosector {
 
-/// What went through the hand since the arm was taken up, J. Both only grow.
+/// Energy exchanged with the hand since the start, J. Both values only increase.
 struct EnergyBook {
   double taken = 0;  // from the hand
   double given = 0;  // to the hand
@@ -18,20 +19,21 @@ struct EnergyBook {
 
 class Passivity {
  public:
-  /// Counts what the last cycle's force did on the way to `stylus`, where it acts. `stored`: what the
-  /// contacts hold now as springs, J, which the hand gets back. `surroundings`: W, that others give.
+  /// Adds the work of the last force and torque on the displacement to `stylus`, where they act. `stored`:
+  /// energy now stored in the contact springs, J, which the hand can regain. `surroundings`: power supplied
+  /// by other users and bodies, W.
   void observe(const Pose& stylus, double stored, double surroundings, double dt);
-  /// Returns what acts with as much damping as spends what the hand got too much, within what arms bear.
-  /// `motion`: of where it acts; no spin where the arm has no torque.
-  /// Cutting the force instead makes it chatter: a limit cycle at 3 kN/m (docs/decisions).
+  /// Returns the wanted force and torque plus damping that dissipates the excess energy, within the arm's
+  /// limits. `motion`: of the point of application; without spin if the arm has no torque. Scaling the force
+  /// down instead causes a limit cycle at 3 kN/m (docs/decisions).
   Wrench damp(const Wrench& wanted, const HandMotion& motion, double dt);
-  /// Tells what acts from now on.
+  /// Sets the force and torque that act from now on.
   void applied(const Wrench& wrench) { acts_ = wrench; }
-  /// Forgets where the hand was: nothing is known of the way it takes meanwhile.
+  /// Discards the last pose: the next displacement is unknown and is not counted.
   void interrupt() { known_ = false; }
 
   const EnergyBook& book() const { return book_; }
-  double level() const { return level_; }  // J: what the hand put in and did not get back
+  double level() const { return level_; }  // J: energy that the hand put in and did not regain
 
  private:
   bool known_ = false;

@@ -6,8 +6,8 @@
 namespace prosector {
 namespace {
 
-constexpr double longest_drift = 0.1;  // s: a surface is taken to move on for no longer than this
-constexpr double sticking = 1 - 1e-9;  // of what friction can bear: there it slides
+constexpr double max_extrapolation = 0.1;  // s: a surface is extrapolated for at most this time
+constexpr double sticking = 1 - 1e-9;      // fraction of the friction limit above which the contact slides
 
 Vec3 along(const Vec3& v, const Vec3& normal) {
   return v - v.dot(normal) * normal;
@@ -41,7 +41,7 @@ PlaneForce PlaneContact::advance(const Pose& hand, const HandMotion& motion, dou
   const Vec3& n = plane_.normal;
   if (!gone_) {
     const Vec3 moved = plane_.velocity * dt;
-    if (anchored_ && age_ < longest_drift) anchor_ += along(moved, n);
+    if (anchored_ && age_ < max_extrapolation) anchor_ += along(moved, n);
     const Vec3 force = elastic(out.point);
     const double pressed = force.dot(n);
     anchored_ = plane_.tangential > 0 && (pressed > 0 || plane_.holds);
@@ -60,13 +60,13 @@ PlaneForce PlaneContact::advance(const Pose& hand, const HandMotion& motion, dou
     spread_left_ = std::max(0., spread_left_ - dt);
     out.force += spread_left_ / spread_ * jump_;
   }
-  // A plane that only presses doesn't pull while a jump is spread either.
+  // A unilateral plane doesn't pull, not even while a jump is spread.
   if (const double pull = out.force.dot(n); pull < 0 && !plane_.holds) out.force -= pull * n;
   last_ = out.force;
   return out;
 }
 
-/// Returns a force with the plane's damping, which never makes it pull what isn't held.
+/// Returns the force with the plane's damping. Damping never makes a unilateral contact pull.
 Vec3 PlaneContact::damped(const Vec3& force, const Vec3& velocity) const {
   const Vec3& n = plane_.normal;
   const double pressed = force.dot(n);
@@ -75,7 +75,7 @@ Vec3 PlaneContact::damped(const Vec3& force, const Vec3& velocity) const {
   return along(force, n) + (plane_.holds ? all : std::max(0., all)) * n;
 }
 
-/// Returns the stiffness of what acts with that force: without friction's where it slides.
+/// Returns the stiffness at this force: without the tangential part if the contact slides.
 Mat3 PlaneContact::stiffness_under(const Vec3& force) const {
   const Mat3 across = plane_.normal * plane_.normal.transpose();
   const bool sticks = plane_.holds || along(force, plane_.normal).norm() <
@@ -83,10 +83,10 @@ Mat3 PlaneContact::stiffness_under(const Vec3& force) const {
   return plane_.stiffness * across + (sticks ? plane_.tangential : 0) * (Mat3::Identity() - across);
 }
 
-/// Returns the plane's force without its damping on the hand's point at p.
+/// Returns the plane's elastic and friction force on the hand's point `p`, without damping.
 Vec3 PlaneContact::elastic(const Vec3& p) const {
   const Vec3& n = plane_.normal;
-  const Vec3 surface = plane_.point + plane_.velocity * std::min(age_, longest_drift);
+  const Vec3 surface = plane_.point + plane_.velocity * std::min(age_, max_extrapolation);
   const double pressed = plane_.force.dot(n) + plane_.stiffness * (surface - p).dot(n);
   if (plane_.holds) {
     const Vec3 pulled = pressed * n + friction(p, pressed);
@@ -97,7 +97,7 @@ Vec3 PlaneContact::elastic(const Vec3& p) const {
   return pressed * n + friction(p, pressed);
 }
 
-/// Returns what holds the point at p along the plane, N.
+/// Returns the tangential force on the point `p`, N.
 Vec3 PlaneContact::friction(const Vec3& p, double normal_force) const {
   const Vec3& n = plane_.normal;
   const Vec3 sliding = anchored_

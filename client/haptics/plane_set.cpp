@@ -9,17 +9,17 @@ namespace {
 
 constexpr double least_spread = 0.005, most_spread = 0.05;  // s
 
-/// Returns the matrix that crosses v with what it multiplies.
-Mat3 crossing(const Vec3& v) {
+/// Returns the cross-product matrix of `v`.
+Mat3 cross_product_matrix(const Vec3& v) {
   return (Mat3() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
 }
 
 }  // namespace
 
 void PlaneSet::take(std::span<const ContactPlane> planes, double time) {
-  news_.note(time);
-  signs_.note(time);
-  const double spread = std::clamp(news_.interval(), least_spread, most_spread);
+  update_rate_.note(time);
+  message_rate_.note(time);
+  const double spread = std::clamp(update_rate_.interval(), least_spread, most_spread);
   for (PlaneContact& contact : contacts_)
     if (std::none_of(planes.begin(), planes.end(), [&](const auto& p) { return p.id == contact.id(); }))
       contact.end(spread);
@@ -42,7 +42,7 @@ FeltWrench PlaneSet::advance(const Pose& hand, const HandMotion& motion, const V
     sum.wrench.force += one.force;
     sum.wrench.torque += lever.cross(one.force);
     sum.stiffness += one.stiffness;
-    turning += crossing(lever) * one.stiffness * crossing(lever).transpose();
+    turning += cross_product_matrix(lever) * one.stiffness * cross_product_matrix(lever).transpose();
     sum.stored += one.stored;
     sum.power += one.power;
   }

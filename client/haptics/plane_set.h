@@ -1,41 +1,41 @@
 #pragma once
-// What a hand feels: all its contact planes, as the newest message has them.
+// All contact planes of a hand, updated from the newest message.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "client/haptics/message_rate.h"
 #include "client/haptics/plane_contact.h"
-#include "client/haptics/rhythm.h"
 
 namespace prosector {
 
-/// What all planes do to a hand together.
+/// Sum of all planes' forces on a hand.
 struct FeltWrench {
-  Wrench wrench;                  // about the point that was asked for
-  Mat3 stiffness = Mat3::Zero();  // N/m: by how much force falls along a way
-  double torsion = 0;             // N·m/rad: by how much torque falls about a turn, at most
-  double stored = 0;              // J, in the planes' springs
-  double power = 0;               // W, that surfaces give by moving
+  Wrench wrench;                  // about the given pivot
+  Mat3 stiffness = Mat3::Zero();  // N/m: with respect to displacements
+  double torsion = 0;             // N·m/rad: largest torsional stiffness about any axis
+  double stored = 0;              // J, elastic energy of the planes
+  double power = 0;               // W, power supplied by moving surfaces
 };
 
 class PlaneSet {
  public:
-  /// Takes a message's planes, which arrived at `time` (s, of the servo's clock).
+  /// Replaces the planes by those of a message that arrived at `time` (s, servo clock).
   void take(std::span<const ContactPlane> planes, double time);
-  /// Notes that the newest message came once more.
-  void heard_again(double time) { signs_.note(time); }
-  /// Returns the sum of forces, and their torque about `pivot` (m, room), and goes on by dt s.
+  /// Notes that the newest message was received again.
+  void repeat_received(double time) { message_rate_.note(time); }
+  /// Returns the sum of forces and their torque about `pivot` (m, room frame), and advances by dt s.
   FeltWrench advance(const Pose& hand, const HandMotion& motion, const Vec3& pivot, double dt);
   bool touches() const { return !contacts_.empty(); }
 
-  /// Tells whether so much time passed since the last message that none is to be expected any more.
-  bool stale(double time) const { return signs_.broken(time); }
+  /// Reports whether the last message is so old that the connection counts as lost.
+  bool stale(double time) const { return message_rate_.broken(time); }
 
  private:
   std::vector<PlaneContact> contacts_;
-  Rhythm news_;   // of messages that told something newer
-  Rhythm signs_;  // of all signs of life
+  MessageRate update_rate_;   // arrival times of messages with new content
+  MessageRate message_rate_;  // arrival times of all messages
 };
 
 }  // namespace prosector

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "common/clock.h"
-#include "drivers/real_time.h"
+#include "drivers/ports/real_time.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double bins_an_octave = 8;
-constexpr std::uint64_t status_cycles = 100;  // from one look at the arm's status to the next
+constexpr std::uint64_t status_cycles = 100;  // cycles between two reads of the arm's status
 
 void sleep_until(std::int64_t time_ns) {
   const timespec until{time_ns / second_ns, time_ns % second_ns};
@@ -49,7 +49,7 @@ ServoView ServoThread::view() {
 }
 
 void ServoThread::run(std::stop_token stop) {
-  real_time_ = ask_for_real_time(servo_priority);
+  real_time_ = request_real_time_priority(servo_priority);
   const auto period = static_cast<std::int64_t>(second_ns / arm_->limits().rate);
   const std::int64_t start = monotonic_ns();
   std::int64_t next = start + period;
@@ -59,7 +59,7 @@ void ServoThread::run(std::stop_token stop) {
     count_lateness(now - next);
     cycle(1e-9 * static_cast<double>(now - start));
     next += period;
-    // What was missed is skipped: a burst of cycles would be felt.
+    // Missed cycles are skipped: a burst of cycles would be felt.
     if (const std::int64_t behind = monotonic_ns() - next; behind > 0) {
       const std::int64_t missed = behind / period + 1;
       skipped_ += static_cast<std::uint64_t>(missed);
@@ -77,7 +77,7 @@ void ServoThread::cycle(double time) {
     loop_.take(*planes_, time);
     planes_.reset();
   }
-  if (repeated_.exchange(false)) loop_.heard_again(time);
+  if (repeated_.exchange(false)) loop_.repeat_received(time);
   const bool let_go = dead_man_ != 0 && (reading.buttons & dead_man_) == 0;
   const Vec3 force = loop_.cycle(reading, time, !let_go);
   arm_->set_torque(loop_.torque());

@@ -1,6 +1,6 @@
 #pragma once
-// The thread that moves an arm: reads it, computes a force, sends it, a thousand times a second. It never
-// waits for the network or for who looks at it.
+// Servo thread of an arm: reads it, computes a force and sends it a thousand times a second. It never waits
+// for the network or for threads that read its state.
 
 #include <array>
 #include <atomic>
@@ -12,20 +12,20 @@
 #include <vector>
 
 #include "client/haptics/haptic_loop.h"
-#include "drivers/arm.h"
+#include "drivers/device/arm.h"
 
 namespace prosector {
 
-/// How late cycles begin, s.
+/// Delay of the cycles' starts, s.
 struct Lateness {
-  std::uint64_t cycles = 0, skipped = 0;  // skipped: a whole period too late, and never caught up
+  std::uint64_t cycles = 0, skipped = 0;  // skipped: more than a period late, and not made up
   double p50 = 0, p99 = 0, worst = 0;
 };
 
-/// What the thread has to show.
+/// State that the thread publishes.
 struct ServoView {
-  ArmReading reading;             // the hand that the stylus moves, in the room
-  Vec3 force = Vec3::Zero();      // N, on the person's hand, mean since the last view
+  ArmReading reading;             // pose of the hand attached to the stylus, room frame
+  Vec3 force = Vec3::Zero();      // N, on the user's hand, mean since the last view()
   Vec3 force_now = Vec3::Zero();  // N, of the last cycle
   EnergyBook energy;
   GuardCounts guard;
@@ -34,18 +34,18 @@ struct ServoView {
 
 class ServoThread {
  public:
-  /// Starts. `hand_of_stylus`: pose of the hand in the stylus' frame. `dead_man`: bits of buttons of which
-  /// one must be down for any force to act; 0: none must. Tries to run with a real-time priority.
+  /// Starts the thread. `hand_of_stylus`: pose of the hand in the stylus frame. `dead_man`: mask of buttons
+  /// of which one must be pressed for any force to act; 0: none. Requests a real-time priority.
   ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man = 0);
   ~ServoThread();
 
-  /// Passes on what the hand feels now. Called by the network's thread.
+  /// Passes on the newest contact planes. Called on the network thread.
   void feel(std::vector<ContactPlane> planes);
-  /// Passes on that the last of them were told again.
-  void heard_again() { repeated_ = true; }
+  /// Passes on that the newest contact planes were received again.
+  void repeat_received() { repeated_ = true; }
   ServoView view();
   Lateness lateness() const;
-  /// Tells whether the system gave it a real-time priority.
+  /// Reports whether the system granted a real-time priority.
   bool real_time() const { return real_time_; }
 
  private:
@@ -59,17 +59,17 @@ class ServoThread {
   HapticLoop loop_;
   std::atomic<bool> real_time_ = false, repeated_ = false;
 
-  mutable std::mutex mutex_;  // of what follows; the servo takes it only if it is free, but when it shows
+  mutable std::mutex mutex_;  // guards planes_ … forces_; the servo only tries to lock it and never waits
   std::optional<std::vector<ContactPlane>> planes_;
   ServoView view_;
   Vec3 force_sum_ = Vec3::Zero();
   std::uint64_t forces_ = 0;
 
-  // By lateness: eight bins an octave, from a microsecond on.
+  // Histogram of the delays: eight bins an octave, from 1 µs on.
   std::array<std::atomic<std::uint64_t>, 8 * 16> late_{};
   std::atomic<std::uint64_t> cycles_ = 0, skipped_ = 0;
   std::atomic<std::int64_t> worst_ns_ = 0;
-  std::jthread thread_;  // last: it ends before what it uses
+  std::jthread thread_;  // declared last: it ends before the members that it uses
 };
 
 }  // namespace prosector

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint32_t magic = 0x950412de;
 
-/// Reads 32 bit numbers and texts of a .mo file, and nothing beyond its end.
+/// Reads 32-bit numbers and texts of a .mo file with bounds checks.
 class MoBytes {
  public:
   explicit MoBytes(std::string_view bytes) : bytes_(bytes) {
     if (number(0) == magic) return;
     is_swapped_ = true;
-    if (number(0) != magic) throw InputError("no catalogue of translations: it begins with other bytes");
+    if (number(0) != magic) throw InputError("not a catalogue of translations: wrong first bytes");
   }
 
   std::uint32_t number(std::uint64_t at) const {
@@ -32,7 +32,8 @@ class MoBytes {
     return out;
   }
 
-  /// Returns the text whose length and place are at `at`; of several forms the first.
+  /// Returns the text whose length and offset are stored at `at`; the first one if it has several plural
+  /// forms.
   std::string text(std::uint64_t at) const {
     const std::string_view all = part(number(at + 4), number(at));
     return std::string(all.substr(0, all.find('\0')));
@@ -44,7 +45,7 @@ class MoBytes {
 
   std::string_view part(std::uint64_t at, std::uint64_t length) const {
     if (at > bytes_.size() || length > bytes_.size() - at)
-      throw InputError("the catalogue of translations ends too early");
+      throw InputError("the catalogue of translations is truncated");
     return bytes_.substr(at, length);
   }
 };
@@ -75,7 +76,7 @@ std::string Catalogue::fill(fmt::string_view english, fmt::format_args values) c
       try {
         return fmt::vformat(found->second, values);
       } catch (const fmt::format_error&) {
-        // English fits.
+        // Use the English text.
       }
   return fmt::vformat(english, values);
 }

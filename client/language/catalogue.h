@@ -1,6 +1,6 @@
 #pragma once
-// The words of a program in its user's language. A text is looked up by its English form, which stands in the
-// source and is shown where no translation of it is known.
+// Translations of a program's texts. A text is looked up by its English form, which is in the source code and
+// is used if there is no translation.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// Marks an English text that is looked up elsewhere, for instance one of a table.
+/// Marks an English text that is translated elsewhere, for instance one of a table.
 constexpr const char* msg(const char* english) {
   return english;
 }
@@ -20,24 +20,25 @@ constexpr const char* msg(const char* english) {
 /// Translations by their English text.
 using Translations = std::map<std::string, std::string, std::less<>>;
 
-/// Reads what msgfmt wrote: the bytes of a .mo file of either byte order. Throws InputError where they are
-/// none.
+/// Parses the bytes of a .mo file, written by msgfmt, of either byte order. Throws InputError if they are
+/// invalid.
 Translations read_mo(std::string_view bytes);
 
-/// A language's translations; copies share them. It never changes, so threads may share it, too.
+/// Translations of one language. Copies share them. It is immutable, so threads may share it, too.
 class Catalogue {
  public:
-  /// Makes it English: every text stays as it is.
+  /// Creates an English catalogue: texts stay unchanged.
   Catalogue() = default;
   explicit Catalogue(Translations translations)
       : translations_(std::make_shared<const Translations>(std::move(translations))) {}
 
-  /// Returns the text in the language; what isn't known stays as it is. The result lives as long as the text
+  /// Returns the translation, or the text itself if there is none. The result is valid as long as the text
   /// and a catalogue with these translations.
   const char* tr(const char* english) const;
   std::string tr(const std::string& english) const { return tr(english.c_str()); }
 
-  /// Fills a text's placeholders, those of fmt. A translation that the values do not fit is left for English.
+  /// Translates a text and fills its fmt placeholders. If a translation's placeholders do not fit the values,
+  /// the English text is used.
   template <class First, class... More>
   std::string tr(fmt::format_string<First, More...> english, First&& first, More&&... more) const {
     return fill(english, fmt::make_format_args(first, more...));
@@ -49,8 +50,8 @@ class Catalogue {
   std::string fill(fmt::string_view english, fmt::format_args values) const;
 };
 
-/// Returns the catalogue for a language tag, for instance that of "de" for "de-AT"; English where there is
-/// none.
+/// Returns the catalogue for a language tag, for instance that of "de" for "de-AT"; an English one if there
+/// is none.
 Catalogue catalogue_for(std::string_view tag);
 
 }  // namespace prosector

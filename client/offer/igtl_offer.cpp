@@ -1,9 +1,9 @@
-// OpenIGTLink: each thing is a TRANSFORM, or who asks for TDATA gets all as tools of it. A picture is an
-// IMAGE.
+// OpenIGTLink server: each object is a TRANSFORM; after a request for TDATA all objects are sent as its
+// tools. A camera image is an IMAGE.
 #include <algorithm>
 
 #include "client/offer/offer_protocol.h"
-#include "drivers/igtl_messages.h"
+#include "drivers/protocols/igtl_messages.h"
 
 namespace prosector {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::size_t most_tools = 500;
 constexpr const char* own_device = "Prosector";
 constexpr const char* own_picture = "Camera";
 
-class IgtlTalk final : public OfferTalk {
+class IgtlTalk final : public OfferConnection {
  public:
   bool hear(std::span<const std::uint8_t> bytes) override {
     reader_.take(bytes);
@@ -62,7 +62,7 @@ class IgtlTalk final : public OfferTalk {
 
 }  // namespace
 
-std::unique_ptr<OfferTalk> talk_igtl() {
+std::unique_ptr<OfferConnection> make_igtl_connection() {
   return std::make_unique<IgtlTalk>();
 }
 

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "common/error.h"
-#include "drivers/byte_line.h"
-#include "drivers/igtl_messages.h"
-#include "drivers/vrpn_messages.h"
+#include "drivers/ports/byte_line.h"
+#include "drivers/protocols/igtl_messages.h"
+#include "drivers/protocols/vrpn_messages.h"
 
 namespace prosector {
 
 const std::vector<OfferProtocol>& offer_protocols() {
-  static const std::vector<OfferProtocol> protocols = {{"vrpn", vrpn::usual_port, talk_vrpn},
-                                                       {"igtl", igtl::usual_port, talk_igtl}};
+  static const std::vector<OfferProtocol> protocols = {{"vrpn", vrpn::default_port, make_vrpn_connection},
+                                                       {"igtl", igtl::default_port, make_igtl_connection}};
   return protocols;
 }
 
@@ -30,16 +30,15 @@ Offer parse_offer(const std::string& text) {
       beside = where.substr(port);
       where.resize(port);
     }
-    const auto at = parse_host_port(where.empty() ? "" : "x" + beside, protocol.usual_port);
+    const auto at = parse_host_port(where.empty() ? "" : "x" + beside, protocol.default_port);
     if (!at) break;
     out.address = where;
     out.port = static_cast<std::uint16_t>(std::stoul(at->port));
     return out;
   }
   throw InputError(
-      fmt::format("--offer {}: give vrpn or igtl, then where to listen if not on this machine alone: "
-                  "vrpn:ADDRESS:PORT, as "
-                  "in igtl:192.168.0.7:18944",
+      fmt::format("--offer {}: must be vrpn or igtl, optionally followed by the address to listen at: "
+                  "vrpn:ADDRESS:PORT, e.g. igtl:192.168.0.7:18944",
                   text));
 }
 

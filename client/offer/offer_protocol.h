@@ -1,5 +1,5 @@
 #pragma once
-// The protocols by which poses are offered.
+// Protocols by which poses are offered.
 
 #include <cstdint>
 #include <memory>
@@ -12,37 +12,37 @@
 
 namespace prosector {
 
-/// What is said to one program that came, and what it says.
-class OfferTalk {
+/// Protocol state of one connected program.
+class OfferConnection {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  virtual ~OfferTalk() = default;
-  /// Takes what it says. Returns false when that is not this protocol.
+  virtual ~OfferConnection() = default;
+  /// Processes received bytes. Returns false if they violate the protocol.
   virtual bool hear(std::span<const std::uint8_t> bytes) = 0;
-  /// Returns what to say next, `now_ns` after the epoch; empty: nothing.
+  /// Returns the bytes to send next; `now_ns`: ns since the epoch. Empty: none.
   virtual Bytes say(const std::vector<Offered>& things, std::int64_t now_ns) = 0;
-  /// Returns what shows a picture, `now_ns` after the epoch; empty: this protocol has none.
+  /// Returns the message with an image; `now_ns`: ns since the epoch. Empty: the protocol has no images.
   virtual Bytes show(const Image&, std::int64_t) { return {}; }
 };
 
 struct OfferProtocol {
   const char* name;
-  const char* usual_port;
-  std::unique_ptr<OfferTalk> (*talk)();
+  const char* default_port;
+  std::unique_ptr<OfferConnection> (*talk)();
 };
 const std::vector<OfferProtocol>& offer_protocols();
 
-std::unique_ptr<OfferTalk> talk_vrpn();
-std::unique_ptr<OfferTalk> talk_igtl();
+std::unique_ptr<OfferConnection> make_vrpn_connection();
+std::unique_ptr<OfferConnection> make_igtl_connection();
 
-/// An offer as people ask for it: PROTOCOL[:ADDRESS[:PORT]].
+/// Address of an offer: PROTOCOL[:ADDRESS[:PORT]].
 struct Offer {
   const OfferProtocol* protocol = nullptr;
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;
 };
-/// Reads an offer. Throws InputError with what is allowed.
+/// Parses an offer. Throws InputError with the allowed format.
 Offer parse_offer(const std::string& text);
 
 }  // namespace prosector

@@ -13,8 +13,8 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t most_peers = 32;
-constexpr std::int64_t patience_ns = 10'000'000'000;      // with a peer that takes nothing
-constexpr std::int64_t picture_interval_ns = 60'000'000;  // between two pictures, at least
+constexpr std::int64_t patience_ns = 10'000'000'000;      // timeout of a peer that does not receive
+constexpr std::int64_t picture_interval_ns = 60'000'000;  // minimum interval between two images
 constexpr int idle_ms = 100;
 constexpr std::chrono::microseconds interval(16667);
 
@@ -37,14 +37,13 @@ OfferServer::~OfferServer() {
 }
 
 std::string OfferServer::words() const {
-  return fmt::format("offers hands, heads and held tools{} by {} at {} port {}",
-                     picture_ ? ", and a camera's pictures," : "", offer_.protocol->name, offer_.address,
-                     port());
+  return fmt::format("publishing hands, heads and held tools{} by {} at {} port {}",
+                     picture_ ? ", and camera images," : "", offer_.protocol->name, offer_.address, port());
 }
 
 void OfferServer::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    let_in(monotonic_ns());
+    accept_peers(monotonic_ns());
     if (peers_.empty()) {
       pollfd waiting{listener_.descriptor(), POLLIN, 0};
       ::poll(&waiting, 1, idle_ms);
@@ -59,8 +58,8 @@ void OfferServer::run(const std::stop_token& stop) {
   }
 }
 
-/// Lets in who waits, as far as there is room.
-void OfferServer::let_in(std::int64_t now_ns) {
+/// Accepts waiting connections up to the limit.
+void OfferServer::accept_peers(std::int64_t now_ns) {
   for (int descriptor = listener_.accept(); descriptor >= 0; descriptor = listener_.accept()) {
     if (peers_.size() < most_peers)
       peers_.push_back({socket_line(descriptor, "peer"), offer_.protocol->talk(), now_ns});
@@ -69,17 +68,17 @@ void OfferServer::let_in(std::int64_t now_ns) {
   }
 }
 
-/// Hears a peer, and tells it what there is, unless it still has to take what was said before. Returns
-/// whether it stays.
+/// Reads from a peer and sends it the objects, unless earlier data is still unsent. Returns whether the
+/// connection stays open.
 bool OfferServer::serve(Peer& peer, const std::vector<Offered>& things,
                         const std::shared_ptr<const Image>& picture, std::int64_t now_ns) {
   std::vector<std::uint8_t> bytes;
   if (!peer.line->receive(bytes) || !peer.talk->hear(bytes)) return false;
-  if (peer.line->is_full()) return now_ns - peer.heard_out_ns < patience_ns;
-  peer.heard_out_ns = now_ns;
-  OfferTalk::Bytes said = peer.talk->say(things, since_epoch_ns());
+  if (peer.line->is_full()) return now_ns - peer.last_drained_ns < patience_ns;
+  peer.last_drained_ns = now_ns;
+  OfferConnection::Bytes said = peer.talk->say(things, since_epoch_ns());
   if (picture && picture != peer.shown && now_ns - peer.shown_ns >= picture_interval_ns) {
-    const OfferTalk::Bytes shown = peer.talk->show(*picture, since_epoch_ns());
+    const OfferConnection::Bytes shown = peer.talk->show(*picture, since_epoch_ns());
     said.insert(said.end(), shown.begin(), shown.end());
     peer.shown = picture;
     peer.shown_ns = now_ns;

@@ -1,5 +1,6 @@
 #pragma once
-// Serves one offer on a thread of its own: whoever connects is told, until it hangs up or talks nonsense.
+// Server of one offer, on its own thread. It sends poses to every connected program until that disconnects or
+// violates the protocol.
 
 #include <functional>
 #include <memory>
@@ -7,31 +8,31 @@
 #include <vector>
 
 #include "client/offer/offer_protocol.h"
-#include "drivers/byte_line.h"
-#include "drivers/socket_listener.h"
+#include "drivers/ports/byte_line.h"
+#include "drivers/ports/socket_listener.h"
 
 namespace prosector {
 
 class OfferServer {
  public:
   using Things = std::function<std::vector<Offered>()>;
-  using Picture = std::function<std::shared_ptr<const Image>()>;  // the newest; null: there is none
+  using Picture = std::function<std::shared_ptr<const Image>()>;  // newest image; null: none
 
-  /// Listens, and begins. Its thread calls both functions, 60 times a second while somebody is there; without
-  /// the second one no pictures are offered. Throws InputError where it can't listen.
+  /// Starts listening. While a program is connected, the thread calls both functions 60 times a second;
+  /// without `picture` no images are offered. Throws InputError if it can't listen.
   OfferServer(const Offer& offer, Things things, Picture picture = {});
   ~OfferServer();
 
   std::uint16_t port() const { return listener_.port(); }
-  /// Says, for people, what is offered where.
+  /// Returns a line on the offered data, protocol and address.
   std::string words() const;
 
  private:
   struct Peer {
-    std::unique_ptr<ByteLine> line;
-    std::unique_ptr<OfferTalk> talk;
-    std::int64_t heard_out_ns = 0;            // when it last took all that was said to it
-    std::shared_ptr<const Image> shown = {};  // the last picture that it was shown
+    std::unique_ptr<ByteStream> line;
+    std::unique_ptr<OfferConnection> talk;
+    std::int64_t last_drained_ns = 0;         // time at which it last had received all sent data
+    std::shared_ptr<const Image> shown = {};  // last image sent to it
     std::int64_t shown_ns = 0;
   };
 
@@ -43,7 +44,7 @@ class OfferServer {
   std::jthread thread_;
 
   void run(const std::stop_token& stop);
-  void let_in(std::int64_t now_ns);
+  void accept_peers(std::int64_t now_ns);
   bool serve(Peer& peer, const std::vector<Offered>& things, const std::shared_ptr<const Image>& picture,
              std::int64_t now_ns);
 };

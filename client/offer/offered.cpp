@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "client/view/held_things.h"
+#include "client/view/held_bodies.h"
 
 namespace prosector {
 namespace {
@@ -15,7 +15,7 @@ bool is_plain(char c) {
          c == '.';
 }
 
-/// Cuts the name short before its ending, so that both have room.
+/// Shortens the name so that its ending fits.
 std::string fitted(const std::string& name, const std::string& ending) {
   return name.substr(0, longest_offered_name - ending.size()) + ending;
 }
@@ -37,11 +37,11 @@ std::vector<Offered> offered(const Replica& replica, double tick) {
           out.push_back({replica.scene()->bodies[body].name, replica.rigid_pose(body, tick)});
     }
   }
-  make_names_plain(out);
+  make_names_valid(out);
   return out;
 }
 
-void make_names_plain(std::vector<Offered>& all) {
+void make_names_valid(std::vector<Offered>& all) {
   std::set<std::string> taken;
   for (Offered& thing : all) {
     std::ranges::replace_if(

@@ -1,5 +1,5 @@
 #pragma once
-// What is offered to other software: where tracked hands, heads and held tools are.
+// Poses offered to other software: tracked hands, heads and held tools.
 
 #include <string>
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace prosector {
 
-inline constexpr std::size_t longest_offered_name = 20;  // bytes: as OpenIGTLink has room for
+inline constexpr std::size_t longest_offered_name = 20;  // bytes: limit of OpenIGTLink
 
 struct Offered {
-  std::string name;  // "Ann.right", "Ann.left", "Ann.head", "scalpel"; each once
-  Pose pose;         // room, m: a wrist's, the eyes', a body's
+  std::string name;  // unique name: "Ann.right", "Ann.left", "Ann.head", "scalpel"
+  Pose pose;         // room frame, m: of a wrist, of the eyes, or of a body
 };
 
-/// Returns what is tracked or held at that tick: of all participants, as everybody sees it.
+/// Returns the tracked and held objects of all participants at a tick.
 std::vector<Offered> offered(const Replica& replica, double tick);
 
-/// Gives each a name that other software bears: letters, digits, '-', '_' and '.', at most so long, and no
-/// other's. What follows the last '.' is kept.
-void make_names_plain(std::vector<Offered>& all);
+/// Makes the names valid for other software: letters, digits, '-', '_' and '.', at most longest_offered_name
+/// bytes, unique. The suffix from the last '.' is preserved.
+void make_names_valid(std::vector<Offered>& all);
 
 }  // namespace prosector

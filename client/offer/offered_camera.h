@@ -1,24 +1,24 @@
 #pragma once
-// A camera's newest picture, for other software.
+// Newest image of a camera, for other software.
 
 #include <memory>
 #include <mutex>
 
 #include "common/image.h"
-#include "drivers/camera/shared_camera.h"
+#include "drivers/camera/devices/shared_camera.h"
 
 namespace prosector {
 
 class OfferedCamera {
  public:
-  /// Looks from now on.
+  /// Starts to receive images.
   explicit OfferedCamera(std::shared_ptr<SharedCamera> camera)
       : camera_(std::move(camera)),
         seat_(
             *camera_, [](const Camera&) {}, [this](const Frame& frame) { see(frame); }) {}
 
   const std::shared_ptr<SharedCamera>& camera() const { return camera_; }
-  /// Returns the newest picture; null: none came yet.
+  /// Returns the newest image; null: none yet.
   std::shared_ptr<const Image> newest() const {
     const std::lock_guard lock(mutex_);
     return newest_;
@@ -32,9 +32,9 @@ class OfferedCamera {
   }
 
   const std::shared_ptr<SharedCamera> camera_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards newest_
   std::shared_ptr<const Image> newest_;
-  SharedCamera::Seat seat_;  // last: it uses what is above
+  SharedCamera::Seat seat_;  // declared last: it uses the members above
 };
 
 }  // namespace prosector

@@ -1,19 +1,19 @@
-// VRPN: each thing is a tracker with one sensor.
+// VRPN server: each object is a tracker with one sensor.
 #include <map>
 #include <set>
 #include <utility>
 
 #include "client/offer/offer_protocol.h"
-#include "drivers/vrpn_messages.h"
+#include "drivers/protocols/vrpn_messages.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::int32_t pose_number = 0, pong_number = 1;  // types
-constexpr std::int32_t control_number = 0;                // senders; things follow
-constexpr std::size_t most_senders = 1000;                // a peer asks for, in its lifetime
+constexpr std::int32_t pose_number = 0, pong_number = 1;  // message type ids
+constexpr std::int32_t control_number = 0;                // sender ids; objects have the following ones
+constexpr std::size_t most_senders = 1000;                // number of distinct senders that a peer may ping
 
-class VrpnTalk final : public OfferTalk {
+class VrpnTalk final : public OfferConnection {
  public:
   bool hear(std::span<const std::uint8_t> bytes) override {
     reader_.take(bytes);
@@ -46,7 +46,7 @@ class VrpnTalk final : public OfferTalk {
   std::map<std::string, std::int32_t> numbers_;
   std::set<std::string> pinged_;
 
-  /// Returns a thing's number as a sender; before its first use it is named.
+  /// Returns an object's sender id. Before its first use, its name is sent.
   std::int32_t number_of(const std::string& name, Bytes& out) {
     const auto [entry, is_new] = numbers_.emplace(name, static_cast<std::int32_t>(numbers_.size()) + 1);
     if (is_new) vrpn::put(out, vrpn::naming(vrpn::names_sender, entry->second, name));
@@ -56,7 +56,7 @@ class VrpnTalk final : public OfferTalk {
 
 }  // namespace
 
-std::unique_ptr<OfferTalk> talk_vrpn() {
+std::unique_ptr<OfferConnection> make_vrpn_connection() {
   return std::make_unique<VrpnTalk>();
 }
 

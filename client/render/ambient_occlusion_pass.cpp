@@ -3,14 +3,14 @@
 namespace prosector {
 namespace {
 
-constexpr double radius = 0.05;  // m: of the ball around a point
+constexpr double radius = 0.05;  // m, radius of the sphere around a point
 
 }  // namespace
 
 AmbientOcclusionPass::AmbientOcclusionPass(const Gl& gl, const std::filesystem::path& shaders, int coarser)
     : gl_(gl),
       open_(gl, shaders, "ambient_occlusion", {"COARSER " + std::to_string(coarser)}),
-      even_(gl, shaders, "ambient_occlusion_even", {"COARSER " + std::to_string(coarser)}),
+      average_(gl, shaders, "ambient_occlusion_even", {"COARSER " + std::to_string(coarser)}),
       blend_(gl, shaders, "ambient_occlusion_blend", {"COARSER " + std::to_string(coarser)}),
       openness_(gl, coarser, GL_R8, GL_RED),
       evened_(gl, coarser, GL_R8, GL_RED) {
@@ -34,13 +34,13 @@ void AmbientOcclusionPass::draw(const DrawList& list, RenderTarget& target) {
   evened_.begin(target.width(), target.height(), 1);
   gl_.BindTexture(GL_TEXTURE_2D, openness_.texture());
   for (const DrawCamera& camera : list.cameras)
-    if (!camera.inset) draw_places(even_, camera);
+    if (!camera.inset) draw_places(average_, camera);
   target.bind_again();
   gl_.BindTexture(GL_TEXTURE_2D, evened_.texture());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   for (const DrawCamera& camera : list.cameras)
-    if (!camera.inset) lay_over(camera);
+    if (!camera.inset) blend_over(camera);
   gl_.Disable(GL_BLEND);
 }
 
@@ -64,7 +64,7 @@ void AmbientOcclusionPass::draw_places(const ShaderProgram& program, const DrawC
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void AmbientOcclusionPass::lay_over(const DrawCamera& camera) const {
+void AmbientOcclusionPass::blend_over(const DrawCamera& camera) const {
   gl_.Viewport(camera.x, camera.y, camera.width, camera.height);
   blend_.use();
   set_lens(blend_, camera);

@@ -20,16 +20,16 @@ GLFWwindow* make_window(GLFWwindow* main, const Audience& audience) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     width = mode->width;
     height = mode->height;
-    // Not to go away when the one who takes part clicks into the main window.
+    // Keeps the audience's full-screen window open when the user clicks into the main window.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   }
-  glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);  // keys are the main window's
+  glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);  // the main window keeps the keyboard focus
   GLFWwindow* window = glfwCreateWindow(width, height, "Prosector: audience", monitor, main);
-  if (!window) throw InputError("no second window for an audience");
+  if (!window) throw InputError("cannot open a second window for spectators");
   return window;
 }
 
-/// Makes a framebuffer of the current context that has `texture` as its colours.
+/// Makes a framebuffer of the current context with `texture` as its colour attachment.
 GLuint framebuffer_of(const Gl& gl, GLuint texture) {
   GLuint name = 0;
   gl.GenFramebuffers(1, &name);
@@ -46,7 +46,8 @@ AudienceWindow::AudienceWindow(GLFWwindow* main, const GlContext& context, const
     if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) glfwSetWindowShouldClose(window, GLFW_TRUE);
   });
   glfwMakeContextCurrent(window_);
-  glfwSwapInterval(0);  // the main window waits for its display; two would wait for each other
+  // Only the main window waits for vertical sync; otherwise both would wait for each other.
+  glfwSwapInterval(0);
   glfwMakeContextCurrent(main_);
 }
 
@@ -69,14 +70,14 @@ void AudienceWindow::show(int width, int height, const std::function<void(unsign
   make_picture(width, height);
   copy(picture_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl_.Finish();  // the other context sees nothing of it before
+  gl_.Finish();  // the other context sees the frame only after this
   glfwMakeContextCurrent(window_);
   put();
   glfwSwapBuffers(window_);
   glfwMakeContextCurrent(main_);
 }
 
-/// Makes the picture, where there is none of that size.
+/// Resizes the shared texture, if needed.
 void AudienceWindow::make_picture(int width, int height) {
   if (width == width_ && height == height_) return;
   width_ = width;
@@ -89,14 +90,14 @@ void AudienceWindow::make_picture(int width, int height) {
   if (into_picture_ == 0) into_picture_ = framebuffer_of(gl_, picture_);
 }
 
-/// Copies the back buffer into the picture.
+/// Copies the back buffer into the shared texture.
 void AudienceWindow::take_window() {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, into_picture_);
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-/// Shows the first eye's part of the picture as large as fits without changing its shape.
+/// Shows the first eye's part of the frame as large as possible with its aspect ratio.
 void AudienceWindow::put() {
   int across = 0, down = 0;
   glfwGetFramebufferSize(window_, &across, &down);

@@ -44,7 +44,7 @@ void BackdropPass::set_image(const ShaderProgram& program, const DrawBackdrop& b
   upload(backdrop);
   program.use();
   program.set("picture", 0);
-  // The window's rows run from the bottom, the image's from the top.
+  // The window's rows start at the bottom, the image's at the top.
   const double bottom = backdrop.top + backdrop.step * (camera.y + camera.height);
   program.set("place", std::vector<Eigen::Vector4f>{Eigen::Vector4d(backdrop.left - backdrop.step * camera.x,
                                                                     bottom, backdrop.step, -backdrop.step)
@@ -60,7 +60,7 @@ void BackdropPass::draw(const DrawBackdrop& backdrop, const DrawCamera& camera) 
   gl_.DepthMask(GL_TRUE);
 }
 
-// No depth is written: where a finger's rim is soft, what of the hand is behind it still covers.
+// Writes no depth: at a finger's soft border, the parts of the hand behind it still occlude.
 void BackdropPass::uncover(const DrawBackdrop& backdrop, const DrawCamera& camera,
                            const std::vector<QueuedItem>& items, const MeshCache& meshes) {
   set_image(uncover_, backdrop, camera);
@@ -72,7 +72,7 @@ void BackdropPass::uncover(const DrawBackdrop& backdrop, const DrawCamera& camer
   gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   for (const QueuedItem& queued : items) {
-    if (queued.item->showing != Showing::real) continue;
+    if (queued.item->showing != ItemRole::real) continue;
     set_placement(uncover_, *queued.item);
     prosector::draw(meshes, queued);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A camera's picture behind everything. Private to client/render.
+// A camera image as background. Private to client/render.
 
 #include <filesystem>
 
@@ -16,9 +16,9 @@ class BackdropPass {
   BackdropPass(const BackdropPass&) = delete;
   BackdropPass& operator=(const BackdropPass&) = delete;
 
-  /// Fills the camera's viewport; what the image doesn't show stays as it is. Uploads an image once.
+  /// Fills the camera's viewport. Pixels outside the image stay unchanged. Uploads each image once.
   void draw(const DrawBackdrop& backdrop, const DrawCamera& camera);
-  /// Draws the image over what is behind real items, softly at their rims.
+  /// Draws the image over the silhouettes of real items, with soft borders.
   void uncover(const DrawBackdrop& backdrop, const DrawCamera& camera, const std::vector<QueuedItem>& items,
                const MeshCache& meshes);
 
@@ -30,7 +30,7 @@ class BackdropPass {
   ShaderProgram program_, uncover_;
   GLuint texture_ = 0, no_vertices_ = 0;
   int width_ = 0, height_ = 0;  // of the texture
-  std::uint64_t number_ = 0;    // of the image that it holds
+  std::uint64_t number_ = 0;    // of the uploaded image
 };
 
 }  // namespace prosector

@@ -10,7 +10,7 @@ constexpr int gap = 4;  // pixels
 constexpr std::uint8_t gap_gray = 24;
 
 struct Span {
-  int first, end;  // of the picture's pixels, never empty
+  int first, end;  // pixels of the image, never empty
 };
 
 Span covered(int tile, int tiles, int pixels) {
@@ -45,13 +45,13 @@ int height_of(const Image& picture, int width) {
 }  // namespace
 
 Image shrunk(const Image& picture, int width) {
-  if (width < 1) throw std::invalid_argument("shrunk: to nothing");
+  if (width < 1) throw std::invalid_argument("shrunk: empty image");
   return scaled(picture, width, height_of(picture, width));
 }
 
 Image contact_sheet(const std::vector<Image>& pictures, int columns, int tile_width) {
   if (pictures.empty() || columns < 1 || tile_width < 1)
-    throw std::invalid_argument("contact_sheet: no pictures, or nothing to put them in");
+    throw std::invalid_argument("contact_sheet: no frames, or zero size");
   const int count = static_cast<int>(pictures.size());
   columns = std::min(columns, count);
   const int rows = (count + columns - 1) / columns;

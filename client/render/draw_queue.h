@@ -1,5 +1,5 @@
 #pragma once
-// A DrawList's items with their GPU meshes, ready for the passes. Private to client/render.
+// A DrawList's items with their GPU meshes, as input of the passes. Private to client/render.
 
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace prosector {
 
 struct QueuedItem {
   const DrawItem* item;
-  const MeshCache::Entry* mesh;  // until the next frame
+  const MeshCache::Entry* mesh;  // valid until the next frame
   Sphere bounds;                 // world frame
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a picture may be spared: each effect can be left out by name, and what is left out costs nothing.
+// Optional rendering effects. Each can be disabled by name; a disabled effect costs nothing.
 
 #include <array>
 #include <bitset>
@@ -22,24 +22,25 @@ enum class Effect : std::uint8_t {
 };
 
 struct EffectRow {
-  std::string_view name;   // on the command line
-  const char* define;      // that shaders/main.* are compiled with when it is on; null: of no meaning there
-  std::string_view about;  // for people
+  std::string_view name;  // on the command line
+  // Macro with which shaders/main.* are compiled when the effect is on; null: not used there.
+  const char* define;
+  std::string_view about;  // description for users
 };
 
 /// The effects' names, in the order of Effect.
 inline constexpr std::array<EffectRow, 11> effect_rows = {{
-    {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
-    {"parallax", "EFFECT_PARALLAX", "what is high in a surface shifts against what is low"},
-    {"film", "EFFECT_FILM", "the wet film's own highlights"},
-    {"translucency", "EFFECT_TRANSLUCENCY", "light that wraps around tissue, red first"},
-    {"reflections", "EFFECT_REFLECTIONS", "of the room in what is smooth"},
-    {"refraction", "EFFECT_REFRACTION", "what is behind glass, bent by it"},
-    {"dispersion", "EFFECT_DISPERSION", "glass bends blue more than red"},
-    {"shadows", nullptr, "of the first spot light"},
-    {"shafts", nullptr, "dust in the lamp's beam"},
-    {"edges", nullptr, "smooth, where there is one sample per pixel"},
-    {"ambient_occlusion", nullptr, "less light from around in creases and where things touch"},
+    {"relief", "EFFECT_RELIEF", "fine surface relief by perturbed normals"},
+    {"parallax", "EFFECT_PARALLAX", "parallax of the surface relief"},
+    {"film", "EFFECT_FILM", "highlights of the wet film"},
+    {"translucency", "EFFECT_TRANSLUCENCY", "light scattered below the surface of tissue"},
+    {"reflections", "EFFECT_REFLECTIONS", "reflections of the room in smooth surfaces"},
+    {"refraction", "EFFECT_REFRACTION", "refraction behind glass"},
+    {"dispersion", "EFFECT_DISPERSION", "chromatic dispersion in glass"},
+    {"shadows", nullptr, "shadows of the first spot light"},
+    {"shafts", nullptr, "visible beam of the lamp"},
+    {"edges", nullptr, "smooth edges with one sample per pixel"},
+    {"ambient_occlusion", nullptr, "ambient occlusion in creases and at contacts"},
 }};
 
 using EffectSet = std::bitset<effect_rows.size()>;

@@ -1,5 +1,5 @@
 #pragma once
-// Light from around, as passes take it. Private to client/render.
+// Environment lighting, as input of passes. Private to client/render.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 namespace prosector {
 
 struct Environment {
-  GLuint cube = 0;                          // the room, for mirrors
-  std::vector<Eigen::Vector4f> irradiance;  // of irradiance_of(); empty: not known yet
+  GLuint cube = 0;                          // cube map of the room, for reflections
+  std::vector<Eigen::Vector4f> irradiance;  // from irradiance_of(); empty: unknown yet
 };
 
 }  // namespace prosector

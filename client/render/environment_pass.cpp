@@ -10,9 +10,9 @@
 namespace prosector {
 namespace {
 
-const Vec3 middle(0, 1.2, 0);  // m: of the room, as high as what lies on a table
+const Vec3 middle(0, 1.2, 0);  // m: centre of the room, at the height of objects on a table
 
-/// Returns what looks through the six faces, in OpenGL's order and with its rows.
+/// Returns the cameras of the six faces, in OpenGL's order and row direction.
 std::array<DrawCamera, 6> face_cameras(int side) {
   const std::array<std::array<Vec3, 2>, 6> ahead_and_up = {{{Vec3::UnitX(), -Vec3::UnitY()},
                                                             {-Vec3::UnitX(), -Vec3::UnitY()},
@@ -38,7 +38,7 @@ bool alike(const LightInfo& a, const LightInfo& b) {
          a.intensity == b.intensity && a.cone == b.cone && a.softness == b.softness;
 }
 
-/// Returns the share of the sphere that a cube's texel takes in, sr; u and v run from −1 to 1 over its face.
+/// Returns the solid angle of a cube map's texel, sr; u and v run from −1 to 1 over its face.
 double solid_angle(double u, double v, double width) {
   const double squared = 1 + u * u + v * v;
   return width * width / (squared * std::sqrt(squared));
@@ -86,7 +86,7 @@ const Environment& EnvironmentPass::draw(const DrawList& list, const std::vector
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Viewport(0, 0, side, side);
   gl_.DepthMask(GL_TRUE);
-  // Where there is no room, ambient light, encoded as encoded() of shaders/lighting.glsl does.
+  // Clears to ambient light for directions without room, encoded by encoded() of shaders/lighting.glsl.
   const Eigen::Vector3f around = (list.ambient / 4).cwiseSqrt().cast<float>();
   gl_.ClearColor(around.x(), around.y(), around.z(), 1);
   GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X;

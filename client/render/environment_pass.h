@@ -1,6 +1,6 @@
 #pragma once
-// What is around: the room from its middle, as a cube map with rougher levels for what mirrors it, and as the
-// light that it sends to surfaces. Drawn anew only when its lights change. Private to client/render.
+// Environment map: the room from its centre as a cube map with rougher mip levels for reflections, and its
+// irradiance on surfaces. Redrawn only when the lights change. Private to client/render.
 
 #include "client/render/main_pass.h"
 
@@ -13,7 +13,8 @@ class EnvironmentPass {
   EnvironmentPass(const EnvironmentPass&) = delete;
   EnvironmentPass& operator=(const EnvironmentPass&) = delete;
 
-  /// Draws the room as far as that is due; shaders/lighting.glsl tells how the cube's texels hold radiance.
+  /// Updates the environment map if needed. See encoded() in shaders/lighting.glsl for how texels hold
+  /// radiance.
   const Environment& draw(const DrawList& list, const std::vector<QueuedItem>& items,
                           const MeshCache& meshes);
 
@@ -26,7 +27,7 @@ class EnvironmentPass {
   MainPass probe_;
   Environment environment_;
   GLuint framebuffer_ = 0, depth_ = 0;
-  std::vector<LightInfo> lights_;  // that it was drawn under
+  std::vector<LightInfo> lights_;  // the lights that the map was drawn with
   Vec3 ambient_ = Vec3::Constant(-1);
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A gamepad as a person holds it: names are places, for makers label buttons differently.
+// State of a gamepad. Buttons are named by position, because manufacturers label them differently.
 
 #include <array>
 #include <cstddef>
@@ -11,7 +11,7 @@ enum class PadButton : std::uint8_t {
   south,
   east,
   west,
-  north,  // of the right thumb
+  north,  // for the right thumb
   left_bumper,
   right_bumper,
   back,
@@ -21,7 +21,7 @@ enum class PadButton : std::uint8_t {
   up,
   right,
   down,
-  left,  // of the cross
+  left,  // of the directional pad
 };
 inline constexpr std::size_t pad_buttons = 14;
 

@@ -38,14 +38,14 @@
 
 namespace prosector {
 
-/// OpenGL's functions as loaded from a context: gl.Clear(…) is glClear(…).
+/// OpenGL functions loaded from a context: gl.Clear(…) is glClear(…).
 struct Gl {
 #define PROSECTOR_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
   PROSECTOR_GL_FUNCTIONS(PROSECTOR_GL_MEMBER)
 #undef PROSECTOR_GL_MEMBER
 };
 
-/// Loads the functions. Throws InputError naming one that the context lacks.
+/// Loads the functions. Throws InputError with the name of a missing function.
 Gl load_gl(const GlContext& context);
 
 }  // namespace prosector

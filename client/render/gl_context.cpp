@@ -25,7 +25,7 @@ std::unique_ptr<GlContext> make_offscreen_context(int width, int height) {
 void check_picture_size(int width, int height) {
   if (width < 1 || height < 1 || width > max_picture_size || height > max_picture_size)
     throw InputError(
-        fmt::format("picture of {} × {} pixels: each side must be 1…{}", width, height, max_picture_size));
+        fmt::format("frame of {} × {} pixels: each side must be 1…{}", width, height, max_picture_size));
 }
 
 std::string describe_gl(const GlContext& context, const std::string& kind) {

@@ -1,5 +1,6 @@
 #pragma once
-// Where OpenGL 3.3 core comes from: EGL surfaceless, OSMesa, or a window. One renderer serves them all.
+// Sources of an OpenGL 3.3 core context: EGL surfaceless, OSMesa, or a window. The renderer works with each
+// of them.
 
 #include <memory>
 #include <string>
@@ -7,11 +8,11 @@
 
 namespace prosector {
 
-/// A context as EGL has it, for others who draw with it: EGLDisplay, EGLConfig, EGLContext.
+/// Handles of an EGL context, for libraries that share it: EGLDisplay, EGLConfig, EGLContext.
 struct EglHandles {
   void *display, *config, *context;
 };
-/// The same as GLX has it: Display*, VisualID, GLXFBConfig, GLXDrawable, GLXContext.
+/// Handles of a GLX context: Display*, VisualID, GLXFBConfig, GLXDrawable, GLXContext.
 struct GlxHandles {
   void* display;
   unsigned long visual;
@@ -19,7 +20,7 @@ struct GlxHandles {
   unsigned long drawable;
   void* context;
 };
-/// Monostate: a context that is not for others.
+/// Handles of a context; monostate: it cannot be shared.
 using ContextHandles = std::variant<std::monostate, EglHandles, GlxHandles>;
 
 /// A current context. Not thread safe: used by the thread that made it, one context per thread at a time.
@@ -27,25 +28,25 @@ class GlContext {
  public:
   virtual ~GlContext() = default;
   virtual void* proc(const char* name) const = 0;  // address of a GL function
-  virtual int width() const = 0;                   // of the picture, pixels
+  virtual int width() const = 0;                   // of the frame, pixels
   virtual int height() const = 0;
-  virtual bool has_screen() const = 0;  // framebuffer 0 is a window's; offscreen there is none
-  virtual void present() = 0;           // swaps a window's buffers; offscreen: nothing
+  virtual bool has_screen() const = 0;  // framebuffer 0 belongs to a window; false offscreen
+  virtual void present() = 0;           // swaps a window's buffers; does nothing offscreen
   virtual ContextHandles handles() const { return {}; }
   virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
 };
 
-/// Makes a context. Throws InputError saying what is missing and what to install or set.
+/// Makes a context. Throws InputError that states what is missing and what to install or set.
 std::unique_ptr<GlContext> make_egl_context(int width, int height);
 std::unique_ptr<GlContext> make_osmesa_context(int width, int height);
-/// Makes an EGL surfaceless context, else one of OSMesa.
+/// Makes an EGL surfaceless context, or an OSMesa context if that fails.
 std::unique_ptr<GlContext> make_offscreen_context(int width, int height);
 
-inline constexpr int max_picture_size = 8192;  // pixels, each way
+inline constexpr int max_picture_size = 8192;  // pixels, width and height
 
-/// Checks a size for contexts: throws InputError unless 1 ≤ width, height ≤ max_picture_size.
+/// Throws InputError unless 1 ≤ width, height ≤ max_picture_size.
 void check_picture_size(int width, int height);
-/// Returns "KIND, renderer, version" of the current context, for contexts.
+/// Returns "KIND, renderer, version" of the current context.
 std::string describe_gl(const GlContext& context, const std::string& kind);
 
 }  // namespace prosector

@@ -50,8 +50,8 @@ void GlassPass::allocate(int width, int height) {
     }
 }
 
-/// Draws the nearest faces beyond those of `nearer` (0: all), as far as the scene's depth doesn't hide them
-/// (0: they are seen through what hides them). `faces` of the front have no normals.
+/// Draws the nearest faces beyond those of `nearer` (0: all). Faces behind `scene_depth` are skipped (0: none
+/// are). For front faces, `faces` has no normals texture.
 void GlassPass::draw_faces(const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
                            const MeshCache& meshes, const Faces& faces, GLuint nearer, GLuint scene_depth) {
   const bool back = faces.normals != 0;

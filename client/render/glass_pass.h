@@ -1,9 +1,9 @@
 #pragma once
-// Glass: what is behind it, bent by its front and its back, and the room mirrored in it. After Wyman, An
-// approximate image-space approach for interactive refraction, ACM Trans. Graph. 24, 2005. A ray goes from
-// the front face as far through the glass as the eye's own ray would. It leaves through the back face that is
-// drawn there, and meets what the picture holds. Two layers of glass are seen through, such as both walls of
-// a dish; more are left out. Private to client/render.
+// Glass with image-space refraction at its front and back, and reflections of the room. After Wyman, An
+// approximate image-space approach for interactive refraction, ACM Trans. Graph. 24, 2005. A ray travels
+// through the glass as far as the straight eye ray would. It leaves through the back face drawn at that
+// point, and samples the frame behind. Two layers of glass are drawn, such as both walls of a dish; further
+// layers are omitted. Private to client/render.
 
 #include <array>
 
@@ -19,13 +19,13 @@ class GlassPass {
   GlassPass(const GlassPass&) = delete;
   GlassPass& operator=(const GlassPass&) = delete;
 
-  /// Draws into `target`, which holds everything that isn't glass; `main` shades it. Draws nothing and costs
-  /// nothing where no glass is seen.
+  /// Draws the glass into `target`, which contains everything else; `main` shades it. Does nothing if no
+  /// glass is visible.
   void draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes,
             const Shadow& shadow, const Environment& environment, RenderTarget& target, MainPass& main);
 
  private:
-  /// The faces of one layer: how deep they are, and of back faces where they look.
+  /// The faces of one layer: their depth and, for back faces, their normals.
   struct Faces {
     GLuint framebuffer = 0, depth = 0, normals = 0;
   };

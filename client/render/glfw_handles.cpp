@@ -24,7 +24,7 @@ Function find_glx(const char* name) {
   return found;
 }
 
-/// Finds a function that GLFW has where it is made for X11, as Debian's libglfw3-wayland isn't.
+/// Finds a GLFW function that exists only in builds for X11, unlike Debian's libglfw3-wayland.
 template <class Function>
 Function find_x11(const char* name) {
   void* const found = dlsym(RTLD_DEFAULT, name);
@@ -56,7 +56,7 @@ GlxHandles glx_of(GLFWwindow* window) {
   query(display, context, glx_fbconfig_id, &id);
   query(display, context, glx_screen, &screen);
   const std::array<int, 3> wish = {glx_fbconfig_id, id, 0};
-  void** const configs = choose(display, screen, wish.data(), &found);  // X11's, for as long as the program
+  void** const configs = choose(display, screen, wish.data(), &found);  // owned by X11; never freed
   if (configs == nullptr || found == 0)
     throw InputError("a window by GLX: GLX doesn't know its configuration");
   attribute(display, configs[0], glx_visual_id, &visual);

@@ -1,5 +1,5 @@
 #pragma once
-// A window's context as EGL and GLX have it. Private to client/render.
+// EGL and GLX handles of a window's context. Private to client/render.
 
 #include "client/render/gl_context.h"
 
@@ -7,10 +7,10 @@ struct GLFWwindow;
 
 namespace prosector {
 
-/// Returns the context of a window that was made by EGL. Throws InputError where EGL doesn't know it.
+/// Returns the handles of a window's EGL context. Throws InputError if EGL does not know the context.
 EglHandles egl_of(GLFWwindow* window);
-/// Returns the context of a window that was made by GLX, which is current. Throws InputError where GLX
-/// doesn't know it.
+/// Returns the handles of a window's GLX context, which must be current. Throws InputError if GLX does not
+/// know the context.
 GlxHandles glx_of(GLFWwindow* window);
 
 }  // namespace prosector

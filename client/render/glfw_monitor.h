@@ -5,8 +5,8 @@ struct GLFWmonitor;
 
 namespace prosector {
 
-/// Returns a monitor, counted from 0, the desktop's first. Throws InputError saying how many there are when
-/// there is none of that number.
+/// Returns a monitor by number; 0 is the desktop's primary monitor. Throws InputError with the number of
+/// monitors if there is none with this number.
 GLFWmonitor* glfw_monitor(int number);
 
 }  // namespace prosector

@@ -20,8 +20,9 @@ std::string last_glfw_error() {
 
 void start_glfw() {
   if (!glfwInit())
-    throw InputError(fmt::format(
-        "no window: {}; start it in a desktop (DISPLAY), or choose an offscreen display", last_glfw_error()));
+    throw InputError(
+        fmt::format("no window: {}; run it in a desktop session (DISPLAY), or choose an offscreen display",
+                    last_glfw_error()));
 }
 
 GLFWwindow* open_glfw_window(int width, int height, const std::string& title) {
@@ -29,7 +30,7 @@ GLFWwindow* open_glfw_window(int width, int height, const std::string& title) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has framebuffers of its own
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has separate framebuffers
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window) {
     const std::string reason = last_glfw_error();

@@ -1,5 +1,5 @@
 #pragma once
-// A window of GLFW with OpenGL 3.3 core. Private to client/render.
+// A GLFW window with OpenGL 3.3 core. Private to client/render.
 
 #include <string>
 
@@ -7,10 +7,10 @@ struct GLFWwindow;
 
 namespace prosector {
 
-/// Starts GLFW. Throws InputError where there is no display. glfwTerminate() ends it.
+/// Initialises GLFW. Throws InputError without a display. The caller calls glfwTerminate().
 void start_glfw();
-/// Opens a window by the hints that are set, and makes its context current. Throws InputError, with GLFW
-/// ended, where there is no OpenGL 3.3.
+/// Opens a window with the current GLFW hints, and makes its context current. Without OpenGL 3.3, terminates
+/// GLFW and throws InputError.
 GLFWwindow* open_glfw_window(int width, int height, const std::string& title);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// A sheet of glyphs on the GPU. Private to client/render.
+// A glyph sheet on the GPU. Private to client/render.
 
 #include "client/render/gl.h"
 #include "client/text/glyph_sheet.h"
@@ -14,7 +14,7 @@ class GlyphTexture {
   GlyphTexture& operator=(const GlyphTexture&) = delete;
 
   GlyphSheet& sheet() { return sheet_; }
-  /// Uploads what changed of the sheet, and binds it to texture unit 0.
+  /// Uploads the changed rows of the sheet, and binds the texture to unit 0.
   void bind();
 
  private:

@@ -27,12 +27,12 @@ void write_png(const Image& image, const std::filesystem::path& file) {
       3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width < 1 || image.height < 1 || image.rgb.size() != bytes)
     throw InputError(
-        fmt::format("{}: no picture of {} × {} pixels to write", file.string(), image.width, image.height));
+        fmt::format("{}: no image of {} × {} pixels to write", file.string(), image.width, image.height));
   png_image png = png_header();
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  // Not png_image_write_to_file, which removes whatever it could not write, be it a device.
+  // Not png_image_write_to_file, because it deletes the file on failure, even a device.
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "wb"), std::fclose);
   if (!out) throw InputError(fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));
   if (!png_image_write_to_stdio(&png, out.get(), 0, image.rgb.data(), 0, nullptr) ||

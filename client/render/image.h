@@ -1,5 +1,5 @@
 #pragma once
-// Pictures as PNG files.
+// Images as PNG files.
 
 #include <filesystem>
 
@@ -7,10 +7,10 @@
 
 namespace prosector {
 
-/// Writes the image. Throws InputError when the file cannot be written.
+/// Writes the image. Throws InputError if the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
 
-/// Reads an image; alpha is dropped. Throws InputError when the file cannot be read or is no PNG.
+/// Reads an image without its alpha channel. Throws InputError if the file cannot be read or is not a PNG.
 Image read_png(const std::filesystem::path& file);
 
 }  // namespace prosector

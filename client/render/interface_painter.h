@@ -1,5 +1,5 @@
 #pragma once
-// Draws controls, their letters and pictures flat over the whole picture, without a scene.
+// Draws controls, their text and images over the whole frame, without a scene.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,31 +13,31 @@
 namespace prosector {
 
 struct InterfaceVertex {
-  Eigen::Vector2f at;     // pixels of the picture, from its top left
-  Eigen::Vector2f place;  // in its texture, 0 … 1 from the top left
+  Eigen::Vector2f at;     // pixels of the frame, from its top left
+  Eigen::Vector2f place;  // texture coordinates, 0 … 1 from the top left
   Eigen::Vector4f shade;  // sRGB and opacity, 0 … 1
 };
 
-/// Triangles with one texture, and the rectangle outside which nothing of them is drawn.
+/// Triangles with one texture, and their clipping rectangle.
 struct InterfaceDraw {
   std::uint32_t texture = 0;
   int left = 0, top = 0, right = 0, bottom = 0;  // pixels, from the top left
-  std::vector<InterfaceVertex> vertices;         // three a triangle
+  std::vector<InterfaceVertex> vertices;         // three per triangle
 };
 
 class InterfacePainter {
  public:
-  /// Takes a `context` that outlives the painter. Throws InputError as the renderer does.
+  /// Stores a reference to `context`, which must outlive the painter. Throws InputError as the renderer does.
   InterfacePainter(GlContext& context, const std::filesystem::path& shaders);
   ~InterfacePainter();
 
-  /// Makes a texture of RGBA bytes, rows from the top, and returns what it is called from now on.
+  /// Makes a texture of RGBA bytes, rows from the top, and returns its id.
   std::uint32_t add_texture(int width, int height, const std::uint8_t* rgba);
-  /// Gives a texture another picture, which may have another size.
+  /// Replaces a texture's image; its size may change.
   void change_texture(std::uint32_t texture, int width, int height, const std::uint8_t* rgba);
-  /// Draws on a ground of that colour (sRGB); in a window, shows it there, too (call present()).
+  /// Draws on a background of the given colour (sRGB). In a window, call present() to show the result.
   void draw(const Eigen::Vector3f& ground, const std::vector<InterfaceDraw>& draws);
-  /// Reads what was drawn last.
+  /// Reads the latest frame.
   Image read_pixels() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Light from around as spherical harmonics (Ramamoorthi and Hanrahan, An efficient representation for
-// irradiance environment maps, SIGGRAPH 2001). Private to client/render.
+// Irradiance as spherical harmonics (Ramamoorthi and Hanrahan, An efficient representation for irradiance
+// environment maps, SIGGRAPH 2001). Private to client/render.
 
 #include <vector>
 
@@ -8,15 +8,16 @@
 
 namespace prosector {
 
-/// Some of the light from around: where it comes from, from how much of the sphere, and how bright.
+/// Light from one direction: the direction, the solid angle and the radiance.
 struct LightPatch {
   Vec3 direction;      // unit
   double solid_angle;  // sr
   Vec3 radiance;
 };
 
-/// Returns what lights a surface, over π, by its normal n: the sum of the nine times 1, x, y, z, xy, yz, zx,
-/// y² and x² − z² of n. The patches take in the whole sphere. What is dropped is below 1 % of a smooth light.
+/// Returns the irradiance over π as a function of a surface's normal n: nine coefficients of 1, x, y, z, xy,
+/// yz, zx, y² and x² − z² of n. The patches must cover the whole sphere. The truncation error is below 1 %
+/// for smooth light.
 std::vector<Vec3> irradiance_of(const std::vector<LightPatch>& around);
 
 }  // namespace prosector

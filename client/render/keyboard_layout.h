@@ -1,5 +1,5 @@
 #pragma once
-// What a key is called on keyboards other than a US one.
+// Key names on keyboards other than a US one.
 
 #include <cctype>
 #include <string_view>
@@ -8,9 +8,10 @@
 
 namespace prosector {
 
-/// Returns the key that people mean who press what is `place` on a US keyboard and prints `printed` on theirs
-/// (UTF-8, lower case; empty: not known). W A S D Q E are a cross for the fingers and go by their place.
-/// Other letters, plus and minus go by what they print; plus is '=', as on a US keyboard.
+/// Returns the key that a user means by pressing the key at the position `place` of a US keyboard. `printed`:
+/// its character on the user's keyboard (UTF-8, lower case; empty: unknown). W A S D Q E form a cross for the
+/// fingers, so the position counts. For other letters, plus and minus the printed character counts; plus is
+/// '=', as on a US keyboard.
 inline Key key_meant(Key place, std::string_view printed) {
   constexpr std::string_view cross = "WASDQE";
   const auto in_cross = [&](Key key) {

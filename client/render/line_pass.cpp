@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-constexpr float faintness = 0.4f;  // opacity of lines that shine through what hides them
+constexpr float faintness = 0.4f;  // opacity of the occluded parts of lines
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void draw_lines(const DrawList& list, const DrawCamera& camera, const ScreenQuad
       const auto flat = [](const Vec3& x) { return Eigen::Vector4d(x.x(), x.y(), 0, 1); };
       add_line(overlay, flat(line.a), flat(line.b), line.color, list.scale * line.width, viewport);
     } else {
-      for (auto* lines : {line.over ? &overlay : &room, line.shines_through ? &hidden : nullptr})
+      for (auto* lines : {line.over ? &overlay : &room, line.faint_when_occluded ? &hidden : nullptr})
         if (lines != nullptr)
           add_line(*lines, project(line.a), project(line.b), line.color, list.scale * line.width, viewport);
     }

@@ -1,6 +1,5 @@
 #pragma once
-// A DrawList's lines: those of the room behind what hides them, then those over it. Private to
-// client/render.
+// Draws a DrawList's lines: first those with a depth test, then those without. Private to client/render.
 
 #include "client/render/screen_quad_drawer.h"
 #include "client/view/draw_list.h"

@@ -11,23 +11,22 @@
 namespace prosector {
 namespace {
 
-/// Tells whether an eye, and the near plane ahead of it, may be inside of the body, which then shows its
-/// inner face rather than the room behind it.
-bool may_be_around(const Vec3& eye, const QueuedItem& queued) {
+/// Returns whether the eye or its near plane may be inside the body, which then shows its inner faces.
+bool may_contain_eye(const Vec3& eye, const QueuedItem& queued) {
   const Surface surface = queued.item->appearance.surface;
   return (surface == Surface::tissue || surface == Surface::bone) &&
          (eye - queued.bounds.center).norm() <= queued.bounds.radius;
 }
 
-/// Tells whether the ball is too small on the picture to be met by a pixel's middle, but by luck.
-bool is_below_a_pixel(const DrawCamera& camera, const Sphere& sphere) {
+/// Returns whether the sphere is so small on the screen that it almost never covers a pixel's centre.
+bool is_subpixel(const DrawCamera& camera, const Sphere& sphere) {
   constexpr double least = 0.5;  // pixels across
   const double pixels_per_tangent = camera.height / (camera.top - camera.bottom);
   const double distance = (sphere.center - camera.pose.p).norm() - sphere.radius;
   return distance > 0 && 2 * sphere.radius / distance * pixels_per_tangent < least;
 }
 
-bool is_clear(const DrawItem& item) {
+bool is_transparent(const DrawItem& item) {
   return item.opacity < 1;
 }
 
@@ -43,7 +42,7 @@ struct MainPass::Frame {
   const MeshCache& meshes;
   const Shadow& shadow;
   const Environment& environment;
-  bool refracts = false;  // glass is drawn over a picture of what is behind it
+  bool refracts = false;  // glass is drawn by draw_glass() over the frame
   std::map<std::tuple<Surface, bool, bool, bool, bool, bool, bool, unsigned long>, const ShaderProgram*>
       found = {};
   std::set<const ShaderProgram*> set_up = {};
@@ -83,21 +82,21 @@ const ShaderProgram& MainPass::program_for(const Defines& defines) {
   return *program;
 }
 
-/// Returns the item's program, in use and with all that it needs.
+/// Binds the item's program and sets all its uniforms.
 const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const DrawItem& item = *queued.item;
   const bool is_wet = item.appearance.wetness > 0;
   const LightSet lights = item.shaft || item.painted ? LightSet() : lights_of(queued, frame.list.lights);
-  const bool is_ground = item.showing == Showing::ground;
+  const bool is_ground = item.showing == ItemRole::ground;
   const ShaderProgram*& program =
-      frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted, is_clear(item),
+      frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted, is_transparent(item),
                    is_brushed(item), is_ground, lights.to_ulong()}];
   if (!program) {
     Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     if (item.painted) defines.push_back("PAINTED");
-    if (is_clear(item)) defines.push_back("CLEAR");
+    if (is_transparent(item)) defines.push_back("CLEAR");
     if (is_brushed(item)) defines.push_back("BRUSHED");
     if (is_ground) defines.push_back("GROUND");
     if (frame.refracts) defines.push_back("REFRACTS");
@@ -109,19 +108,19 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
     if (frame.refracts) set_refraction(*program, frame.camera);
   }
   set_item(*program, item);
-  // Also without a section: some drivers go on clipping what a program once clipped.
-  set_kept(*program, is_opened(item, frame.list) ? kept_side(*frame.list.section) : kept_whole);
+  // Set even without a section: some drivers keep clipping in programs that clipped before.
+  set_clip_plane(*program, is_opened(item, frame.list) ? clip_plane_of(*frame.list.section) : no_clip_plane);
   return *program;
 }
 
-/// Calls draw() for its front, and first for its inside where that is seen.
+/// Calls draw() for the item's front faces, and before for its inside if that is visible.
 template <class Draw>
 void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw) {
   const ShaderProgram& program = ready(queued, frame);
   const DrawItem& item = *queued.item;
   const bool mirrored = item.shape.A.determinant() < 0;
   const bool opened = is_opened(item, frame.list);
-  if (item.seen_from_inside || opened || may_be_around(frame.camera.pose.p, queued)) {
+  if (item.seen_from_inside || opened || may_contain_eye(frame.camera.pose.p, queued)) {
     const Eigen::Matrix4d normals = matrix_of(normal_map(item));
     program.set("room_from_normal", Eigen::Matrix4d(-normals));
     gl_.CullFace(mirrored ? GL_BACK : GL_FRONT);
@@ -142,9 +141,9 @@ void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] { prosector::draw(frame.meshes, queued); });
 }
 
-/// Draws what is seen through: first its depth alone, so that of a body only the front is seen, not its
-/// inside and its back.
-void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
+/// Draws a transparent item: first its depth only, so that only the front of a body is visible, not its
+/// inside and back.
+void MainPass::draw_transparent(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     prosector::draw(frame.meshes, queued);
@@ -158,7 +157,7 @@ void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
   });
 }
 
-/// Draws ground: the depth of all of it, and then what shadows leave of the light there.
+/// Draws ground: first the depth of all ground items, then the shadows as a factor of the light.
 void MainPass::draw_ground(const std::vector<const QueuedItem*>& grounds, Frame& frame) {
   const auto draw_all = [&] {
     for (const QueuedItem* queued : grounds) {
@@ -179,8 +178,8 @@ void MainPass::draw_ground(const std::vector<const QueuedItem*>& grounds, Frame&
   gl_.CullFace(GL_BACK);
 }
 
-/// Glass without refraction: what is straight behind, less what its face mirrors and its body swallows.
-void MainPass::draw_pane(const QueuedItem& queued, Frame& frame) {
+/// Draws glass without refraction: the background, attenuated by reflection and absorption.
+void MainPass::draw_unrefracted_glass(const QueuedItem& queued, Frame& frame) {
   ready(queued, frame);
   gl_.CullFace(queued.item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);
   gl_.DepthMask(GL_FALSE);
@@ -217,16 +216,16 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   Frame frame{list, camera, meshes, shadow, environment};
   std::vector<const QueuedItem*> grounds, solids, clear, shafts;
   for (const QueuedItem& queued : items) {
-    if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
-    if (queued.item->showing == Showing::around && !probes_) continue;
-    if (queued.item->showing == Showing::real) continue;
-    if (queued.item->showing == Showing::ground)
+    if (!frustum.may_see(queued.bounds) || is_subpixel(camera, queued.bounds)) continue;
+    if (queued.item->showing == ItemRole::around && !probes_) continue;
+    if (queued.item->showing == ItemRole::real) continue;
+    if (queued.item->showing == ItemRole::ground)
       grounds.push_back(&queued);
     else if (queued.item->shaft)
       shafts.push_back(&queued);
     else if (is_glass(*queued.item) && refracts_ && !camera.inset)
       continue;
-    else if (is_clear(*queued.item) || is_glass(*queued.item))
+    else if (is_transparent(*queued.item) || is_glass(*queued.item))
       clear.push_back(&queued);
     else
       solids.push_back(&queued);
@@ -237,12 +236,12 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
     bind_shadow(shadow.texture);
   }
   std::vector<const QueuedItem*> covered;
-  if (occlusion != nullptr) covered = occlusion->take_covered(camera, solids);
+  if (occlusion != nullptr) covered = occlusion->take_query_candidates(camera, solids);
   for (const QueuedItem* queued : solids) draw_solid(*queued, frame);
   if (!covered.empty())
     for (const QueuedItem* queued : occlusion->shown(camera, covered)) draw_solid(*queued, frame);
   for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued)
-    is_glass(*(*queued)->item) ? draw_pane(**queued, frame) : draw_clear(**queued, frame);
+    is_glass(*(*queued)->item) ? draw_unrefracted_glass(**queued, frame) : draw_transparent(**queued, frame);
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
   gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_CULL_FACE);

@@ -1,5 +1,5 @@
 #pragma once
-// Lit surfaces: one shader program for each kind of Surface, wet or dry, and set of lights. Private to
+// Lit surfaces: one shader program for each combination of Surface, wetness and set of lights. Private to
 // client/render.
 
 #include <filesystem>
@@ -15,26 +15,25 @@
 
 namespace prosector {
 
-/// Tells whether the item is glass, and whole: a painted one, or one that a panel makes half seen through, is
-/// drawn as any other.
+/// Returns whether the item is drawn as glass. Painted items and items faded by a panel are not.
 bool is_glass(const DrawItem& item);
 
 class MainPass {
  public:
-  /// Takes in `defines` what all of its shaders are compiled with.
+  /// Takes in `defines` the macros with which all of its shaders are compiled.
   MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines);
 
-  /// Compiles every kind of surface, so that a broken shader shows at once.
+  /// Compiles the shaders of every surface kind, so that errors are detected immediately.
   void compile_all();
 
-  /// Draws the list. `items` come nearest first, so that hidden fragments are not shaded. What is seen
-  /// through comes after all that is not, farthest first, and light in air last. Ground comes first, real
-  /// things are left to BackdropPass. With `occlusion`, what is hidden is not drawn.
+  /// Draws the list. `items` must be sorted nearest first, so that hidden fragments are not shaded.
+  /// Transparent items are drawn after the opaque ones, farthest first, and light shafts last. Ground is
+  /// drawn first; BackdropPass draws the real items. With `occlusion`, occluded items are not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
             Occlusion* occlusion = nullptr);
 
-  /// Draws one layer of glass; draw() leaves out what is drawn by this (GlassPass).
+  /// Draws one layer of glass for GlassPass. draw() omits the glass in this case.
   void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
                   const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
                   const Refraction& seen);
@@ -50,16 +49,16 @@ class MainPass {
   void draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw);
   void bind_shadow(GLuint texture) const;
   void draw_solid(const QueuedItem& queued, Frame& frame);
-  void draw_clear(const QueuedItem& queued, Frame& frame);
-  void draw_pane(const QueuedItem& queued, Frame& frame);
+  void draw_transparent(const QueuedItem& queued, Frame& frame);
+  void draw_unrefracted_glass(const QueuedItem& queued, Frame& frame);
   void draw_ground(const std::vector<const QueuedItem*>& grounds, Frame& frame);
   void draw_shaft(const QueuedItem& queued, Frame& frame);
 
   const Gl& gl_;
   std::filesystem::path shaders_;
   std::vector<std::string> defines_;
-  bool refracts_;  // glass is drawn by draw_glass()
-  bool probes_;    // draws what is around, for mirrors
+  bool refracts_;  // draw_glass() draws the glass
+  bool probes_;    // draws the environment map
   std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 

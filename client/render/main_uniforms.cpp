@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-constexpr double least_pixels = 1.5;  // across what is slender, so that it is never dotted
+constexpr double least_pixels = 1.5;  // minimum width of slender items, so that they are never dotted
 
 // The order of Surface.
 constexpr std::array<const char*, 11> surface_defines = {
@@ -23,7 +23,7 @@ Eigen::Vector4f vec4(const Vec3& v, double w) {
           static_cast<float>(w)};
 }
 
-/// Tells whether a light's cone may reach the sphere. Point and directional lights reach everywhere.
+/// Returns whether a light's cone may reach the sphere. Point and directional lights reach everywhere.
 bool may_light(const LightInfo& light, const Sphere& sphere) {
   if (light.kind != LightKind::spot) return true;
   const Vec3 offset = sphere.center - light.position;
@@ -32,7 +32,7 @@ bool may_light(const LightInfo& light, const Sphere& sphere) {
   return across * std::cos(light.cone) - along * std::sin(light.cone) <= sphere.radius;
 }
 
-/// Lights as the shader's arrays; w holds the cosine of the cone and that of its bright core.
+/// Sets the lights as the shader's arrays; w holds the cosine of the cone and that of its full-strength core.
 void set_lights(const ShaderProgram& program, const std::vector<LightInfo>& lights) {
   const std::size_t count = std::min(lights.size(), max_lights);
   std::vector<Eigen::Vector4f> position, direction, color;
@@ -103,7 +103,7 @@ Affine normal_map(const DrawItem& item) {
   return out;
 }
 
-void set_kept(const ShaderProgram& program, const Eigen::Vector4d& kept) {
+void set_clip_plane(const ShaderProgram& program, const Eigen::Vector4d& kept) {
   program.set("kept", std::vector<Eigen::Vector4f>{kept.cast<float>()});
 }
 

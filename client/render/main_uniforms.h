@@ -1,5 +1,5 @@
 #pragma once
-// What the surfaces' shaders are compiled with, and what they are told. Private to client/render.
+// Macros and uniforms of the surface shaders. Private to client/render.
 
 #include <bitset>
 #include <string>
@@ -14,22 +14,22 @@ namespace prosector {
 
 using LightSet = std::bitset<max_lights>;
 
-inline constexpr int first_glass_unit = 2;  // of textures, after shadow and environment
+inline constexpr int first_glass_unit = 2;  // texture unit, after shadow and environment
 
-/// Tells whether it is the client's own room that looks so.
+/// Returns whether the surface belongs to the client's own room.
 inline bool is_room(Surface surface) {
   return surface > last_body_surface;
 }
 
-/// Returns a set whose bit k says that light k is to be reckoned with. Only the room is spared lights that
-/// don't reach it: what moves in and out of a cone would need shaders compiled on the way.
+/// Returns a set whose bit k means that light k is included. Lights out of reach are omitted only for the
+/// room. Moving bodies enter and leave light cones, which would require compiling shaders while running.
 LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& lights);
 
-/// Returns what shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
+/// Returns the macros for shaders/lighting.glsl: the lights' kinds, and the light with the shadow map.
 std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, const LightSet& set,
                                        int shadow_light);
 
-/// Tells whether the item is of metal that was ground along its long axis, as instruments are.
+/// Returns whether the item is of metal with grinding marks along its long axis, such as an instrument.
 bool is_brushed(const DrawItem& item);
 
 std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines);
@@ -37,13 +37,14 @@ std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<
 void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
                const Shadow& shadow, const Environment& environment);
 
-/// Sets the side of a plane that is drawn: where its product with a place is above zero.
-void set_kept(const ShaderProgram& program, const Eigen::Vector4d& kept);
+/// Sets the clipping plane: points with a positive product with it are drawn.
+void set_clip_plane(const ShaderProgram& program, const Eigen::Vector4d& kept);
 
-/// Sets where the item is, as room_from_mesh and room_from_normal.
+/// Sets the item's transformations room_from_mesh and room_from_normal.
 void set_placement(const ShaderProgram& program, const DrawItem& item);
 
-/// Returns the map of normals, which go with the inverse's transpose; a shape without volume has none.
+/// Returns the map for normals: the inverse transpose of the item's map. For a shape without volume, the
+/// rotation of the pose only.
 Affine normal_map(const DrawItem& item);
 
 void set_item(const ShaderProgram& program, const DrawItem& item);

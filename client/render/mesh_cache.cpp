@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/render/hollows.h"
+#include "client/render/curvature.h"
 
 namespace prosector {
 namespace {
@@ -30,10 +30,10 @@ GLsizeiptr bytes(const std::vector<T>& v) {
   return static_cast<GLsizeiptr>(v.size() * sizeof(T));
 }
 
-/// Uploads how hollow the rest shape is, which ages with its triangles alone.
-void upload_hollows(const Gl& gl, GLuint& buffer, const DrawMesh& mesh) {
+/// Uploads the curvature of the rest shape, which changes only with the triangles.
+void upload_curvature(const Gl& gl, GLuint& buffer, const DrawMesh& mesh) {
   const std::vector<float> hollows =
-      hollows_of(mesh.rest_positions.empty() ? mesh.positions : mesh.rest_positions, mesh.triangles);
+      curvature_of(mesh.rest_positions.empty() ? mesh.positions : mesh.rest_positions, mesh.triangles);
   if (buffer == 0) gl.GenBuffers(1, &buffer);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
   gl.BufferData(GL_ARRAY_BUFFER, bytes(hollows), hollows.data(), GL_STATIC_DRAW);
@@ -109,14 +109,14 @@ MeshCache::Entry& MeshCache::upload_mesh(const DrawMesh& mesh) {
   gl_.BindVertexArray(entry.vertex_array);
   upload_points(gl_, entry.positions, position_attribute, mesh.positions, GL_DYNAMIC_DRAW);
   if (topology_changed) {
-    // Without a rest shape the texture follows the positions themselves.
+    // Without a rest shape, textures use the current positions.
     if (mesh.rest_positions.empty()) {
       gl_.EnableVertexAttribArray(rest_attribute);
       gl_.VertexAttribPointer(rest_attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     } else {
       upload_points(gl_, entry.rest, rest_attribute, mesh.rest_positions, GL_STATIC_DRAW);
     }
-    upload_hollows(gl_, entry.hollows, mesh);
+    upload_curvature(gl_, entry.hollows, mesh);
   }
   upload_points(gl_, entry.normals, normal_attribute, mesh.normals, GL_DYNAMIC_DRAW);
   gl_.BindVertexArray(0);

@@ -33,11 +33,11 @@ class MeshCache {
   MeshCache(const MeshCache&) = delete;
   MeshCache& operator=(const MeshCache&) = delete;
 
-  /// Frees the buffers of meshes that were not drawn for the last `frames_kept` frames.
+  /// Frees the buffers of meshes that were not drawn in the last `frames_kept` frames.
   void begin_frame();
-  /// Uploads what changed. Throws std::invalid_argument when the mesh's arrays don't fit each other.
+  /// Uploads changed data. Throws std::invalid_argument if the mesh's arrays have inconsistent sizes.
   const Entry& upload(const DrawMesh& mesh, const std::shared_ptr<const Detail>& detail = nullptr);
-  /// Draws with the mesh's own triangles (0), or those of a coarser level, as far as there are any.
+  /// Draws the mesh's own triangles (0), or those of a coarser level, clamped to the available levels.
   void draw(const Entry& entry, std::size_t level) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// GLFW shares a context among windows alone. So pictures are drawn in that of a window which nobody sees.
+/// GLFW shares contexts only between windows, so the frames are drawn in the context of a hidden window.
 class GlfwMirror final : public MirrorContext {
  public:
   GlfwMirror(WindowSystem system, int width, int height, const std::optional<Audience>& audience)

@@ -1,5 +1,6 @@
 #pragma once
-// What a headset shows, in a window on the desk; or a context by the desk's window system for its pictures.
+// A headset's view mirrored to a window on the desktop, or a context of the desktop's window system for the
+// headset's frames.
 
 #include <functional>
 #include <memory>
@@ -8,19 +9,19 @@
 
 namespace prosector {
 
-enum class WindowSystem : std::uint8_t { egl, glx };  // by which a window's context is made
+enum class WindowSystem : std::uint8_t { egl, glx };  // the API that makes a window's context
 
-/// A context in which a headset's pictures are drawn, with an audience's window that shows one eye's.
+/// A context for drawing a headset's frames, with an optional audience window that shows one eye's view.
 class MirrorContext : public GlContext {
  public:
-  /// Shows the picture of that size, which `copy` copies into the texture, until somebody closes the window.
+  /// Shows the frame of the given size, which `copy` copies into the texture, until a user closes the window.
   virtual void show(int width, int height, const std::function<void(unsigned texture)>& copy) = 0;
-  /// Takes the window's events while there is nothing to show.
+  /// Processes the window's events while there is no frame to show.
   virtual void wait() = 0;
 };
 
-/// Makes the context, whose own size is that, and opens the audience's window, where there is an audience.
-/// Throws InputError as make_window_context() and WindowContext::open_audience() do.
+/// Makes the context with the given size, and opens the audience window, if any. Throws InputError as
+/// make_window_context() and WindowContext::open_audience() do.
 std::unique_ptr<MirrorContext> make_mirror_context(WindowSystem system, int width, int height,
                                                    const std::optional<Audience>& audience);
 

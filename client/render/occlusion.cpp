@@ -8,12 +8,12 @@
 namespace prosector {
 namespace {
 
-constexpr GLsizei least_indices = 3 * 1000;  // what has fewer is drawn sooner than asked about
-constexpr int asked_every = 8;               // pictures, of what was seen
+constexpr GLsizei least_indices = 3 * 1000;  // drawing fewer is faster than a query
+constexpr int query_interval = 8;            // frames between queries of visible items
 
 using Corners = std::array<Vec3, 8>;
 
-/// Returns the corners of the box around the item in the room, `margin` (m) wider each way.
+/// Returns the corners of the item's bounding box in the room, extended by `margin` (m) on each side.
 Corners corners_of(const QueuedItem& queued, double margin) {
   const DrawItem& item = *queued.item;
   Corners out;
@@ -25,19 +25,20 @@ Corners corners_of(const QueuedItem& queued, double margin) {
   return out;
 }
 
-/// Returns a pixel's width where the item is farthest from the eye: what rounding may shift by.
+/// Returns a pixel's width at the item's farthest point, m: the bound of rounding errors.
 double margin_of(const DrawCamera& camera, const QueuedItem& queued) {
   const double farthest = (queued.bounds.center - camera.pose.p).norm() + queued.bounds.radius;
   return farthest * (camera.top - camera.bottom) / camera.height;
 }
 
-/// What a box takes of the picture, as tangents, and how near it comes.
+/// The area of a box on the screen, in tangents, and its nearest depth.
 struct Outline {
   Eigen::AlignedBox2d area;
   double nearest = std::numeric_limits<double>::infinity();  // m ahead of the eye
 };
 
-/// Returns the outline of the item's box; nullopt: the box reaches behind the near plane, or is out of shape.
+/// Returns the outline of the item's box; nullopt: the box reaches behind the near plane, or the item is
+/// scaled or sheared.
 std::optional<Outline> outline_of(const DrawCamera& camera, const QueuedItem& queued) {
   if (!queued.item->shape.A.isIdentity(0)) return std::nullopt;
   const Pose eye_from_room = camera.pose.inverse();
@@ -51,7 +52,7 @@ std::optional<Outline> outline_of(const DrawCamera& camera, const QueuedItem& qu
   return out;
 }
 
-// Two triangles a face; all faces are drawn, so it doesn't matter which way they are wound.
+// Two triangles per face. All faces are drawn, so the winding does not matter.
 constexpr std::array<std::uint8_t, 36> box_triangles = {0, 1, 2, 1, 2, 3, 4, 5, 6, 5, 6, 7,  //
                                                         0, 1, 4, 1, 4, 5, 2, 3, 6, 3, 6, 7,  //
                                                         0, 2, 4, 2, 4, 6, 1, 3, 5, 3, 5, 7};
@@ -75,9 +76,9 @@ Occlusion::~Occlusion() {
   gl_.DeleteVertexArrays(1, &box_);
 }
 
-std::vector<const QueuedItem*> Occlusion::take_covered(const DrawCamera& camera,
-                                                       std::vector<const QueuedItem*>& solids) {
-  std::vector<Outline> before;  // of what is drawn in any case
+std::vector<const QueuedItem*> Occlusion::take_query_candidates(const DrawCamera& camera,
+                                                                std::vector<const QueuedItem*>& solids) {
+  std::vector<Outline> before;  // of items that are drawn in any case
   std::vector<const QueuedItem*> covered;
   std::erase_if(solids, [&](const QueuedItem* queued) {
     const auto outline = outline_of(camera, *queued);
@@ -86,8 +87,8 @@ std::vector<const QueuedItem*> Occlusion::take_covered(const DrawCamera& camera,
       return other.nearest < outline->nearest && other.area.contains(outline->area);
     });
     const bool is_worth = queued->mesh->levels.at(queued->item->level).indices >= least_indices;
-    const auto seen = pictures_seen_.find(queued->item->mesh->id);
-    const bool is_due = seen == pictures_seen_.end() || --seen->second <= 0;
+    const auto seen = frames_since_visible_.find(queued->item->mesh->id);
+    const bool is_due = seen == frames_since_visible_.end() || --seen->second <= 0;
     if (is_covered && is_worth && is_due) {
       covered.push_back(queued);
       return true;
@@ -135,7 +136,7 @@ std::vector<const QueuedItem*> Occlusion::shown(const DrawCamera& camera,
     gl_.GetQueryObjectuiv(queries_[k], GL_QUERY_RESULT, &any);
     if (any == 0) continue;
     out.push_back(covered[k]);
-    pictures_seen_[covered[k]->item->mesh->id] = asked_every;
+    frames_since_visible_[covered[k]->item->mesh->id] = query_interval;
   }
   hidden_ += covered.size() - out.size();
   return out;

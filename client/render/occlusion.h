@@ -1,8 +1,8 @@
 #pragma once
-// What other things hide is not drawn: where a box around it would show nothing over the depth of what is
-// drawn already, it would not either. The picture itself is asked, so nothing that shows is ever left out.
-// Waiting for the answer costs. So it is asked only of what has many triangles and seems covered, and seldom
-// of what was seen (compare Bittner et al., Coherent hierarchical culling, Comput. Graph. Forum 23, 2004).
+// Occlusion culling by hardware queries: an item is skipped if its bounding box would not pass the depth
+// test. The test uses the current depth buffer, so no visible item is ever omitted. Waiting for a query has a
+// cost. So only items with many triangles that seem covered are tested, and items that were visible are
+// tested rarely (compare Bittner et al., Coherent hierarchical culling, Comput. Graph. Forum 23, 2004).
 // Private to client/render.
 
 #include <filesystem>
@@ -22,15 +22,15 @@ class Occlusion {
   Occlusion& operator=(const Occlusion&) = delete;
 
   void begin_picture() { hidden_ = 0; }
-  /// Returns how many were hidden since then, for all cameras together.
+  /// Returns how many items were culled since begin_picture(), for all cameras together.
   std::size_t hidden() const { return hidden_; }
 
-  /// Moves those of `solids`, nearest first, that may be hidden and are worth asking about to a list of their
-  /// own. The caller draws what is left, then what shown() gives of these.
-  std::vector<const QueuedItem*> take_covered(const DrawCamera& camera,
-                                              std::vector<const QueuedItem*>& solids);
-  /// Returns those of `covered` that show over the depth that is drawn already, with the viewport set.
-  /// Changes depth and colour masks back to writing, and the culling of faces to on.
+  /// Moves those of `solids`, sorted nearest first, that may be hidden and are worth testing to a separate
+  /// list. The caller draws the remaining ones, then those of the list that shown() returns.
+  std::vector<const QueuedItem*> take_query_candidates(const DrawCamera& camera,
+                                                       std::vector<const QueuedItem*>& solids);
+  /// Returns those of `covered` that are visible over the current depth buffer, with the viewport set.
+  /// Afterwards depth and colour writes and face culling are on.
   std::vector<const QueuedItem*> shown(const DrawCamera& camera,
                                        const std::vector<const QueuedItem*>& covered);
 
@@ -40,7 +40,8 @@ class Occlusion {
   GLuint box_ = 0, vertices_ = 0;
   std::size_t hidden_ = 0;
   std::vector<GLuint> queries_;
-  std::map<std::uint64_t, int> pictures_seen_;  // by mesh: since the answer was last that it shows
+  std::map<std::uint64_t, int>
+      frames_since_visible_;  // by mesh: frames since the last query that found it visible
 
   void draw_box(const DrawCamera& camera, const QueuedItem& queued) const;
 };

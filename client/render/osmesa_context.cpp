@@ -1,5 +1,5 @@
-// Mesa's own offscreen library. Opened at run time with RTLD_LOCAL, because it exports the same gl* symbols
-// as libGL and must never be linked beside it.
+// Mesa's offscreen library. Opened at run time with RTLD_LOCAL, because it exports the same gl* symbols as
+// libGL and must never be linked together with it.
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* library_name = "libOSMesa.so.8";
 
-/// The four functions that we use, with the handle that keeps them loaded.
+/// The four functions in use, with the handle that keeps them loaded.
 struct OsMesaLibrary {
   void* handle;
   decltype(&OSMesaCreateContextAttribs) create_context;
@@ -62,7 +62,7 @@ class OsMesaContext final : public GlContext {
     }
   }
   ~OsMesaContext() override {
-    // The library stays loaded: its driver keeps threads of its own.
+    // The library stays loaded, because its driver has running threads.
     library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
     library_.destroy_context(context_);
   }
@@ -82,7 +82,7 @@ class OsMesaContext final : public GlContext {
   OsMesaLibrary library_;
   int width_, height_;
   OSMesaContext context_ = nullptr;
-  std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(4);  // a colour buffer that nobody draws to
+  std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(4);  // dummy colour buffer, never drawn to
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ Eigen::Matrix4d matrix_of(const DrawItem& item) {
   return matrix_of(item.shape) * matrix_of(item.pose);
 }
 
-Eigen::Vector4d kept_side(const SectionPlane& section) {
+Eigen::Vector4d clip_plane_of(const SectionPlane& section) {
   return {-section.normal.x(), -section.normal.y(), -section.normal.z(), section.offset};
 }
 

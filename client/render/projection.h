@@ -1,5 +1,5 @@
 #pragma once
-// Cameras and lights as matrices (column vectors, OpenGL clip space), and what they can see.
+// Matrices of cameras and lights (column vectors, OpenGL clip space), and frustum tests.
 
 #include <array>
 
@@ -9,18 +9,19 @@ namespace prosector {
 
 Eigen::Matrix4d matrix_of(const Pose& pose);
 Eigen::Matrix4d matrix_of(const Affine& affine);
-/// Maps the item's mesh to the room.
+/// Returns the matrix from the item's mesh to the room.
 Eigen::Matrix4d matrix_of(const DrawItem& item);
 
-/// Returns the plane as the shaders' `kept`: its product with a place is above zero on the side that stays.
-Eigen::Vector4d kept_side(const SectionPlane& section);
+/// Returns the clipping plane for the shaders' uniform `kept`: its product with a point is positive on the
+/// remaining side.
+Eigen::Vector4d clip_plane_of(const SectionPlane& section);
 
-inline const Eigen::Vector4d kept_whole{0, 0, 0, 1};  // of what no section opens
+inline const Eigen::Vector4d no_clip_plane{0, 0, 0, 1};  // for items that no section opens
 
-/// Returns the off-axis frustum of the camera: clip from eye space.
+/// Returns the camera's off-axis projection, from eye space to clip space.
 Eigen::Matrix4d projection_of(const DrawCamera& camera);
 
-/// Maps the room to clip space.
+/// Returns the matrix from the room to clip space.
 Eigen::Matrix4d view_projection_of(const DrawCamera& camera);
 
 /// The six planes of a clip matrix (Gribb and Hartmann 2001).
@@ -31,7 +32,7 @@ class Frustum {
   bool may_see(const Sphere& sphere) const;
 
  private:
-  std::array<Eigen::Vector4d, 6> planes_;  // normal inwards, unit
+  std::array<Eigen::Vector4d, 6> planes_;  // unit normals pointing inwards
 };
 
 }  // namespace prosector

@@ -14,7 +14,7 @@ QualityGovernor::QualityGovernor(double target) : target_(target) {
 
 bool QualityGovernor::took(double seconds) {
   sum_ += seconds;
-  if (++pictures_ < pictures_judged) return false;
+  if (++pictures_ < frames_per_judgement) return false;
   const double mean = sum_ / pictures_;
   pictures_ = 0;
   sum_ = 0;
@@ -22,11 +22,11 @@ bool QualityGovernor::took(double seconds) {
     fits_ = 0;
     if (level_ == 0) return false;
     --level_;
-    patience_ = std::min(4 * patience_, most_patience);
+    retry_delay_ = std::min(4 * retry_delay_, max_retry_delay);
     return true;
   }
   fits_ = mean < 0.5 * target_ ? fits_ + 1 : 0;
-  if (fits_ < patience_ || level_ + 1 == quality_levels.size()) return false;
+  if (fits_ < retry_delay_ || level_ + 1 == quality_levels.size()) return false;
   fits_ = 0;
   ++level_;
   return true;

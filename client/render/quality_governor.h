@@ -1,5 +1,5 @@
 #pragma once
-// Picks the quality level whose pictures take no longer than they may.
+// Selects the quality level by frame time.
 
 #include <cstddef>
 
@@ -7,27 +7,27 @@
 
 namespace prosector {
 
-/// A choice of level, fed with what each picture took. It goes a level down when the mean of some pictures is
-/// over the target. It goes up when the mean is so far below that the next level, which may cost twice as
-/// much, should fit. A level that proved too dear is not tried again for a while, so that it does not swing.
+/// Selects a quality level from measured frame times. Steps down when the mean of some frames exceeds the
+/// target. Steps up when the mean is so low that the next level, at up to twice the cost, should fit. After a
+/// level proved too expensive, waits longer before trying it again, to avoid oscillation.
 class QualityGovernor {
  public:
-  /// Takes the target, s a picture; throws InputError unless it is above 0.
+  /// Sets the target, s per frame; throws InputError unless it is above 0.
   explicit QualityGovernor(double target);
 
-  /// Returns the level to draw the next picture with.
+  /// Returns the level for the next frame.
   const QualityLevel& level() const { return quality_levels[level_]; }
-  /// Takes what the last picture took, s. Returns true when the level changed.
+  /// Adds the duration of the last frame, s. Returns true if the level changed.
   bool took(double seconds);
 
  private:
-  static constexpr int pictures_judged = 15;
-  static constexpr int first_patience = 4,
-                       most_patience = 1024;  // judgements before a dear level is tried again
+  static constexpr int frames_per_judgement = 15;
+  static constexpr int first_retry_delay = 4,
+                       max_retry_delay = 1024;  // judgements before an expensive level is tried again
 
   double target_;
   std::size_t level_ = 1;  // medium
-  int pictures_ = 0, fits_ = 0, patience_ = first_patience;
+  int pictures_ = 0, fits_ = 0, retry_delay_ = first_retry_delay;
   double sum_ = 0;
 };
 

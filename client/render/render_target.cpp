@@ -45,8 +45,8 @@ void RenderTarget::allocate(int width, int height) {
   };
   const auto check_complete = [&] {
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw InputError(fmt::format("OpenGL refuses a picture of {} × {} pixels with {} samples each", width,
-                                   height, samples_));
+      throw InputError(fmt::format("OpenGL cannot create a frame of {} × {} pixels with {} samples each",
+                                   width, height, samples_));
   };
   gl_.GenFramebuffers(1, &drawn_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
@@ -138,7 +138,7 @@ void RenderTarget::copy_to(GLuint texture) const {
   gl_.DeleteFramebuffers(1, &target);
 }
 
-// Over the copy: the shader keeps off the pixels at no edge.
+// Drawn over the copy: the shader skips the pixels that are not at an edge.
 void RenderTarget::blend_steps() const {
   gl_.Viewport(0, 0, width_, height_);
   gl_.Disable(GL_DEPTH_TEST);
@@ -157,10 +157,10 @@ Image RenderTarget::read() const {
   image.rgb.resize(row * static_cast<std::size_t>(height_));
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  // As it is stored: a driver that converts takes longer than this does.
+  // Reads RGBA as stored: a conversion by the driver is slower than the loop below.
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  // OpenGL's rows run from the bottom.
+  // OpenGL's rows start at the bottom.
   for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
     const std::uint8_t* from =
         rgba.data() + 4 * static_cast<std::size_t>(width_) * (static_cast<std::size_t>(height_) - 1 - y);

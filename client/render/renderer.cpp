@@ -26,7 +26,7 @@ std::vector<std::string> effect_defines(const EffectSet& effects) {
   return out;
 }
 
-// IEC 61966-2-1, the inverse of what a screen does.
+// IEC 61966-2-1: linear light to sRGB.
 float srgb(double linear) {
   const double x = std::clamp(linear, 0.0, 1.0);
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
@@ -38,7 +38,7 @@ void sort_nearest_first(std::vector<QueuedItem>& items, const Vec3& eye) {
                    [&](const QueuedItem& a, const QueuedItem& b) { return distance(a) < distance(b); });
 }
 
-/// Everything that is made of shaders, in the order in which it draws.
+/// All objects with shaders, in drawing order.
 struct Passes {
   Passes(const Gl& gl, const std::filesystem::path& shaders, const RendererSettings& settings,
          Typesetter& typesetter)
@@ -52,7 +52,7 @@ struct Passes {
     main.compile_all();
     if (settings.occlusion) occlusion.emplace(gl, shaders);
     if (has(settings.effects, Effect::ambient_occlusion))
-      ambient.emplace(gl, shaders, settings.ambient_coarser);
+      ambient.emplace(gl, shaders, settings.ambient_occlusion_pixels);
     if (has(settings.effects, Effect::refraction)) glass.emplace(gl, shaders);
     if (has(settings.effects, Effect::shafts)) shafts.emplace(gl, shaders);
   }
@@ -63,12 +63,13 @@ struct Passes {
   BackdropPass backdrop;
   MainPass main;
   std::optional<Occlusion> occlusion;           // nullopt: everything is drawn
-  std::optional<AmbientOcclusionPass> ambient;  // nullopt: spared
-  std::optional<GlassPass> glass;               // nullopt: drawn by `main`, straight through
-  std::optional<ShaftPass> shafts;              // nullopt: spared
+  std::optional<AmbientOcclusionPass> ambient;  // nullopt: disabled
+  std::optional<GlassPass> glass;               // nullopt: drawn by `main` without refraction
+  std::optional<ShaftPass> shafts;              // nullopt: disabled
   ScreenQuadDrawer lines;
   TextPass texts;
-  std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
+  // Light kinds for which the shaders of future users' avatars are compiled.
+  std::vector<LightKind> prepared_lights;
 };
 
 }  // namespace
@@ -115,7 +116,7 @@ struct Renderer::Impl {
   ShaderWatch watch;
   std::unique_ptr<Passes> passes;
   std::function<void(std::string_view)> pass_done;
-  std::vector<DrawItem> users_to_come;  // nothing to see, of the surfaces that users are drawn with
+  std::vector<DrawItem> users_to_come;  // invisible items with the surface kinds of avatars
 };
 
 Renderer::Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings)
@@ -135,8 +136,8 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   return items;
 }
 
-// Drivers compile a shader when something is first drawn with it. Users who join later should find theirs
-// done: a triangle without area asks for them with the scene's first picture.
+// Drivers compile a shader at its first use. To avoid a delay when users join later, a degenerate triangle
+// triggers the compilation in the scene's first frame.
 void Renderer::Impl::prepare_for_users(const DrawList& list, std::vector<QueuedItem>& items) {
   std::vector<LightKind> kinds;
   for (const LightInfo& light : list.lights) kinds.push_back(light.kind);
@@ -238,9 +239,9 @@ std::optional<std::string> Renderer::reload_changed_shaders() {
   if (!r.watch.changed()) return std::nullopt;
   try {
     r.passes = std::make_unique<Passes>(r.gl, r.shaders, r.settings, r.typesetter);
-    return "the shaders were read anew";
+    return "shaders reloaded";
   } catch (const InputError& error) {
-    return std::string(error.what()) + "\nthe old shaders stay";
+    return std::string(error.what()) + "\nthe old shaders are kept";
   }
 }
 

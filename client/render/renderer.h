@@ -25,59 +25,60 @@ inline constexpr EffectSet medium_effects =
     ((1U << effect_rows.size()) - 1) & ~(1U << index_of(Effect::shafts));
 
 struct RendererSettings {
-  int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
-  int shadow_size = 768;  // texels, each way, of the first spot light's shadow map
+  int samples = 1;        // coverage samples per pixel; shading is once per pixel and triangle
+  int shadow_size = 768;  // texels, width and height of the first spot light's shadow map
   EffectSet effects = every_effect;
-  bool occlusion = true;    // what other things hide is not drawn; the picture is the same
-  int ambient_coarser = 2;  // pixels, each way, that one place of ambient occlusion stands for
+  bool occlusion = true;             // skips occluded items; does not change the frame
+  int ambient_occlusion_pixels = 2;  // pixels, width and height, per sample of ambient occlusion
 };
 
 struct QualityLevel {
   std::string_view name;
   RendererSettings settings;
-  double detail = 0.5;  // pixels by which surfaces may be off to be drawn with fewer triangles; 0: never
+  double detail = 0.5;  // pixels of tolerated error for coarser triangles; 0: always in full
 };
-/// What `--quality` chooses from; medium is the default.
+/// The levels of `--quality`; medium is the default.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {
     {{"low", {.shadow_size = 512, .effects = low_effects}},
      {"medium", {.effects = medium_effects}},
-     {"high", {.samples = 4, .shadow_size = 1024, .ambient_coarser = 1}}}};
+     {"high", {.samples = 4, .shadow_size = 1024, .ambient_occlusion_pixels = 1}}}};
 
-/// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
-/// with and without a window. With a window, `draw` also copies it there (call present() to show it).
+/// The renderer, with one code path for every context. Everything is drawn into a separate target, so a frame
+/// is the same with and without a window. With a window, `draw` also copies it there (call present() to show
+/// it).
 class Renderer {
  public:
-  /// Takes a `context` that outlives the renderer. `shaders` is the folder with the GLSL files
-  /// (default_shader_dir()); empty: those that are part of the program. Throws InputError with file and line
-  /// when one does not compile, and when there is no font to write with.
+  /// Stores a reference to `context`, which must outlive the renderer. `shaders` is the folder with the GLSL
+  /// files (default_shader_dir()); empty: the embedded ones. Throws InputError with file and line if a shader
+  /// does not compile, and InputError without fonts.
   Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 
-  /// Draws the list. Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't
-  /// fit its positions.
+  /// Draws the list. Throws std::invalid_argument if a mesh's normals, rest positions or triangles are
+  /// inconsistent with its positions.
   void draw(const DrawList& list);
-  /// Draws the list at another size than the context's, and shows it nowhere. Throws as draw() does.
+  /// Draws the list at another size than the context's, without showing it. Throws as draw() does.
   void draw(const DrawList& list, int width, int height);
-  /// Copies what was drawn last into a texture of its size, as it is stored: encoded as sRGB.
+  /// Copies the latest frame into a texture of the same size, as stored: sRGB-encoded.
   void copy_to(unsigned texture);
-  /// Returns the list at another size, shown nowhere. Throws as draw() does, and InputError where the size is
-  /// too large.
+  /// Renders the list at another size into an image, without showing it. Throws as draw() does, and
+  /// InputError if the size is too large.
   Image picture_of(const DrawList& list, int width, int height);
-  /// Sets the settings from the next picture on; costs what making the renderer does. Throws as it does, and
-  /// then nothing changed.
+  /// Sets the settings for the following frames; as expensive as constructing the renderer. On error, throws
+  /// as the constructor does and changes nothing.
   void set_settings(const RendererSettings& settings);
-  /// Calls `done` after each pass with its name, when all its work is done; for measurement. This costs:
-  /// passes no longer overlap.
+  /// Calls `done` with a pass's name after each pass, when its GPU work has finished; for measurement. Passes
+  /// then no longer overlap, which costs time.
   void on_pass(std::function<void(std::string_view)> done);
-  /// Reads the shaders anew when a file of them was written since the last call; for development. Returns
-  /// what came of it, for people: done, or file and line of what does not compile, and then the old shaders
-  /// stay. nullopt: nothing was written.
+  /// Reloads the shaders if a file was written since the last call; for development. Returns a message for
+  /// the user: success, or file and line of a compile error, in which case the old shaders stay. nullopt: no
+  /// file was written.
   std::optional<std::string> reload_changed_shaders();
-  /// Waits until all that was drawn is there; for measurement.
+  /// Waits until all drawing has finished; for measurement.
   void finish();
-  /// Reads what was drawn last.
+  /// Reads the latest frame.
   Image read_pixels();
-  /// Returns how many items the last picture's cameras left out because other things hide them.
+  /// Returns how many items the latest frame omitted as occluded, for all cameras.
   std::size_t hidden() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Draws ScreenVertex triangles in their colours. Private to client/render.
+// Draws ScreenVertex triangles with their vertex colours. Private to client/render.
 
 #include <filesystem>
 #include <vector>
@@ -15,7 +15,7 @@ class ScreenQuadDrawer {
   ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders);
 
   void draw(const std::vector<ScreenVertex>& vertices, bool depth_test) const;
-  /// Draws what lies behind something, over it, with that opacity.
+  /// Draws the occluded parts of the triangles with the given opacity.
   void draw_hidden(const std::vector<ScreenVertex>& vertices, float opacity) const;
 
  private:

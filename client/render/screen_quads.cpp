@@ -3,7 +3,7 @@
 namespace prosector {
 namespace {
 
-/// Cuts the part with z < −w (in front of the near plane) off; false when nothing is left.
+/// Clips off the part with z < −w (in front of the near plane); returns false if nothing is left.
 bool clip_near(Eigen::Vector4d& a, Eigen::Vector4d& b) {
   const double da = a.z() + a.w(), db = b.z() + b.w();
   if (da <= 0 && db <= 0) return false;

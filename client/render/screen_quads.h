@@ -1,5 +1,5 @@
 #pragma once
-// Lines of a width in pixels as triangles in normalised device coordinates. No GL.
+// Lines with a width in pixels, as triangles in normalised device coordinates. No GL.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct Viewport {
   double width, height;  // pixels
 };
 
-/// Brings what lies on a surface in front of it, in clip coordinates: by about 1 mm at arm's length.
+/// Moves a point on a surface in front of the surface, in clip coordinates: by about 1 mm at arm's length.
 inline Eigen::Vector4d in_front(Eigen::Vector4d clip) {
   constexpr double depth_bias = 4e-5;
   clip.z() -= depth_bias * clip.w();
@@ -24,7 +24,7 @@ inline Eigen::Vector4d in_front(Eigen::Vector4d clip) {
 }
 
 /// Adds the two triangles of the line from a to b (clip coordinates), `width` pixels wide, with square ends.
-/// What lies behind the eye is cut off.
+/// Clips the line at the near plane.
 void add_line(std::vector<ScreenVertex>& out, Eigen::Vector4d a, Eigen::Vector4d b, const Vec3& color,
               double width, const Viewport& viewport);
 

@@ -4,7 +4,7 @@
 
 namespace prosector {
 
-/// Returns $PROSECTOR_SHADERS as it is; empty when it is unset: the shaders that are part of the program.
+/// Returns $PROSECTOR_SHADERS unchanged. Empty if unset, which means the embedded shaders.
 std::filesystem::path default_shader_dir();
 
 }  // namespace prosector

@@ -12,7 +12,7 @@ namespace prosector {
 
 class ShaderProgram {
  public:
-  /// Links NAME.vert and NAME.frag. Throws InputError with file, line and the compiler's words.
+  /// Links NAME.vert and NAME.frag. Throws InputError with file, line and the compiler's message.
   ShaderProgram(const Gl& gl, const std::filesystem::path& folder, const std::string& name,
                 const std::vector<std::string>& defines = {});
   ~ShaderProgram();
@@ -20,7 +20,7 @@ class ShaderProgram {
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void use() const { gl_.UseProgram(program_); }
-  // Sets a uniform of the program in use; one that the compiler dropped is ignored.
+  // Sets a uniform of the program in use; a uniform that the compiler removed is ignored.
   void set(const char* name, int value) const { gl_.Uniform1i(location(name), value); }
   void set(const char* name, double value) const { gl_.Uniform1f(location(name), static_cast<float>(value)); }
   void set(const char* name, const Vec3& value) const;

@@ -17,8 +17,8 @@ extern const std::span<const EmbeddedFile> shipped_shaders;
 
 namespace {
 
-/// Returns the text of a shader in the folder, or of that of the program's own where the folder is empty;
-/// none when it can't be read.
+/// Returns the text of a shader in the folder, or of the embedded shader if the folder is empty; nullopt: it
+/// can't be read.
 std::optional<std::string> text_of(const std::filesystem::path& folder, const std::string& file) {
   if (folder.empty()) {
     const auto text = find_embedded(shipped_shaders, file);
@@ -30,7 +30,7 @@ std::optional<std::string> text_of(const std::filesystem::path& folder, const st
   return text.str();
 }
 
-/// Returns the FILE of a line `#include "FILE"`; none on any other line.
+/// Returns the FILE of a line `#include "FILE"`; nullopt for any other line.
 std::optional<std::string> included_file(const std::string& line) {
   constexpr std::string_view directive = "#include \"";
   if (!line.starts_with(directive)) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<std::string> included_file(const std::string& line) {
   return line.substr(directive.size(), end - directive.size());
 }
 
-/// Where a compiler's message points, and the message.
+/// A compiler message with its file index and line.
 struct LogLine {
   std::size_t file;
   int line;
@@ -48,7 +48,7 @@ struct LogLine {
 std::optional<LogLine> parse_log_line(const std::string& text) {
   unsigned file = 0;
   int line = 0, message = 0;
-  // Mesa's "2:14(3): error: …", then NVIDIA's "2(14) : error …".
+  // First Mesa's "2:14(3): error: …", then NVIDIA's "2(14) : error …".
   for (const char* form : {"%u:%d(%*d): %n", "%u(%d) : %n"})
     if (std::sscanf(text.c_str(), form, &file, &line, &message) == 2 && message > 0)
       return LogLine{file, line, text.substr(static_cast<std::size_t>(message))};

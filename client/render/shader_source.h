@@ -1,5 +1,5 @@
 #pragma once
-// GLSL files as one source text, and compiler logs turned back into file and line.
+// GLSL files as one source text, and conversion of compiler logs to file and line.
 
 #include <filesystem>
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace prosector {
 
-/// A shader's text after `#include "file"` (relative to the shader folder) was replaced. `files[n]` is source
-/// string n of its #line directives; of a shader that is part of the program it is the bare name.
+/// A shader's text with each `#include "file"` (relative to the shader folder) expanded. `files[n]` is source
+/// string n of its #line directives; for embedded shaders it is the bare name.
 struct ShaderSource {
   std::string text;
   std::vector<std::filesystem::path> files;
 };
 
-/// Reads from the folder; an empty one stands for the shaders that are part of the program. `defines` are
-/// macros as "NAME" or "NAME VALUE". Throws InputError when a file is missing or includes itself.
+/// Reads a shader from the folder; empty: from the embedded shaders. `defines` are macros as "NAME" or "NAME
+/// VALUE". Throws InputError if a file is missing or includes itself.
 ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
                                 const std::vector<std::string>& defines);
 

@@ -11,7 +11,7 @@ bool ShaderWatch::changed() {
   return true;
 }
 
-// A file that an editor is just replacing may be gone for a moment: it is then not listed.
+// A file that an editor is replacing may be missing for a moment, and is then not listed.
 ShaderWatch::Times ShaderWatch::times() const {
   Times out;
   std::error_code error;

@@ -1,5 +1,5 @@
 #pragma once
-// Sees when a shader file changed. Private to client/render.
+// Detects changes of shader files. Private to client/render.
 
 #include <filesystem>
 #include <map>
@@ -9,7 +9,7 @@ namespace prosector {
 class ShaderWatch {
  public:
   explicit ShaderWatch(const std::filesystem::path& folder) : folder_(folder), written_(times()) {}
-  /// Returns true once for every time that a file of the folder was written, added or removed.
+  /// Returns true once after each write, addition or removal of a file in the folder.
   bool changed();
 
  private:

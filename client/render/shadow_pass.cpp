@@ -9,16 +9,16 @@
 namespace prosector {
 namespace {
 
-/// Glass lets light through.
+/// Returns whether the item casts a shadow; glass does not.
 bool casts_shadow(const DrawItem& item) {
   return item.casts_shadow && item.appearance.surface != Surface::glass;
 }
 
-/// Returns the spot light as a square camera; depth is spent only on what casts shadows.
+/// Returns the spot light as a square camera, with its depth range fitted to the shadow casters.
 DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& items) {
   DrawCamera camera;
   camera.pose = {light.position, rotation_between(-Vec3::UnitZ(), light.direction.normalized())};
-  const double widest = 1.3;  // rad; a wider cone is lit but unshadowed at its rim
+  const double widest = 1.3;  // rad; a wider cone has no shadows at its border
   const double tangent = std::tan(std::clamp(light.cone, 0.02, widest));
   camera.left = camera.bottom = -tangent;
   camera.right = camera.top = tangent;
@@ -29,17 +29,17 @@ DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& item
     nearest = std::min(nearest, depth - queued.bounds.radius);
     farthest = std::max(farthest, depth + queued.bounds.radius);
   }
-  // In steps, so that what was drawn stays valid while something moves.
+  // The range changes in steps, so that the layers stay valid while something moves.
   constexpr double step = 0.25;  // m
   camera.far = std::max(step * std::ceil(farthest / step), step);
   camera.near = std::clamp(step * std::floor(nearest / step), 0.01 * camera.far, 0.9 * camera.far);
   return camera;
 }
 
-/// Returns the plane that bounds what is left of the item, in its mesh's frame.
+/// Returns the item's clipping plane in its mesh's frame.
 Eigen::Vector4d kept_of(const DrawItem& item, const std::optional<SectionPlane>& section) {
-  if (!section || item.solid == 0) return kept_whole;
-  return matrix_of(item).transpose() * kept_side(*section);
+  if (!section || item.solid == 0) return no_clip_plane;
+  return matrix_of(item).transpose() * clip_plane_of(*section);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ ShadowPass::~ShadowPass() {
 
 ShadowPass::Layer ShadowPass::make_layer() const {
   Layer layer;
-  const int side = std::max(size_, 1);  // without shadows the sampler still needs some texture
+  const int side = std::max(size_, 1);  // without shadows the sampler still needs a texture
   gl_.GenTextures(1, &layer.depth);
   gl_.BindTexture(GL_TEXTURE_2D, layer.depth);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
@@ -90,7 +90,7 @@ Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& ite
   Items casting, real;
   for (const QueuedItem& queued : items)
     if (casts_shadow(*queued.item) && frustum.may_see(queued.bounds))
-      (queued.item->showing == Showing::real ? real : casting).push_back(&queued);
+      (queued.item->showing == ItemRole::real ? real : casting).push_back(&queued);
   if (note_changes(casting, shadow.clip_from_room, list.section)) draw_layers(casting, meshes);
   if (real.empty()) return shadow;
   add_real(real, meshes);
@@ -138,7 +138,7 @@ void ShadowPass::draw_layers(const Items& items, const MeshCache& meshes) {
   draw_items(moving, meshes);
 }
 
-/// Draws what is real over what whole_ has, into a layer of its own.
+/// Draws the real items over a copy of whole_, into the layer with_real_.
 void ShadowPass::add_real(const Items& items, const MeshCache& meshes) {
   if (!with_real_) with_real_ = make_layer();
   gl_.Disable(GL_SCISSOR_TEST);
@@ -148,7 +148,7 @@ void ShadowPass::add_real(const Items& items, const MeshCache& meshes) {
   draw_items(items, meshes);
 }
 
-/// Copies a layer into another one, which is drawn into from then on.
+/// Copies a layer into another one, and binds the latter for drawing.
 void ShadowPass::copy(const Layer& from, const Layer& to) const {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
@@ -158,7 +158,7 @@ void ShadowPass::copy(const Layer& from, const Layer& to) const {
 
 void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   gl_.Viewport(0, 0, size_, size_);
-  // The outermost texels stay lit: what lies outside of the map takes its value from them.
+  // The outermost texels stay lit, because points outside the map take their value.
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.Scissor(1, 1, size_ - 2, size_ - 2);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
@@ -167,7 +167,7 @@ void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   if (section_) gl_.Enable(GL_CLIP_DISTANCE0);
   for (const QueuedItem* queued : items) {
     program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(*queued->item)));
-    set_kept(program_, kept_of(*queued->item, section_));
+    set_clip_plane(program_, kept_of(*queued->item, section_));
     prosector::draw(meshes, *queued);
   }
   gl_.Disable(GL_CLIP_DISTANCE0);

@@ -1,7 +1,7 @@
 #pragma once
-// Depth of the scene as the first spot light sees it. What has been still for a while is kept in a layer of
-// its own, so that a frame redraws only what moves, and nothing when nothing does. Real things shade what is
-// virtual in a layer of their own. Private to client/render.
+// Shadow map of the first spot light. Static casters are cached in a separate layer, so that a frame redraws
+// only moving casters, and nothing if none moves. Real objects, which cast shadows on virtual ones, have a
+// separate layer. Private to client/render.
 
 #include <filesystem>
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace prosector {
 
-/// What the main pass needs of a shadow map.
+/// Shadow map, as input of the main pass.
 struct Shadow {
   int light = -1;  // index into DrawList::lights; −1: no shadows
   Eigen::Matrix4d clip_from_room = Eigen::Matrix4d::Identity();
   GLuint texture = 0;
-  GLuint on_ground = 0;  // without what is real: a camera's picture has its shadows already
-  double size = 0;       // texels, each way
+  GLuint on_ground = 0;  // without real objects, because a camera image already contains their shadows
+  double size = 0;       // texels, width and height
   double texel = 0;      // width of a texel at 1 m from the light, m
 };
 
@@ -35,7 +35,7 @@ class ShadowPass {
   struct Layer {
     GLuint framebuffer = 0, depth = 0;
   };
-  /// Something that casts a shadow, as far as the shadow depends on it.
+  /// The state of a shadow caster that its shadow depends on.
   struct Caster {
     std::uint64_t mesh = 0, revision = 0, positions_revision = 0;
     std::size_t level = 0;
@@ -55,15 +55,15 @@ class ShadowPass {
   ShaderProgram program_;
   int size_;
   Layer whole_, still_;
-  std::optional<Layer> with_real_;  // whole_, and what is real; nullopt: nothing was yet
-  Eigen::Matrix4d clip_from_room_ = Eigen::Matrix4d::Zero();  // that the layers were drawn with
-  std::optional<SectionPlane> section_;                       // that opened what is in them
+  std::optional<Layer> with_real_;  // whole_ with real objects; nullopt: none so far
+  Eigen::Matrix4d clip_from_room_ = Eigen::Matrix4d::Zero();  // the layers were drawn with it
+  std::optional<SectionPlane> section_;                       // that opened the casters in the layers
   std::vector<Caster> casters_;                               // in whole_
-  std::vector<int> unchanged_;                                // for how many frames, by caster
+  std::vector<int> unchanged_;                                // by caster: frames without a change
   std::vector<bool> in_still_;                                // by caster
 
   Layer make_layer() const;
-  /// Notes what changed since the last frame; returns false when nothing did.
+  /// Updates the casters' change counts; returns false if nothing changed since the last frame.
   bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room,
                     const std::optional<SectionPlane>& section);
   void draw_layers(const Items& items, const MeshCache& meshes);

@@ -6,12 +6,12 @@
 namespace prosector {
 namespace {
 
-constexpr int coarser = 4;      // times than the picture, each way
+constexpr int coarser = 4;      // ratio of the frame's size to the layer's
 constexpr int cone_sides = 24;  // as in shaders/shaft.vert
-constexpr double widest = 1.2;  // rad: a wider cone is no beam
+constexpr double widest = 1.2;  // rad: wider cones have no beam
 constexpr double reach = 3.0;   // m from the lamp
 
-/// Tells whether the shafts' light has a cone, and a shadow map to tell what it reaches.
+/// Returns whether the lamp has a narrow cone and a shadow map.
 bool has_beam(const DrawList& list, const Shadow& shadow) {
   if (shadow.light < 0) return false;
   const LightInfo& lamp = list.lights[static_cast<std::size_t>(shadow.light)];
@@ -43,7 +43,7 @@ void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& t
     if (!camera.inset) draw_air(list.lights[static_cast<std::size_t>(shadow.light)], camera, shadow, depth);
   target.bind_again();
   for (const DrawCamera& camera : list.cameras)
-    if (!camera.inset) lay_over(camera);
+    if (!camera.inset) blend_over(camera);
 }
 
 void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow,
@@ -70,7 +70,7 @@ void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const 
   gl_.BindTexture(GL_TEXTURE_2D, depth);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
-  // The cone's far side: it is there, too, when the eye is in the beam.
+  // Draws the far side of the cone, which is visible even with the eye inside the beam.
   gl_.Enable(GL_CULL_FACE);
   gl_.CullFace(GL_FRONT);
   gl_.DrawArrays(GL_TRIANGLES, 0, 6 * cone_sides);
@@ -78,7 +78,7 @@ void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const 
   gl_.Disable(GL_CULL_FACE);
 }
 
-void ShaftPass::lay_over(const DrawCamera& camera) {
+void ShaftPass::blend_over(const DrawCamera& camera) {
   gl_.Viewport(camera.x, camera.y, camera.width, camera.height);
   blend_.use();
   blend_.set("air", 0);

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Places a text; none where its place is behind the eye.
+/// Places a text; nullopt: its point is behind the eye.
 std::optional<PlacedText> place(const DrawText& text, const SetText& set, const DrawCamera& camera,
                                 double scale, const Eigen::Matrix4d& clip_from_room) {
   const Eigen::Vector2d size(set.width(), set.height());
@@ -22,7 +22,7 @@ std::optional<PlacedText> place(const DrawText& text, const SetText& set, const 
   if (clip.w() <= 0) return std::nullopt;
   const Eigen::Vector2d at((clip.x() / clip.w() + 1) / 2 * camera.width,
                            (1 - clip.y() / clip.w()) / 2 * camera.height);
-  // Whole pixels: a text that moves keeps its looks.
+  // Rounded to whole pixels, so that a moving text keeps its appearance.
   return PlacedText{&text, set, (at - Eigen::Vector2d(size.x() / 2, size.y())).array().round(), size};
 }
 
@@ -34,7 +34,7 @@ bool cover(const PlacedText& a, const PlacedText& b, const Eigen::Vector2d& marg
   return !apart(0) && !apart(1);
 }
 
-/// Upwards until it covers none of `others`. Each lift clears one of them for good.
+/// Moves the text up until it overlaps none of `others`. Each lift clears one of them permanently.
 void lift_clear_of(const std::vector<PlacedText>& others, const Eigen::Vector2d& margin, PlacedText& text) {
   for (bool moved = true; moved;) {
     moved = false;
@@ -48,7 +48,7 @@ void lift_clear_of(const std::vector<PlacedText>& others, const Eigen::Vector2d&
   }
 }
 
-/// Returns the distance that texts keep, so that their grounds are `text_margin` apart, in whole pixels.
+/// Returns the distance between texts, in whole pixels, at which their backgrounds are `text_margin` apart.
 Eigen::Vector2d margin_of(double scale) {
   const Eigen::Vector2d grounds(ground_beside, ground_above);
   return (scale * (2 * grounds.array() + text_margin)).ceil();

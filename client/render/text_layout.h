@@ -1,6 +1,6 @@
 #pragma once
-// Where texts stand in a picture. Those at places in the room (names, figures) stand above their places;
-// where two would cover each other, the later one is lifted over the earlier. No GL.
+// Positions of texts in a view. Texts at points of the room (names, statistics) are above their points. If
+// two overlap, the later one is lifted over the earlier one. No GL.
 
 #include <vector>
 
@@ -14,12 +14,12 @@ struct PlacedText {
   SetText set;
   Eigen::Vector2d origin;  // top left of the first line, pixels from the viewport's top left
   Eigen::Vector2d size;    // pixels
-  double lift = 0;         // pixels that it stands above its place
+  double lift = 0;         // pixels that it is lifted above its point
 };
 
-/// Places all texts but those on surfaces that this camera sees, in their order; the list and its cameras
-/// outlive the result. All eyes lift alike, as the list's first camera asks for: nobody can fuse pictures
-/// whose texts differ in height.
+/// Places all texts that this camera sees, except those on surfaces, in their order. The list and its cameras
+/// must outlive the result. All eyes use the lifts of the list's first camera, because texts at different
+/// heights cannot be fused stereoscopically.
 std::vector<PlacedText> place_texts(const DrawList& list, const DrawCamera& camera, Typesetter& typesetter);
 
 }  // namespace prosector

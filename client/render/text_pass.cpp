@@ -11,7 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr double leader_width = 1.2;             // points
-constexpr double corner = 4, frame_width = 1.5;  // points, of grounds
+constexpr double corner = 4, frame_width = 1.5;  // points, of text backgrounds
 const Vec3 dark = Vec3::Constant(0.004);
 constexpr double ground_opacity = 0.62;
 
@@ -44,7 +44,7 @@ void add_plate(std::vector<PlateVertex>& out, const DrawPlate& plate, double sca
   add_plate(out, {low.x(), low.y(), high.x(), high.y()}, look, picture);
 }
 
-/// Adds a line from a text that was lifted down to its place.
+/// Adds a line from a lifted text down to its point.
 void add_leader(std::vector<PlateVertex>& out, const PlacedText& placed, double scale,
                 const Eigen::Vector2d& picture) {
   if (placed.lift <= 0) return;
@@ -109,7 +109,8 @@ void TextPass::add_letters(Ink& ink, const PlacedText& placed, const Eigen::Vect
   const double enlarged = em > largest_image ? em / drawn_em : 1;
   for (const TextLine& line : placed.set.block->lines)
     for (const PlacedGlyph& glyph : line.glyphs) {
-      // Down to a whole pixel, sideways to a phase of one: so the glyph falls on pixels as it was drawn.
+      // Rounds the pen vertically to a whole pixel, horizontally to a phase of a pixel, so that the
+      // rasterised glyph aligns with the pixels.
       const double x = placed.origin.x() + em * (line.left + glyph.x);
       const double y = std::round(placed.origin.y() + em * (line.baseline - glyph.y));
       const long phases = std::lround(pen_phases * x);
@@ -151,7 +152,7 @@ void TextPass::add_writing(Ink& ink, const DrawText& text, const Eigen::Matrix4d
     }
 }
 
-/// Returns where the glyph is on its sheet. On a full one there is room after what waits is drawn.
+/// Returns the glyph's position on its sheet. If the sheet is full, draws the waiting glyphs and clears it.
 GlyphSpot TextPass::spot(Ink& ink, const GlyphKey& key, const std::function<GlyphImage()>& make) {
   if (const auto found = ink.texture.sheet().spot(key, make)) return *found;
   draw(ink);

@@ -1,5 +1,5 @@
 #pragma once
-// A DrawList's texts. Private to client/render.
+// Draws a DrawList's texts. Private to client/render.
 
 #include "client/render/glyph_texture.h"
 #include "client/render/shader_program.h"
@@ -11,17 +11,17 @@ namespace prosector {
 
 class TextPass {
  public:
-  /// Compiles the shaders. The typesetter outlives the pass.
+  /// Compiles the shaders. The typesetter must outlive the pass.
   TextPass(const Gl& gl, const std::filesystem::path& shaders, Typesetter& typesetter);
 
-  /// Draws the texts on surfaces, behind what hides them and lit by no lamp. The alpha of the picture stays.
+  /// Draws the texts on surfaces, with a depth test and without lighting. The frame's alpha stays.
   void draw_on_surfaces(const DrawList& list, const DrawCamera& camera);
-  /// Draws plates and the other texts over the finished picture: first what they stand on, then their glyphs,
-  /// each as FreeType draws it at that size.
+  /// Draws plates and the other texts over the finished frame: first their backgrounds, then their glyphs,
+  /// rasterised by FreeType at that size.
   void draw_over(const DrawList& list, const DrawCamera& camera);
 
  private:
-  /// Glyphs of one sheet that wait to be drawn.
+  /// A batch of glyphs of one sheet.
   struct Ink {
     GlyphTexture& texture;
     const ShaderProgram& program;
@@ -37,8 +37,8 @@ class TextPass {
   Typesetter& typesetter_;
   ShaderProgram plate_program_, letter_program_, writing_program_;
   VertexStream plate_stream_, glyph_stream_;
-  GlyphTexture letters_;  // as covered pixels, of each size
-  GlyphTexture shapes_;   // as distances, of one size
+  GlyphTexture letters_;  // coverage images, for each size
+  GlyphTexture shapes_;   // distance fields, of one size
 };
 
 }  // namespace prosector

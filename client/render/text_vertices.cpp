@@ -25,7 +25,7 @@ void add_plate(std::vector<PlateVertex>& out, const ScreenBox& box, const PlateL
   const Eigen::Vector2d half((box.right - box.left) / 2, (box.bottom - box.top) / 2);
   const double radius = std::min(look.radius, half.minCoeff());
   const Eigen::Vector4f shape = Eigen::Vector4d(half.x(), half.y(), radius, look.rim_width).cast<float>();
-  const Eigen::Vector2d reach = half.array() + 0.5;  // what the border covers in part
+  const Eigen::Vector2d reach = half.array() + 0.5;  // includes pixels that the border covers partly
   const std::array<Eigen::Vector2d, 4> signs = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   for (const std::size_t k : two_triangles) {
     const Eigen::Vector2d place = signs[k].cwiseProduct(reach);

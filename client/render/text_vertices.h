@@ -1,5 +1,5 @@
 #pragma once
-// Glyphs and what they stand on, as triangles. No GL. Private to client/render.
+// Glyphs and their backgrounds as triangles. No GL. Private to client/render.
 
 #include <vector>
 
@@ -14,18 +14,18 @@ struct GlyphVertex {
   static std::vector<int> attributes() { return {4, 3, 2}; }
   UnalignedVec4f at;      // clip coordinates
   Eigen::Vector3f color;  // linear RGB
-  Eigen::Vector2f texel;  // on its sheet
+  Eigen::Vector2f texel;  // on the glyph sheet
 };
 
 struct PlateVertex {
   static std::vector<int> attributes() { return {2, 2, 4, 4, 4}; }
   Eigen::Vector2f at;         // normalised device coordinates
-  Eigen::Vector2f place;      // pixels from the plate's middle
+  Eigen::Vector2f place;      // pixels from the plate's centre
   Eigen::Vector4f fill, rim;  // linear RGB, opacity
-  Eigen::Vector4f shape;      // pixels: half its width and height, radius of its corners, width of its rim
+  Eigen::Vector4f shape;      // pixels: half width and height, corner radius, border width
 };
 
-/// A rectangle in a picture, pixels from the viewport's top left.
+/// A rectangle in a view, pixels from the viewport's top left.
 struct ScreenBox {
   double left, top, right, bottom;
 };
@@ -41,11 +41,11 @@ struct PlateLook {
 void add_glyph(std::vector<GlyphVertex>& out, const std::array<Eigen::Vector4d, 4>& corners,
                const GlyphSpot& spot, const Vec3& color);
 
-/// Adds the triangles of a plate in a picture of that size (pixels).
+/// Adds the triangles of a plate in a view of the given size (pixels).
 void add_plate(std::vector<PlateVertex>& out, const ScreenBox& box, const PlateLook& look,
                const Eigen::Vector2d& picture);
 
-/// Returns the clip coordinates of a place in a picture of that size: pixels from its top left.
+/// Returns the clip coordinates of a point, given in pixels from the top left of a view of the given size.
 Eigen::Vector4d clip_of(const Eigen::Vector2d& pixels, const Eigen::Vector2d& picture);
 
 }  // namespace prosector

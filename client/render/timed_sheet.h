@@ -1,5 +1,5 @@
 #pragma once
-// A contact sheet of a session: a small picture every so often.
+// A contact sheet of a session: a small image at regular intervals.
 
 #include <vector>
 
@@ -9,14 +9,14 @@ namespace prosector {
 
 class TimedSheet {
  public:
-  /// Takes a picture every `interval` seconds, the first one as soon as there is one.
+  /// Takes an image every `interval` seconds, starting with the first one available.
   explicit TimedSheet(double interval) : interval_(interval) {}
 
   bool wants(double seconds) const { return seconds >= next_; }
-  /// Takes the picture where one is due.
+  /// Adds the image if one is due.
   void take(const Image& image, double seconds);
   std::size_t pictures() const { return tiles_.size(); }
-  /// Lays the pictures row by row in the order taken. Throws std::invalid_argument while there is none.
+  /// Arranges the images row by row in chronological order. Throws std::invalid_argument if there are none.
   Image sheet() const;
 
  private:

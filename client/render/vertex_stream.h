@@ -1,5 +1,5 @@
 #pragma once
-// Triangles that are made anew for each picture. Private to client/render.
+// Triangles that are rebuilt for each frame. Private to client/render.
 
 #include <vector>
 
@@ -9,13 +9,13 @@ namespace prosector {
 
 class VertexStream {
  public:
-  /// Takes how many floats each attribute of a vertex has, in order; a vertex is nothing but them.
+  /// Takes the number of floats of each vertex attribute, in order; a vertex consists of these only.
   VertexStream(const Gl& gl, const std::vector<int>& attributes);
   ~VertexStream();
   VertexStream(const VertexStream&) = delete;
   VertexStream& operator=(const VertexStream&) = delete;
 
-  /// Draws the vertices, three a triangle, with the program in use.
+  /// Draws the vertices, three per triangle, with the program in use.
   template <class Vertex>
   void draw(const std::vector<Vertex>& vertices) const {
     static_assert(std::is_trivially_destructible_v<Vertex> && alignof(Vertex) % alignof(float) == 0);

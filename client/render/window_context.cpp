@@ -68,7 +68,7 @@ std::optional<Gamepad> gamepad_from_glfw() {
     Gamepad pad;
     pad.left = {axis(GLFW_GAMEPAD_AXIS_LEFT_X), axis(GLFW_GAMEPAD_AXIS_LEFT_Y)};
     pad.right = {axis(GLFW_GAMEPAD_AXIS_RIGHT_X), axis(GLFW_GAMEPAD_AXIS_RIGHT_Y)};
-    pad.left_trigger = (axis(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER) + 1) / 2;  // at rest −1
+    pad.left_trigger = (axis(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER) + 1) / 2;  // −1 at rest
     pad.right_trigger = (axis(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) + 1) / 2;
     for (std::size_t k = 0; k < pad_buttons; ++k) pad.down[k] = state.buttons[buttons[k]] == GLFW_PRESS;
     return pad;
@@ -166,7 +166,7 @@ class GlfwWindow final : public WindowContext {
       self(w).events_.push_back(CharacterTyped{static_cast<char32_t>(character)});
     });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
-      if (width < 1 || height < 1) return;  // minimised: keep drawing the old size
+      if (width < 1 || height < 1) return;  // minimised: keep the old size
       self(w).width_ = width;
       self(w).height_ = height;
       self(w).events_.push_back(Resized{width, height});
@@ -174,7 +174,7 @@ class GlfwWindow final : public WindowContext {
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.push_back(CloseRequested{}); });
   }
 
-  // GLFW counts in screen coordinates, which on some desktops are larger than pixels.
+  // GLFW reports screen coordinates, which on some desktops are larger than pixels.
   void pointer_moved(double x, double y) {
     int window_width = 1, window_height = 1;
     glfwGetWindowSize(window_, &window_width, &window_height);
@@ -188,7 +188,7 @@ class GlfwWindow final : public WindowContext {
 
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
-  std::array<int, 4> place_{};  // as a window: x, y, width, height in screen coordinates
+  std::array<int, 4> place_{};  // in windowed mode: x, y, width, height in screen coordinates
   bool has_gamepad_ = false;
   std::vector<WindowEvent> events_;
   std::unique_ptr<AudienceWindow> audience_;

@@ -1,5 +1,5 @@
 #pragma once
-// A window with OpenGL 3.3 core and what people do in it, in types of our own.
+// A window with OpenGL 3.3 core and its input events, independent of the window library.
 
 #include <memory>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace prosector {
 
-/// The keys of a keyboard. Those that print are their upper-case ASCII character on a US keyboard: 'W', '1',
-/// a blank (on others: keyboard_layout.h). Others follow.
+/// The keys of a keyboard. Printing keys have the code of their upper-case ASCII character on a US keyboard:
+/// 'W', '1', a blank (other layouts: keyboard_layout.h). Other keys follow.
 enum class Key : int {
   space = ' ',
   escape = 256,
@@ -53,62 +53,62 @@ constexpr Key key_of(char printed) {
 enum class MouseButton { left, right, middle };
 
 struct MouseMoved {
-  double x, y;  // pixels of the picture, from its top left
+  double x, y;  // pixels of the frame, from its top left
 };
 struct MouseButtonEvent {
   MouseButton button;
   bool down;
 };
 struct WheelTurned {
-  double x, y;  // notches; y > 0: away from the person
+  double x, y;  // notches; y > 0: away from the user
 };
 struct KeyEvent {
   Key key;
   bool down;
-  bool repeat;  // a held key's repeated press
+  bool repeat;  // auto-repeat of a held key
 };
 struct CharacterTyped {
-  char32_t character;  // as the keyboard's layout and input methods make it
+  char32_t character;  // from the keyboard layout or an input method
 };
 struct Resized {
-  int width, height;  // pixels of the picture
+  int width, height;  // pixels of the frame
 };
 struct CloseRequested {};
 struct GamepadMoved {
-  std::optional<Gamepad> now;  // nullopt: unplugged
+  std::optional<Gamepad> now;  // nullopt: disconnected
 };
 
 using WindowEvent = std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, CharacterTyped, Resized,
                                  CloseRequested, GamepadMoved>;
 
-/// What people see who watch beside the one who takes part.
+/// The view shown to an audience.
 struct Audience {
-  std::optional<int> monitor = {};  // to fill, counted from 0; nullopt: a window
+  std::optional<int> monitor = {};  // full screen on this monitor, counted from 0; nullopt: a window
   int width = 800, height = 600;    // of the window, screen coordinates
-  int eyes = 1;                     // side by side in the picture; the first is shown
-  double aspect = 0;  // of one eye's picture, width over height as it is meant to be seen; 0: of its pixels
+  int eyes = 1;                     // side by side in the frame; the first is shown
+  double aspect = 0;  // intended aspect ratio of one eye's view, width over height; 0: that of its pixels
 };
 
 class WindowContext : public GlContext {
  public:
-  /// Returns what happened since the last call, in order; never waits. width() and height() are those of the
+  /// Returns the events since the last call, in order; never waits. width() and height() are those of the
   /// last Resized.
   virtual std::vector<WindowEvent> poll_events() = 0;
-  /// Hides the pointer and keeps it inside, so that moving has no end, or lets it go.
+  /// Hides the pointer and confines it for unlimited relative motion, or releases it.
   virtual void capture_pointer(bool captured) = 0;
-  /// Fills this monitor, counted from 0, the desktop's first; nullopt: a window where it was before. Throws
-  /// InputError saying how many there are when there is none of that number.
+  /// Makes the window full screen on this monitor (0: the desktop's primary monitor); nullopt: restores the
+  /// window at its previous position. Throws InputError with the number of monitors if there is none with
+  /// this number.
   virtual void set_full_screen(std::optional<int> monitor) = 0;
-  /// Shows every picture from now on in a second window, too, until somebody closes that. Throws InputError
-  /// as set_full_screen() does, and where there can be no window.
+  /// Mirrors all following frames in a second window, until a user closes it. Throws InputError as
+  /// set_full_screen() does, and if the window cannot be created.
   virtual void open_audience(const Audience& audience) = 0;
-  /// Returns how many times as fine as usual the desktop says that its display is: what is read is to be
-  /// drawn as many times larger.
+  /// Returns the desktop's scale factor of the display: text is to be drawn larger by this factor.
   virtual double content_scale() const = 0;
 };
 
-/// Opens a window: only one at a time, in the main thread. Throws InputError saying what is missing: no
-/// display (use an offscreen one), or no OpenGL 3.3.
+/// Opens a window: only one at a time, in the main thread. Throws InputError that states what is missing: a
+/// display (use an offscreen context), or OpenGL 3.3.
 std::unique_ptr<WindowContext> make_window_context(int width, int height, const std::string& title);
 
 }  // namespace prosector

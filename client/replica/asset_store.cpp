@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -30,6 +32,7 @@ void AssetStore::add(const AssetChunk& chunk) {
     ++refused_;
     return;
   }
+  PROSECTOR_ASSERT(p.have.size() == chunk.chunks && p.missing > 0);
   if (p.have[chunk.chunk]) return;
   std::copy(chunk.bytes.begin(), chunk.bytes.end(),
             p.bytes.begin() + static_cast<std::ptrdiff_t>(chunk.chunk * asset_chunk_bytes));
@@ -52,6 +55,7 @@ double AssetStore::share(const ContentHash& hash) const {
   if (complete_.contains(hash)) return 1;
   const auto partial = partial_.find(hash);
   if (partial == partial_.end()) return 0;
+  PROSECTOR_ASSERT(partial->second.missing <= partial->second.chunks && partial->second.chunks > 0);
   return 1 - static_cast<double>(partial->second.missing) / partial->second.chunks;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Gathers AssetChunks until a whole asset is there and its bytes have the hash they were announced under.
+// Collects AssetChunks until an asset is complete and its bytes match its content hash.
 
 #include <cstddef>
 #include <map>
@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "common/hash.h"
-#include "common/messages.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 
 class AssetStore {
  public:
-  /// Takes a chunk; one that fits no asset (other count, other size) is ignored and counted. When the last
-  /// chunk completes an asset whose hash is wrong, all its chunks are dropped, so that it can be sent again.
+  /// Adds a chunk. A chunk that does not fit its asset (other count or size) is ignored and counted. If a
+  /// complete asset's hash is wrong, all its chunks are discarded, so that it can be sent again.
   void add(const AssetChunk& chunk);
-  /// Returns the asset's bytes once complete and proven, else nullopt.
+  /// Returns the asset's bytes if it is complete and verified, else nullopt.
   std::optional<std::span<const std::uint8_t>> find(const ContentHash& hash) const;
-  /// Returns how much of the asset has arrived, 0 … 1.
+  /// Returns the received fraction of the asset, 0 … 1.
   double share(const ContentHash& hash) const;
   std::size_t refused() const { return refused_; }
 

@@ -7,13 +7,13 @@
 namespace prosector {
 namespace {
 
-constexpr double same_place = 1e-5;  // m: what is nearer at rest was one before the cut
+constexpr double same_place = 1e-5;  // m: points nearer than this at rest coincided before the cut
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// An edge as a triangle runs along it.
+/// An edge in the direction of its triangle's orientation; `beside` is the triangle's third vertex.
 struct HalfEdge {
-  std::uint64_t key;  // its vertices, the lower one first
+  std::uint64_t key;  // its vertices, the lower index in the upper 32 bits
   std::uint32_t a, b, beside;
 };
 
@@ -55,7 +55,7 @@ std::vector<CutRim> rims_of_walls(const TriangleMesh& rest) {
   return out;
 }
 
-/// Drops, of edges at one place that bound the same surface, all but one: a sheet has a front and a back.
+/// Removes duplicates among coinciding edges of a sheet's front and back.
 void drop_backs(std::vector<HalfEdge>& edges, const TriangleMesh& rest) {
   const auto middle = [&](const HalfEdge& e) -> Vec3 {
     return (rest.positions[e.a] + rest.positions[e.b]) / 2;
@@ -96,7 +96,8 @@ Vec3 middle_of(const RestEdge& edge) {
   return (edge.a + edge.b) / 2;
 }
 
-/// Returns where on `whole` the middle of `edge` is, as a share of it; nullopt: they are not of one line.
+/// Returns the position of `edge`'s midpoint on `whole` as a fraction of its length; nullopt: they do not
+/// overlap on one line.
 std::optional<double> share_at(const RestEdge& edge, const RestEdge& whole) {
   const Vec3 along = whole.b - whole.a;
   const double length = along.norm();
@@ -108,7 +109,7 @@ std::optional<double> share_at(const RestEdge& edge, const RestEdge& whole) {
   return std::clamp(at / length, 0.0, 1.0);
 }
 
-/// Finds the other sides of edges that have no twin, among each other.
+/// Finds the opposite edges of those without an identical twin.
 void find_parted(const std::vector<RestEdge>& edges, std::vector<std::optional<OtherSide>>& sides) {
   std::vector<std::size_t> alone;
   for (std::size_t k = 0; k < edges.size(); ++k)

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
 constexpr std::int64_t window_ns = 1'000'000'000;
-constexpr double max_delay = 0.25;  // s: worse jitter than this shows as stutter, not as lag
+constexpr double max_delay = 0.25;  // s: larger jitter causes stutter instead of delay
 constexpr double snap_distance =
-    0.5;  // s: farther off than this (start, rewind, long stall) the playhead jumps
+    0.5;  // s: for larger deviations (start, rewind, long stall) the playhead jumps
 constexpr double correction_rate =
-    0.15;  // the playhead runs at most this much faster or slower than simulated time
-constexpr double least_window = 0.3;  // s: a shorter one says nothing of the slope
-constexpr double slope_noise = 0.03;  // jitter alone can tilt the line by this much
+    0.15;                             // maximum relative speed difference between playhead and simulated time
+constexpr double least_window = 0.3;  // s: shorter windows give no reliable slope
+constexpr double slope_noise = 0.03;  // jitter alone can change the slope by this much
 
 double seconds(std::int64_t ns) {
   return 1e-9 * static_cast<double>(ns);
@@ -32,8 +34,9 @@ void PlayoutClock::arrived(const SimTime& time, std::int64_t arrival_ns) {
   while (arrival_ns - samples_.front().arrival_ns > window_ns) samples_.pop_front();
 }
 
-// Simulated seconds per second.
+// Returns simulated seconds per real second.
 double PlayoutClock::slope() const {
+  PROSECTOR_ASSERT(!samples_.empty());
   const double window = seconds(samples_.back().arrival_ns - samples_.front().arrival_ns);
   if (window < least_window) return pace_;
   const double slope = std::clamp((samples_.back().simulated - samples_.front().simulated) / window, 0.0,

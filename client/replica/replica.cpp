@@ -3,14 +3,15 @@
 #include <algorithm>
 
 #include "client/replica/shown_names.h"
+#include "common/assert.h"
 #include "common/asset.h"
 #include "common/error.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t max_early_chunks = 4096;  // soft samples kept until their body is known
-constexpr double contact_life = 0.25;           // s: what lasts is told each tick
+constexpr std::size_t max_early_chunks = 4096;  // soft-body samples stored until their body is known
+constexpr double contact_life = 0.25;           // s: persistent contacts are sent each tick
 
 template <class... F>
 struct Overloaded : F... {
@@ -25,10 +26,11 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
   return {a.p + s * (b.p - a.p), a.q.slerp(s, b.q)};
 }
 
-/// Returns the edges whose ends are the mesh's vertices, two by two. Throws InputError where it is none.
+/// Returns cutting edges from a mesh whose vertices are their end points, in pairs. Throws InputError if the
+/// asset is invalid.
 std::vector<CuttingEdge> decode_edges(std::span<const std::uint8_t> bytes) {
   const TriangleMesh ends = decode_triangle_mesh(bytes);
-  if (ends.positions.size() % 2 != 0) throw InputError("asset: an edge without its other end");
+  if (ends.positions.size() % 2 != 0) throw InputError("asset: an edge without its second end");
   std::vector<CuttingEdge> out;
   for (std::size_t k = 0; k < ends.positions.size(); k += 2)
     out.push_back({ends.positions[k], ends.positions[k + 1]});
@@ -61,7 +63,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
             if (!clock_) clock_.emplace(m.tick_rate).set_pace(pace_);
           },
           [&](const SceneInfo& m) {
-            // A scene only grows: by pieces that were cut off.
+            // A scene only grows, by pieces that were cut off.
             if (scene_ && m.bodies.size() <= scene_->bodies.size()) return;
             scene_ = m;
             show_names(*scene_, language_);
@@ -84,7 +86,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
             timed(m.time);
             const auto it = soft_.find(m.body);
             if (it != soft_.end() && it->second.add(m)) return;
-            if (early_soft_.size() < max_early_chunks) early_soft_.push_back(m);
+            if (pending_soft_.size() < max_early_chunks) pending_soft_.push_back(m);
           },
           [&](const Settled& m) {
             settled_[m.body] = m;
@@ -93,7 +95,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
           [&](const TopologyRevision& m) { topology_[m.body].add(m); },
           [&](const ContactSample& m) {
             timed(m.time);
-            if (!roster_.contains(m.participant)) return;  // not here yet, or gone: late
+            if (!roster_.contains(m.participant)) return;  // the participant is not known yet, or has left
             ContactSample& known = contacts_[{m.participant, m.hand}];
             if (m.time >= known.time) known = m;
           },
@@ -114,7 +116,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
             pace_ = m.pace;
             if (clock_) clock_->set_pace(pace_);
           },
-          [&](const Recording& m) { recording_ = m; }, [](const auto&) {},  // what only the server reads
+          [&](const Recording& m) { recording_ = m; }, [](const auto&) {},  // messages for the server only
       },
       message);
 }
@@ -134,6 +136,7 @@ void Replica::forget(const Message& message) {
 }
 
 void Replica::build_bodies(std::int64_t now_ns) {
+  PROSECTOR_ASSERT(session_.has_value() && scene_.has_value());
   for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
     const SceneBody& body = scene_->bodies[id];
     try {
@@ -165,29 +168,30 @@ void Replica::build(BodyId id, const SceneBody& body, std::int64_t now_ns) {
   if (streamed.map.rows.size() != rest.positions.size())
     throw InputError("asset: map and surface differ in size");
   if (streamed.rest.size() != body.points)
-    throw InputError("asset: not a rest place for each streamed point");
+    throw InputError("asset: number of rest positions differs from streamed points");
   soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(streamed)));
-  take_early(id);
+  apply_pending(id);
   follow_topology(id, now_ns);
 }
 
 void Replica::follow_topology(BodyId body, std::int64_t now_ns) {
   const auto topology = topology_.find(body);
   if (topology == topology_.end()) return;
-  if (topology->second.advance(assets_, soft_.at(body), now_ns)) take_early(body);
+  if (topology->second.advance(assets_, soft_.at(body), now_ns)) apply_pending(body);
 }
 
-/// Gives a body what came of it before the client had what that tells of.
-void Replica::take_early(BodyId body) {
+/// Applies samples that arrived before the body's assets or topology.
+void Replica::apply_pending(BodyId body) {
+  PROSECTOR_ASSERT(soft_.contains(body));
   SoftReplica& soft = soft_.at(body);
   if (const auto settled = settled_.find(body); settled != settled_.end()) soft.add(settled->second);
-  std::erase_if(early_soft_, [&](const SoftState& chunk) { return chunk.body == body && soft.add(chunk); });
+  std::erase_if(pending_soft_, [&](const SoftState& chunk) { return chunk.body == body && soft.add(chunk); });
 }
 
 std::vector<BodyId> Replica::take_keyframe_requests(std::int64_t now_ns) {
   std::vector<BodyId> out;
   for (auto& [body, topology] : topology_)
-    if (topology.asks_keyframe(now_ns)) out.push_back(body);
+    if (topology.needs_keyframe(now_ns)) out.push_back(body);
   return out;
 }
 
@@ -214,7 +218,7 @@ std::string Replica::missing(const Catalogue& words) const {
     }
   }
   if (meshes + states + topologies == 0) return "";
-  return words.tr("waiting for {} of {} meshes, {} first states, {} topology logs", meshes,
+  return words.tr("waiting for {} of {} meshes, {} initial states, {} topology logs", meshes,
                   scene_->bodies.size(), states, topologies);
 }
 
@@ -282,7 +286,7 @@ const TriangleMesh* Replica::outline(BodyId body) {
     return &outlines_.emplace(body, decode_triangle_mesh(*bytes)).first->second;
   } catch (const InputError&) {
     ++refused_;
-    return &outlines_[body];  // an empty one: not asked for again
+    return &outlines_[body];  // an empty mesh, so that decoding is not repeated
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a client knows of the session as one server runs it, made only from what that one said. Fed by the
-// network thread, read by the view: lock it.
+// A client's copy of the session state of one server. The network thread writes it and the view reads it:
+// lock it.
 
 #include <algorithm>
 #include <cstdint>
@@ -16,81 +16,90 @@
 #include "client/replica/soft_replica.h"
 #include "client/replica/topology_replica.h"
 #include "client/replica/track.h"
-#include "common/messages.h"
+#include "common/body_messages.h"
+#include "common/hand_messages.h"
+#include "common/ids.h"
+#include "common/math.h"
+#include "common/part_messages.h"
+#include "common/recording_messages.h"
+#include "common/scene_messages.h"
+#include "common/session_messages.h"
+#include "common/status_messages.h"
 #include "idl/bus.h"
+#include "idl/message.h"
 
 namespace prosector {
 
-/// A straight cutting edge, m, in its body's frame.
+/// A straight cutting edge, m, body frame.
 struct CuttingEdge {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
 struct RigidReplica {
   TriangleMesh mesh;
-  std::vector<CuttingEdge> edges;  // that cut tissue while a hand holds the body
-  Pose scene_pose;                 // where it stands until a RigidState says otherwise
+  std::vector<CuttingEdge> edges;  // cut tissue while a hand holds the body
+  Pose scene_pose;                 // pose until the first RigidState
   Track<RigidState> track;
 };
 
 class Replica {
  public:
   Replica() = default;
-  /// Takes assets that are known already: they are named by content, so they are good for any server. Bodies
-  /// are called as in `language`, a tag, where the scene has such names.
+  /// Creates a replica with assets from another one: they are identified by their content hash, so they are
+  /// valid for any server. Body names are shown in `language`, a tag, if the scene has such names.
   explicit Replica(AssetStore assets, std::string language = "")
       : assets_(std::move(assets)), language_(std::move(language)) {}
 
-  /// Takes one sample. What contradicts itself (a body that isn't in the scene, an asset that is no mesh) is
-  /// counted, not believed.
+  /// Applies a sample. Inconsistent samples (a body that isn't in the scene, an asset that is no mesh) are
+  /// counted and ignored.
   void apply(const Received& received);
 
-  /// Tells whether the scene, every asset, the topology log and a first state of every deformable are there.
-  /// What cuts add later changes that no more: until it is here, it is not shown.
+  /// Reports whether the scene, every asset, the topology log and a first state of every deformable have
+  /// arrived. It stays true after cuts: new topology is not shown until its data has arrived.
   bool complete() const { return complete_; }
-  /// Returns what is still missing, for people: "waiting for 3 of 12 meshes".
+  /// Returns a text on the missing data: "waiting for 3 of 12 meshes …"; empty: none.
   std::string missing(const Catalogue& words = {}) const;
-  /// Returns how much of what missing() waits for is here, 0 … 1.
+  /// Returns the received fraction of the data listed by missing(), 0 … 1.
   double progress() const;
-  /// Hashes the chain hashes of the topology revisions that are shown of every soft body: equal on every
-  /// client that sees the same cuts.
+  /// Returns a hash of the chain hashes of the displayed topology revisions of all soft bodies: equal on all
+  /// clients that show the same cuts.
   std::uint64_t topology_hash() const;
-  /// Returns the bodies of which the server has to be asked for a keyframe; each at most once a second.
+  /// Returns the bodies whose keyframe must be requested from the server; each at most once a second.
   std::vector<BodyId> take_keyframe_requests(std::int64_t now_ns);
 
   const std::optional<SessionInfo>& session() const { return session_; }
   const std::optional<SceneInfo>& scene() const { return scene_; }
   const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
   const std::optional<ServerStatus>& status() const { return status_; }
-  /// Returns the newest word about a hand's contact; null: none, or none for a quarter of a second.
+  /// Returns the newest contact sample of a hand; null: none, or none for a quarter of a second.
   const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
-  /// Returns the newest status of a body; null before its first, and for rigid bodies.
+  /// Returns a body's newest status; null before the first, and for rigid bodies.
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
   const SoftReplica* soft(BodyId body) const;
-  /// Returns the newest revision of a soft body's mesh that is shown; null: none.
+  /// Returns the displayed revision of a soft body's mesh; null: none.
   const TopologyRevision* topology(BodyId body) const;
-  /// Returns what people made of a body; null while nobody changed it.
+  /// Returns a part's state; null while it is unchanged.
   const PartState* part(BodyId body) const;
-  /// Returns the open panels, by whose they are.
+  /// Returns the open panels by owner.
   const std::map<ParticipantId, Panel>& panels() const { return panels_; }
-  /// Returns the brightness of all lights but those that bodies carry, 0 … 1.
+  /// Returns the brightness of the lights that bodies don't carry, 0 … 1.
   double room_lights() const { return room_lights_; }
-  /// Returns what a body collides as, in the frame of its mesh; null: nothing, or not here yet.
+  /// Returns a body's collision shape, in the frame of its mesh; null: none, or not received yet.
   const TriangleMesh* outline(BodyId body);
-  /// Returns how many simulated seconds go by in a real one, as the host has it; 0: time stands still.
+  /// Returns the ratio of simulated to real time set by the host; 0: paused.
   double pace() const { return pace_; }
-  /// Returns the recorded session that is watched; nullopt: this one is live.
+  /// Returns the description of the recording; nullopt: the session is live.
   const std::optional<Recording>& recording() const { return recording_; }
-  /// Returns the tick that is shown when the playhead is at `tick`: no later than anything told.
+  /// Returns the displayed tick for a playhead at `tick`: no later than the newest received state.
   double shown_tick(double tick) const { return std::min(tick, static_cast<double>(newest_.tick)); }
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
 
-  // ---- At the playhead
-  /// Moves the playhead to `now_ns`; returns the tick to draw.
+  // ---- State at the playhead
+  /// Moves the playhead to `now_ns`. Returns the tick to display.
   double advance(std::int64_t now_ns);
   Pose rigid_pose(BodyId body, double tick) const;
   std::optional<UserState> user(ParticipantId participant, double tick) const;
@@ -106,11 +115,11 @@ class Replica {
   std::map<ParticipantId, RosterEntry> roster_;
   std::map<ParticipantId, Track<UserState>> users_;
   std::map<std::pair<ParticipantId, std::uint8_t>, ContactSample> contacts_;
-  SimTime newest_;  // that anything told
+  SimTime newest_;  // time of the newest received state
   std::map<BodyId, RigidReplica> rigid_;
   std::map<BodyId, SoftReplica> soft_;
   std::map<BodyId, TopologyReplica> topology_;
-  std::vector<SoftState> early_soft_;  // arrived before the scene or its assets
+  std::vector<SoftState> pending_soft_;  // received before the scene or the body's assets
   std::map<BodyId, Settled> settled_;
   std::optional<ServerStatus> status_;
   std::optional<Recording> recording_;
@@ -127,7 +136,7 @@ class Replica {
   void build_bodies(std::int64_t now_ns);
   void build(BodyId id, const SceneBody& body, std::int64_t now_ns);
   void follow_topology(BodyId body, std::int64_t now_ns);
-  void take_early(BodyId body);
+  void apply_pending(BodyId body);
 };
 
 }  // namespace prosector

@@ -1,11 +1,13 @@
 #include "client/replica/server_choice.h"
 
+#include "common/assert.h"
 #include "common/server_run.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t max_servers = 8;  // each costs a scene's memory, and anyone can say to be one
+constexpr std::size_t max_servers =
+    8;  // each uses the memory of a scene, and any process can claim to be a server
 
 bool hosts(const Replica& replica) {
   return replica.session() && !replica.server_gone();
@@ -21,11 +23,11 @@ void ServerChoice::apply(const Received& received) {
 
 Replica& ServerChoice::replica() {
   const auto it = servers_.find(followed_);
-  return it == servers_.end() ? nobody_ : it->second;
+  return it == servers_.end() ? empty_replica_ : it->second;
 }
 
-/// Tells whether what the process said is taken, and makes a place for it. It is not where the process was
-/// gone before it was known: it fits none.
+/// Reports whether samples of this process are accepted, and creates its replica. Samples without a known
+/// process (0) and of more than 8 servers are rejected.
 bool ServerChoice::admits(std::uint64_t writer) {
   if (writer == 0) return false;
   if (servers_.contains(writer)) return true;
@@ -37,6 +39,7 @@ bool ServerChoice::admits(std::uint64_t writer) {
 }
 
 void ServerChoice::choose() {
+  PROSECTOR_ASSERT(servers_.size() <= max_servers && !servers_.contains(0));
   for (const auto& [writer, server] : servers_) {
     if (!hosts(server)) continue;
     const Replica& now = replica();

@@ -1,6 +1,6 @@
 #pragma once
-// Which of the servers that say they host the session a client follows. What each of them says is kept apart,
-// so that two are never mixed.
+// Selects the server to follow if several claim to host the session. Each server has its own replica, so that
+// their data is never mixed.
 
 #include <cstdint>
 #include <map>
@@ -13,23 +13,23 @@ namespace prosector {
 
 class ServerChoice {
  public:
-  /// Lets bodies be called as in `language` (Replica).
+  /// Sets the language of body names (see Replica).
   explicit ServerChoice(std::string language = "") : language_(std::move(language)) {}
 
-  /// Takes one sample into what is known of its writer's session. Follows another server when the one that
-  /// was followed is gone, or when one that precedes it is there (common/server_run.h).
+  /// Applies a sample to the replica of its writer's process. Switches to another server if the followed one
+  /// is gone, or if a server with precedence appears (common/server_run.h).
   void apply(const Received& received);
 
-  /// Returns what the followed server said; an empty one before there is any.
+  /// Returns the followed server's replica; an empty one before there is any.
   Replica& replica();
-  /// Returns the process of the followed server, as Received::writer says; 0: none yet.
+  /// Returns the process id of the followed server, as in Received::writer; 0: none yet.
   std::uint64_t followed() const { return followed_; }
 
  private:
   std::string language_;
-  std::map<std::uint64_t, Replica> servers_;  // by process
+  std::map<std::uint64_t, Replica> servers_;  // by process id
   std::uint64_t followed_ = 0;
-  Replica nobody_;
+  Replica empty_replica_;
 
   bool admits(std::uint64_t writer);
   void choose();

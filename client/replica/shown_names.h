@@ -1,21 +1,21 @@
 #pragma once
-// The names of bodies as a reader of one language sees them.
+// Body names in one language.
 
 #include <string>
 #include <string_view>
 
-#include "common/messages.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 
-/// Puts each body's name in the language of the tag (name_in) into its place. The author's name is kept among
-/// `names`, without a language.
+/// Replaces each body's name by its name in the language (name_in). The author's name is stored in `names`
+/// with an empty language.
 void show_names(SceneInfo& scene, std::string_view language);
 
-/// Returns the body's name as the scene's author wrote it: the same for everyone.
+/// Returns the body's name as written by the scene's author, independent of the language.
 const std::string& authors_name(const SceneBody& body);
 
-/// Tells whether the body is called so, in any language.
+/// Reports whether the body has this name in any language.
 bool is_called(const SceneBody& body, std::string_view name);
 
 }  // namespace prosector

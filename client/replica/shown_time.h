@@ -1,5 +1,5 @@
 #pragma once
-// What time of a recording is shown.
+// Displayed time of a recording.
 
 #include <cstdint>
 #include <optional>
@@ -12,10 +12,10 @@ struct ShownTime {
   std::uint64_t last_tick = 0;
   double tick = 0;
   double tick_rate = 60;  // Hz
-  double pace = 1;        // simulated seconds a real one; 0: it stands
+  double pace = 1;        // ratio of simulated to real time; 0: paused
 };
 
-/// Returns what is shown with the playhead at `tick`; nullopt: the session is live.
+/// Returns the displayed time for a playhead at `tick`; nullopt: the session is live.
 inline std::optional<ShownTime> shown_time(const Replica& replica, double tick) {
   if (!replica.recording()) return std::nullopt;
   return ShownTime{replica.recording()->last_tick, replica.shown_tick(tick), 1 / replica.tick_seconds(),

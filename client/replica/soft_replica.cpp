@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -20,6 +21,8 @@ SoftReplica::SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurfa
     : points_(body.points),
       chunk_points_(body.chunk_points),
       drawn_(rounded(std::move(rest), std::move(streamed))) {
+  PROSECTOR_ASSERT(chunk_points_ > 0 && drawn_.streamed.rest.size() == points_ &&
+                   drawn_.streamed.map.rows.size() == drawn_.rest.positions.size());
   chunks_.resize(chunks_of(points_, chunk_points_));
   missing_chunks_ = chunks_.size();
   current_.assign(points_, Vec3::Zero());
@@ -28,17 +31,20 @@ SoftReplica::SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurfa
 }
 
 std::uint32_t SoftReplica::size_of(std::uint32_t chunk) const {
+  PROSECTOR_ASSERT(chunk < chunks_.size());
   return std::min(chunk_points_, points_ - chunk * chunk_points_);
 }
 
 void SoftReplica::add(std::uint32_t chunk, Chunk sample) {
+  PROSECTOR_ASSERT(sample.positions.size() == size_of(chunk) && sample.velocities.size() == size_of(chunk));
   missing_chunks_ -= chunks_[chunk].empty() ? 1 : 0;
   chunks_[chunk].add(std::move(sample));
 }
 
 /// Extends or truncates a chunk of another topology revision to this one's size. Points that the sample lacks
 /// take the newest known position and velocity.
-void SoftReplica::complete_from_newest(std::uint32_t chunk, Chunk& sample) const {
+void SoftReplica::fill_missing_points(std::uint32_t chunk, Chunk& sample) const {
+  PROSECTOR_ASSERT(sample.positions.size() == sample.velocities.size());
   const std::size_t size = size_of(chunk);
   for (std::size_t i = sample.positions.size(); i < size; ++i) {
     sample.positions.push_back(chunks_[chunk].newest().positions[i]);
@@ -60,7 +66,7 @@ bool SoftReplica::add(const SoftState& s) {
   }
   const bool whole = count <= size_of(s.chunk);
   Chunk chunk{s.time, s.positions, s.velocities};
-  complete_from_newest(s.chunk, chunk);
+  fill_missing_points(s.chunk, chunk);
   for (std::uint32_t i = 0; i < std::min<std::size_t>(count, chunk.positions.size()); ++i)
     chunk.positions[i] += drawn_.streamed.rest[s.first_point + i];
   add(s.chunk, std::move(chunk));
@@ -76,7 +82,7 @@ bool SoftReplica::add(const Settled& settled) {
   }
   for (std::uint32_t c = 0; c < chunks_.size(); ++c) {
     const std::size_t begin = std::size_t{c} * chunk_points_;
-    if (begin + size_of(c) > count) break;  // of an earlier revision
+    if (begin + size_of(c) > count) break;  // the rest belongs to a later revision than the sample's
     Chunk chunk{settled.time, std::vector<Vec3>(size_of(c)), std::vector<Vec3>(size_of(c), Vec3::Zero())};
     for (std::size_t i = 0; i < chunk.positions.size(); ++i)
       chunk.positions[i] = settled.positions[begin + i].cast<double>();
@@ -104,6 +110,7 @@ void SoftReplica::enter(DrawnSurface next, std::uint32_t revision, SimTime time)
 
 void SoftReplica::grow(DrawnSurface next, const std::vector<Vec3>& where, std::uint32_t revision,
                        SimTime time) {
+  PROSECTOR_ASSERT(next.streamed.rest.size() == points_ + where.size() && current_.size() == points_);
   const bool was_complete = complete();
   const std::uint32_t before = points_;
   points_ = static_cast<std::uint32_t>(next.streamed.rest.size());
@@ -134,6 +141,7 @@ bool SoftReplica::sample(double tick, double dt) {
   bool moved = std::exchange(reshaped_, false);
   for (std::uint32_t c = 0; c < chunks_.size(); ++c) {
     const auto bracket = chunks_[c].at(tick, dt);
+    PROSECTOR_ASSERT(bracket.from != nullptr && bracket.to != nullptr);
     for (std::uint32_t i = 0; i < size_of(c); ++i) {
       Vec3& x = current_[c * chunk_points_ + i];
       const Vec3 next =

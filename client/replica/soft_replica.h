@@ -1,41 +1,45 @@
 #pragma once
-// One deformable as a client knows it: streamed points in chunks, and the surface that they carry.
+// A client's copy of one deformable: streamed points in chunks, and the surface embedded in them.
 //
-// When it is cut, points are only appended, so samples of other revisions still say where those are that both
-// have.
+// Cuts only append points, so samples of other revisions are still valid for the points that both have.
 
 #include <cstdint>
 #include <vector>
 
 #include "client/replica/track.h"
-#include "common/messages.h"
+#include "common/body_messages.h"
+#include "common/ids.h"
+#include "common/math.h"
+#include "common/scene_messages.h"
+#include "common/surface_change.h"
 #include "common/surface_patch.h"
 
 namespace prosector {
 
 class SoftReplica {
  public:
-  /// Takes `body` from the scene, `rest` and `streamed` from its assets; sizes agree.
+  /// Creates the deformable from its scene entry `body` and its assets `rest` and `streamed`, whose sizes
+  /// agree.
   SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed);
 
-  /// Takes a chunk; one that doesn't fit this body's chunks is dropped. Returns false where it tells of
-  /// points of a later revision, too: give it again when that is here.
+  /// Adds a chunk; a chunk that doesn't fit this body is dropped. Returns false if it also has points of a
+  /// later revision: then it must be added again after that revision has arrived.
   bool add(const SoftState& chunk);
-  bool add(const Settled& settled);  // takes every chunk at once, at full precision
+  bool add(const Settled& settled);  // adds all chunks, at full precision
   bool complete() const { return missing_chunks_ == 0; }
 
   // ---- Topology
-  /// Sets the revision that the surface belongs to as it is.
+  /// Sets the revision of the present surface.
   void begin_at(std::uint32_t revision) { revision_ = revision; }
-  /// Goes on to the surface that `patch` makes of this one: new points begin where the patch says they are,
-  /// old ones keep their past.
+  /// Replaces the surface by the result of `patch`. New points start at the patch's positions; old points
+  /// keep their samples.
   void follow(DrawnSurface next, const SurfacePatch& patch, std::uint32_t revision, SimTime time);
-  /// Goes on to another surface over the same points and more: those begin displaced like the point before
-  /// them. Throws InputError when it has fewer points.
+  /// Replaces the surface by one with the same points and possibly more. New points start with the
+  /// displacement of the last old point. Throws InputError if it has fewer points.
   void enter(DrawnSurface next, std::uint32_t revision, SimTime time);
 
-  /// Interpolates the points at `tick` and carries the surface along. Returns true if anything moved since
-  /// the last call.
+  /// Interpolates the points at `tick` and updates the surface. Returns true if anything moved since the last
+  /// call.
   bool sample(double tick, double dt);
 
   const std::vector<Vec3>& points() const { return current_; }
@@ -43,7 +47,7 @@ class SoftReplica {
   const TriangleMesh& rest() const { return drawn_.rest; }
   const std::vector<Eigen::Vector3f>& surface() const { return surface_; }
   std::uint32_t revision() const { return revision_; }
-  /// Returns a number that rises whenever rest() became another mesh.
+  /// Returns a number that increases with each change of rest().
   std::uint64_t shape() const { return shape_; }
   std::uint64_t dropped() const { return dropped_; }
 
@@ -65,7 +69,7 @@ class SoftReplica {
 
   std::uint32_t size_of(std::uint32_t chunk) const;
   void add(std::uint32_t chunk, Chunk sample);
-  void complete_from_newest(std::uint32_t chunk, Chunk& sample) const;
+  void fill_missing_points(std::uint32_t chunk, Chunk& sample) const;
   void grow(DrawnSurface next, const std::vector<Vec3>& where, std::uint32_t revision, SimTime time);
 };
 

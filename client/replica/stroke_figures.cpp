@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Returns the rims of cuts alone: of a sheet those borders that have another side.
+/// Returns only the rims of cuts: on a sheet, the borders that have an opposite side.
 std::vector<CutRim> rims_of_cuts(const TriangleMesh& rest) {
   std::vector<CutRim> rims = cut_rims(rest);
   if (std::ranges::find(rest.inner, std::uint8_t{1}) != rest.inner.end()) return rims;
@@ -29,7 +29,7 @@ double length_of(const std::vector<CutRim>& rims, const TriangleMesh& rest) {
   return sum;
 }
 
-/// Returns how far the walls' vertices from that slot on are from the rims at most, m.
+/// Returns the maximum distance of the cut faces' vertices from slot `first` on to the rims, m.
 double depth_of(const std::vector<CutRim>& rims, const TriangleMesh& rest, std::size_t first) {
   double deepest = 0;
   std::vector<std::uint8_t> seen(rest.positions.size(), 0);
@@ -57,12 +57,12 @@ std::string depth_in_words(double depth, const Catalogue& words) {
 }
 
 std::string in_words(const StrokeFigures& stroke, const Catalogue& words) {
-  if (stroke.through) return words.tr("{} mm long, right through", mm(stroke.length));
+  if (stroke.through) return words.tr("{} mm long, through the full thickness", mm(stroke.length));
   return mm(stroke.depth) > 0 ? words.tr("{} mm long, {} mm deep", mm(stroke.length), mm(stroke.depth))
                               : words.tr("{} mm long", mm(stroke.length));
 }
 
-void StrokeGauge::look(const Replica& replica, double now) {
+void StrokeTracker::look(const Replica& replica, double now) {
   if (!replica.scene()) return;
   for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
     const TopologyRevision* newest = replica.topology(id);
@@ -71,7 +71,7 @@ void StrokeGauge::look(const Replica& replica, double now) {
     take(replica, id, *newest, now);
   }
   std::erase_if(strokes_, [&](const Stroke& stroke) {
-    // Another server's time may begin anew.
+    // The time restarts with another server.
     const bool over = now - stroke.last > stroke_seconds || now < stroke.last;
     if (over && stroke.figures.length > 0) ended_.push_back(stroke.figures);
     return over;
@@ -79,7 +79,7 @@ void StrokeGauge::look(const Replica& replica, double now) {
   looked_ = true;
 }
 
-void StrokeGauge::take(const Replica& replica, BodyId id, const TopologyRevision& newest, double now) {
+void StrokeTracker::take(const Replica& replica, BodyId id, const TopologyRevision& newest, double now) {
   const SoftReplica* soft = replica.soft(id);
   if (soft == nullptr) return;
   const bool is_new = !bodies_.contains(id);
@@ -96,32 +96,32 @@ void StrokeGauge::take(const Replica& replica, BodyId id, const TopologyRevision
   if (stroke == nullptr) return;
   stroke->last = now;
   stroke->figures.through |= is_new;
-  // A piece may come a little later than what it came off; until then its rims are missing.
-  stroke->figures.length = std::max(stroke->figures.length, (rims_of(organ) - stroke->rims_before) / 2);
-  // What came off has the same faces as what stays.
+  // A piece may arrive slightly after the body that it came off; until then its rims are missing.
+  stroke->figures.length = std::max(stroke->figures.length, (rims_of(organ) - stroke->initial_rims) / 2);
+  // A piece has the same cut faces as the body that it came off.
   if (!is_new)
     stroke->figures.depth =
         std::max(stroke->figures.depth, depth_of(rims, soft->rest(), stroke->vertices_before.at(id)));
 }
 
-StrokeGauge::Stroke& StrokeGauge::stroke_of(ParticipantId author, BodyId organ) {
+StrokeTracker::Stroke& StrokeTracker::stroke_of(ParticipantId author, BodyId organ) {
   for (Stroke& stroke : strokes_)
     if (stroke.figures.author == author && stroke.figures.organ == organ) return stroke;
   Stroke& made = strokes_.emplace_back();
   made.figures.author = author;
   made.figures.organ = organ;
-  made.rims_before = rims_of(organ);
+  made.initial_rims = rims_of(organ);
   return made;
 }
 
-double StrokeGauge::rims_of(BodyId organ) const {
+double StrokeTracker::rims_of(BodyId organ) const {
   double sum = 0;
   for (const auto& [id, body] : bodies_)
     if (body.organ == organ) sum += body.rims;
   return sum;
 }
 
-const StrokeFigures* StrokeGauge::of(ParticipantId author) const {
+const StrokeFigures* StrokeTracker::of(ParticipantId author) const {
   const Stroke* newest = nullptr;
   for (const Stroke& stroke : strokes_)
     if (stroke.figures.author == author && (newest == nullptr || stroke.last > newest->last))
@@ -129,7 +129,7 @@ const StrokeFigures* StrokeGauge::of(ParticipantId author) const {
   return newest != nullptr ? &newest->figures : nullptr;
 }
 
-std::vector<StrokeFigures> StrokeGauge::take_ended() {
+std::vector<StrokeFigures> StrokeTracker::take_ended() {
   return std::exchange(ended_, {});
 }
 

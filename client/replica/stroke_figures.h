@@ -1,5 +1,5 @@
 #pragma once
-// How long and how deep strokes of a blade are, from the surfaces that they made.
+// Measures length and depth of a blade's strokes from the cut surfaces.
 
 #include <map>
 #include <optional>
@@ -11,27 +11,27 @@
 
 namespace prosector {
 
-/// One stroke in one organ. Lengths are of the organ at rest.
+/// One stroke in one organ, measured on the rest shape.
 struct StrokeFigures {
-  BodyId organ = 0;  // what it was before any piece came off
+  BodyId organ = 0;  // the body before any piece came off
   ParticipantId author = 0;
-  double length = 0;     // m, of its line on the outside
-  double depth = 0;      // m, to which its faces go from that line; 0: of a sheet
+  double length = 0;     // m, of the cut line on the outer surface
+  double depth = 0;      // m, maximum distance of the cut faces' vertices from that line; 0 for a sheet
   bool through = false;  // a piece came off
 };
 
-/// Returns the figures for people: "63 mm long, 12 mm deep".
+/// Returns a text for display: "63 mm long, 12 mm deep".
 std::string in_words(const StrokeFigures& stroke, const Catalogue& words = {});
-/// Returns how deep a blade is set to go, for people: "set to 12 mm".
+/// Returns a text for a blade's set depth: "set to 12 mm".
 std::string depth_in_words(double depth, const Catalogue& words = {});
 
-/// Follows the strokes of everyone from look to look.
-class StrokeGauge {
+/// Tracks all users' strokes between calls.
+class StrokeTracker {
  public:
-  /// Looks at what was cut since the last look. Cuts of one organ by one person less than stroke_seconds
-  /// apart are one stroke. `now`: s of a clock that never goes back.
+  /// Processes the cuts since the last call. Cuts of one organ by one user less than stroke_seconds apart
+  /// belong to one stroke. `now`: monotonic clock, s.
   void look(const Replica& replica, double now);
-  /// Returns the stroke that the person is making; null: none.
+  /// Returns the user's current stroke; null: none.
   const StrokeFigures* of(ParticipantId author) const;
   /// Returns the strokes that ended since the last call.
   std::vector<StrokeFigures> take_ended();
@@ -42,16 +42,16 @@ class StrokeGauge {
   struct Body {
     std::uint32_t revision = 0;
     BodyId organ = 0;
-    double rims = 0;           // m, at rest, of both sides of its cuts
-    std::size_t vertices = 0;  // slots
+    double rims = 0;           // m, total rest length of the rims on both sides of its cuts
+    std::size_t vertices = 0;  // number of vertex slots
   };
   struct Stroke {
     StrokeFigures figures;
-    double rims_before = 0;                           // m, of the organ
-    std::map<BodyId, std::size_t> vertices_before{};  // slots
-    double last = 0;                                  // s, when it went on
+    double initial_rims = 0;                          // m, total length of the organ's rims
+    std::map<BodyId, std::size_t> vertices_before{};  // number of vertex slots
+    double last = 0;                                  // s, time of its latest cut
   };
-  bool looked_ = false;  // what was there at the first look is nobody's stroke
+  bool looked_ = false;  // cuts that exist at the first call belong to no stroke
   std::map<BodyId, Body> bodies_;
   std::vector<Stroke> strokes_;
   std::vector<StrokeFigures> ended_;

@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "common/surface_patch.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t max_waiting = 256;             // revisions; the oldest are dropped: a keyframe follows
-constexpr std::int64_t patience_ns = 1'000'000'000;  // that a gap may last
+constexpr std::size_t max_waiting = 256;  // revisions; the oldest are dropped, a keyframe replaces them
+constexpr std::int64_t patience_ns = 1'000'000'000;      // maximum duration of a gap
 constexpr std::int64_t ask_interval_ns = 1'000'000'000;  // between two requests
 
 }  // namespace
 
 void TopologyReplica::add(const TopologyRevision& revision) {
   if (shown_ && revision.revision <= shown_->revision) {
-    // Asked for a keyframe, the server says again what is shown: nothing is missing.
+    // In answer to a keyframe request the server sent the displayed revision: nothing is missing.
     if (revision.keyframe() && revision.chain_hash == shown_->chain_hash) failed_ = false;
     return;
   }
@@ -27,7 +28,7 @@ void TopologyReplica::add(const TopologyRevision& revision) {
     return;
   }
   waiting_[revision.revision] = revision;
-  if (unproven_ == revision.revision) unproven_.reset();
+  if (unverified_ == revision.revision) unverified_.reset();
   while (waiting_.size() > max_waiting) waiting_.erase(waiting_.begin());
 }
 
@@ -45,12 +46,12 @@ bool TopologyReplica::advance(const AssetStore& assets, SoftReplica& soft, std::
   return changed;
 }
 
-/// Goes on by the patch of the revision after the one shown.
+/// Applies the patch of the revision after the displayed one.
 bool TopologyReplica::follow_next(SoftReplica& soft) {
   if (!shown_ || waiting_.empty() || waiting_.begin()->first != shown_->revision + 1) return false;
   const auto next = waiting_.begin();
   const TopologyRevision& revision = next->second;
-  if (unproven_ == revision.revision) return false;
+  if (unverified_ == revision.revision) return false;
   try {
     if (revision.previous_hash != shown_->chain_hash) throw InputError("topology: another predecessor");
     DrawnSurface surface = soft.drawn();
@@ -60,15 +61,15 @@ bool TopologyReplica::follow_next(SoftReplica& soft) {
   } catch (const InputError&) {
     ++refused_;
     failed_ = true;
-    unproven_ = revision.revision;
+    unverified_ = revision.revision;
     return false;
   }
   show(next);
   return true;
 }
 
-/// Enters the newest keyframe. The first revision of all is often that of the scene, which `soft` has
-/// already.
+/// Switches to the newest keyframe. The first revision is often that of the scene, whose surface `soft`
+/// already has.
 bool TopologyReplica::enter_newest_keyframe(const AssetStore& assets, SoftReplica& soft) {
   const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
                                  [](const auto& entry) { return entry.second.keyframe(); });
@@ -99,12 +100,13 @@ bool TopologyReplica::enter_newest_keyframe(const AssetStore& assets, SoftReplic
 }
 
 void TopologyReplica::show(std::map<std::uint32_t, TopologyRevision>::iterator revision) {
+  PROSECTOR_ASSERT(revision != waiting_.end() && (!shown_ || shown_->revision < revision->first));
   shown_ = std::move(revision->second);
   shown_->patch = {};
   waiting_.erase(waiting_.begin(), std::next(revision));
 }
 
-bool TopologyReplica::asks_keyframe(std::int64_t now_ns) {
+bool TopologyReplica::needs_keyframe(std::int64_t now_ns) {
   const bool stuck = stuck_since_ns_ && now_ns - *stuck_since_ns_ > patience_ns;
   if (!failed_ && !stuck) return false;
   if (asked_ns_ && now_ns - *asked_ns_ < ask_interval_ns) return false;

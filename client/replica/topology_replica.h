@@ -1,6 +1,6 @@
 #pragma once
-// How far a client has followed the topology of one soft body, and what it waits for. Only what proves right
-// by its hashes is shown; until then the surface stays as it was.
+// Topology of one soft body on a client: shown revision and pending revisions. Only revisions verified by
+// their hashes are shown; until then the surface stays unchanged.
 
 #include <cstdint>
 #include <map>
@@ -8,30 +8,30 @@
 
 #include "client/replica/asset_store.h"
 #include "client/replica/soft_replica.h"
-#include "common/messages.h"
+#include "common/body_messages.h"
 
 namespace prosector {
 
 class TopologyReplica {
  public:
-  /// Takes a revision; they may come in any order, and again.
+  /// Adds a revision. Revisions may arrive in any order and repeatedly.
   void add(const TopologyRevision& revision);
-  /// Takes `soft` on as far as what has arrived goes: by patches in order, by a keyframe over a gap or over a
-  /// patch that did not prove right. Returns true when its surface changed.
+  /// Advances `soft` as far as possible: by patches in order, or by a keyframe across a gap or an
+  /// unverifiable patch. Returns true if its surface changed.
   bool advance(const AssetStore& assets, SoftReplica& soft, std::int64_t now_ns);
 
-  /// Returns the revision shown now; null before the first.
+  /// Returns the displayed revision; null before the first.
   const TopologyRevision* shown() const { return shown_ ? &*shown_ : nullptr; }
-  /// Tells whether the server has to be asked for a keyframe: something did not prove right, or is long
-  /// missing. True at most once a second.
-  bool asks_keyframe(std::int64_t now_ns);
+  /// Reports whether a keyframe must be requested from the server: a verification failed, or a revision is
+  /// missing for over 1 s. True at most once a second.
+  bool needs_keyframe(std::int64_t now_ns);
   std::uint64_t refused() const { return refused_; }
 
  private:
   std::optional<TopologyRevision> shown_;              // without its patch
-  std::map<std::uint32_t, TopologyRevision> waiting_;  // later ones
-  std::optional<std::uint32_t> unproven_;              // revision whose patch does not prove right
-  bool failed_ = false;                                // something did not, and nothing was shown since
+  std::map<std::uint32_t, TopologyRevision> waiting_;  // later revisions
+  std::optional<std::uint32_t> unverified_;            // revision whose patch failed verification
+  bool failed_ = false;  // a verification failed, and no revision was shown since
   std::optional<std::int64_t> stuck_since_ns_, asked_ns_;
   std::uint64_t refused_ = 0;
 

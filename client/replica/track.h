@@ -1,25 +1,25 @@
 #pragma once
-// Samples of something that moves, and its value between them.
+// Time-stamped samples of a moving object, with interpolation.
 
 #include <algorithm>
 #include <cstdint>
 #include <deque>
 
+#include "common/assert.h"
 #include "common/math.h"
-#include "common/messages.h"
 
 namespace prosector {
 
-/// Interpolates by a cubic Hermite between (x0, v0) and (x1, v1), `h` seconds apart, at share s in [0, 1].
-/// Linear interpolation would err by a·h²/8 under acceleration a.
+/// Returns the cubic Hermite interpolation between (x0, v0) and (x1, v1), `h` seconds apart, at fraction s in
+/// [0, 1]. Linear interpolation would have an error of a·h²/8 under acceleration a.
 inline Vec3 hermite(const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h, double s) {
   const double s2 = s * s, s3 = s2 * s;
   return (2 * s3 - 3 * s2 + 1) * x0 + (s3 - 2 * s2 + s) * h * v0 + (3 * s2 - 2 * s3) * x1 +
          (s3 - s2) * h * v1;
 }
 
-/// The last few samples of one keyed instance, in order of time; late ones are sorted in, other epochs are
-/// dropped.
+/// The last samples of one keyed instance in order of time. Late samples are inserted; samples of earlier
+/// epochs are dropped.
 template <class Sample>
 class Track {
  public:
@@ -37,14 +37,15 @@ class Track {
 
   struct Bracket {
     const Sample* from = nullptr;
-    const Sample* to = nullptr;  // == from: hold
-    double seconds = 0;          // between them, as far as interpolation is meant to bridge
+    const Sample* to = nullptr;  // equal to `from`: constant
+    double seconds = 0;          // time between them, limited to the bridged gap
     double share = 0;            // 0 at `from`, 1 at `to`
   };
 
-  /// Returns what to interpolate at `tick`. A gap longer than `bridge` ticks means that nothing moved in it:
-  /// `from` is held until `bridge` ticks before `to`.
+  /// Returns the samples to interpolate at `tick`. In a gap longer than `bridge` ticks the object was at
+  /// rest: `from` is held until `bridge` ticks before `to`.
   Bracket at(double tick, double dt, double bridge = 4) const {
+    PROSECTOR_ASSERT(bridge > 0);
     Bracket out;
     if (samples_.empty()) return out;
     auto to = std::find_if(samples_.begin(), samples_.end(),
@@ -58,7 +59,7 @@ class Track {
     return {&from, &*to, gap * dt, (tick - (end - gap)) / gap};
   }
 
-  /// Calls `change(sample)` for each; it must leave the sample's time alone.
+  /// Calls `change(sample)` for each sample; it must not change the sample's time.
   template <class Change>
   void change_each(const Change& change) {
     for (Sample& sample : samples_) change(sample);
@@ -68,7 +69,8 @@ class Track {
   const Sample& newest() const { return samples_.back(); }
 
  private:
-  static constexpr std::size_t capacity = 16;  // a quarter of a second at 60 Hz: more than any playout delay
+  static constexpr std::size_t capacity =
+      16;  // a quarter of a second at 60 Hz, more than usual playout delays
   std::deque<Sample> samples_;
 };
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "client/setup/words.h"
+#include "client/setup/text_styles.h"
 
 namespace prosector {
 
@@ -26,7 +26,7 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
   ImGui::SameLine();
   bool picked = false;
   if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
-    if (!field.text.empty() && ImGui::Selectable(ui.tr("none, until another one is named"))) {
+    if (!field.text.empty() && ImGui::Selectable(ui.tr("none until one is chosen"))) {
       field.text.clear();
       picked = true;
     }

@@ -1,22 +1,22 @@
 #pragma once
-// A field for a device's address, with what is plugged in behind an arrow.
+// A field for a device's address, with a list of detected devices.
 
 #include <span>
 #include <string>
 
 #include "client/setup/interface.h"
-#include "drivers/found_devices.h"
+#include "drivers/config/found_devices.h"
 
 namespace prosector {
 
-/// A key that names a device, as it is typed.
+/// A configuration key with a device's address, as edited.
 struct AddressField {
   const char* key;
   const char* name;
   std::string text;
 };
 
-/// Shows it. `nothing`: what is said where nothing is plugged in. Returns whether something was named.
+/// Draws the field. `nothing`: shown if no device was detected. Returns whether an address was entered.
 bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevice> found,
                   const char* nothing);
 

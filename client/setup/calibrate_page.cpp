@@ -7,20 +7,20 @@
 #include <array>
 #include <utility>
 
-#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
 #include "client/setup/fields.h"
+#include "client/setup/side_by_side.h"
 #include "common/error.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t words_at_once = 7;  // of an outcome; the others are shown when they are asked for
+constexpr std::size_t words_at_once = 7;  // lines of a result; the others are shown on request
 
 }  // namespace
 
 void CalibratePage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
-  draw_beside(
+  draw_side_by_side(
       ui, 0.26, [&] { draw_choice(ui); }, [&] { draw_chosen(ui, draft, now_ns); });
 }
 
@@ -35,7 +35,7 @@ void CalibratePage::draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t 
   else if (shows_outcome_)
     draw_outcome(ui);
   else
-    draw_wishes(ui, draft);
+    draw_settings_form(ui, draft);
   ImGui::Separator();
   if (!draw_draft_changes(ui, draft, said_)) return;
   live_->close();
@@ -70,45 +70,45 @@ void CalibratePage::draw_choice(Interface& ui) {
   }
 }
 
-void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
-  if (!std::exchange(knows_role_, true)) wishes_.role = touching_role(draft.config());
+void CalibratePage::draw_settings_form(Interface& ui, ConfigDraft& draft) {
+  if (!std::exchange(knows_role_, true)) calibration_settings_.role = pointer_role(draft.config());
   ImGui::PushItemWidth(330 * static_cast<float>(ui.scale()));
-  for (const Asked asked : chosen_->asked) switch (asked) {
-      case Asked::role:
-        edit_role(ui, wishes_.role);
+  for (const CalibrationSetting asked : chosen_->asked) switch (asked) {
+      case CalibrationSetting::role:
+        edit_role(ui, calibration_settings_.role);
         break;
-      case Asked::hand:
-        edit_hand(ui, wishes_.hand);
+      case CalibrationSetting::hand:
+        edit_hand(ui, calibration_settings_.hand);
         break;
-      case Asked::points:
+      case CalibrationSetting::points:
         quiet(ui.tr("Points to touch, in this order: x to the right, y up, z towards you, m."));
-        draw_points(ui, wishes_.points);
+        draw_points(ui, calibration_settings_.points);
         break;
-      case Asked::grid:
+      case CalibrationSetting::grid:
         draw_grid(ui);
         break;
-      case Asked::seconds:
-        ImGui::InputDouble(ui.tr("seconds"), &wishes_.seconds, 0, 0, "%.0f");
+      case CalibrationSetting::seconds:
+        ImGui::InputDouble(ui.tr("seconds"), &calibration_settings_.seconds, 0, 0, "%.0f");
         ui.note("seconds");
-        wishes_.seconds = std::clamp(wishes_.seconds, 2., 600.);
+        calibration_settings_.seconds = std::clamp(calibration_settings_.seconds, 2., 600.);
         break;
-      case Asked::against:
-        ImGui::InputText(ui.tr("the second device, DRIVER:PATH"), &wishes_.against);
+      case CalibrationSetting::against:
+        ImGui::InputText(ui.tr("second device, DRIVER:PATH"), &calibration_settings_.against);
         ui.note("against");
         break;
-      case Asked::shape:
+      case CalibrationSetting::shape:
         draw_shape(ui, draft);
         break;
-      case Asked::landmarks:
+      case CalibrationSetting::landmarks:
         quiet(ui.tr(
-            "Points of the shape to touch, in this order, all around it: in the shape's own frame, m."));
-        draw_points(ui, wishes_.landmarks);
-        edit_vector(ui.tr("target: its error is told"), wishes_.target);
+            "Points of the shape to touch, in this order and on all sides, in the shape's own frame, m."));
+        draw_points(ui, calibration_settings_.landmarks);
+        edit_vector(ui.tr("target: its error is reported"), calibration_settings_.target);
         ui.note("target");
         break;
     }
   ImGui::PopItemWidth();
-  if (ImGui::Button(ui.tr("Begin"))) begin(draft);
+  if (ImGui::Button(ui.tr("Start"))) begin(draft);
   ui.note("begin");
 }
 
@@ -118,19 +118,19 @@ void CalibratePage::draw_points(Interface& ui, std::vector<Vec3>& points) {
     edit_vector(fmt::format("{}###{}", ui.tr("point {}", k + 1), name).c_str(), points[k]);
     ui.note(name);
   }
-  if (ImGui::Button(ui.tr("One more"))) points.push_back(points.back());
+  if (ImGui::Button(ui.tr("Add a point"))) points.push_back(points.back());
   ui.note("one more");
   ImGui::SameLine();
-  if (ImGui::Button(ui.tr("One less")) && points.size() > 3) points.pop_back();
+  if (ImGui::Button(ui.tr("Remove a point")) && points.size() > 3) points.pop_back();
   ui.note("one less");
 }
 
-/// Returns what the draft says of the phantom's shape.
+/// Returns the draft's settings of the phantom's shape.
 std::vector<CalibratePage::TypedKey> CalibratePage::shape_of(const ConfigDraft& draft) {
   const PhantomSettings& phantom = draft.config().phantom;
-  return {{"phantom.body", msg("the scene's body whose shape it has"), phantom.body},
-          {"phantom.mesh", msg("or a file of its shape"), draft.named(phantom.mesh)},
-          {"phantom.board", msg("the board fixed to it; none: it stands still"), draft.named(phantom.board)}};
+  return {{"phantom.body", msg("scene body with the same shape"), phantom.body},
+          {"phantom.mesh", msg("or a shape file"), draft.named(phantom.mesh)},
+          {"phantom.board", msg("board fixed to it; none: it does not move"), draft.named(phantom.board)}};
 }
 
 void CalibratePage::draw_shape(Interface& ui, const ConfigDraft& draft) {
@@ -142,19 +142,19 @@ void CalibratePage::draw_shape(Interface& ui, const ConfigDraft& draft) {
 }
 
 void CalibratePage::draw_grid(Interface& ui) {
-  edit_vector(ui.tr("lower corner"), wishes_.grid.low);
+  edit_vector(ui.tr("lower corner"), calibration_settings_.grid.low);
   ui.note("lower corner");
-  edit_vector(ui.tr("upper corner"), wishes_.grid.high);
+  edit_vector(ui.tr("upper corner"), calibration_settings_.grid.high);
   ui.note("upper corner");
   std::array<int, 3> count{};
-  for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(wishes_.grid.count[a]);
+  for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(calibration_settings_.grid.count[a]);
   const bool changed = ImGui::InputInt3(ui.tr("points along x, y, z"), count.data());
   ui.note("grid points");
   for (std::size_t a = 0; changed && a < 3; ++a)
-    wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
+    calibration_settings_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
 }
 
-/// Begins what is chosen. What was typed of a phantom's shape is taken into the draft before.
+/// Starts the chosen calibration. Before that, applies the edited phantom's shape to the draft.
 void CalibratePage::begin(ConfigDraft& draft) {
   said_ = {};
   std::vector<ConfigChange> changes;
@@ -166,7 +166,7 @@ void CalibratePage::begin(ConfigDraft& draft) {
     return;
   }
   try {
-    running_ = chosen_->begin(draft.config(), wishes_);
+    running_ = chosen_->begin(draft.config(), calibration_settings_);
   } catch (const InputError& error) {
     said_ = {error.what(), true};
   }
@@ -189,17 +189,17 @@ void CalibratePage::draw_running(Interface& ui, ConfigDraft& draft) {
   if (!step.trouble.empty()) warning(ui.tr(step.trouble));
   const DeviceStatus device = running_->device();
   if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
-  if (ImGui::Button(ui.tr("This one again"))) running_->back();
+  if (ImGui::Button(ui.tr("Repeat this step"))) running_->back();
   ui.note("back");
   ImGui::SameLine();
   if (ImGui::Button(ui.tr("Stop"))) {
     running_.reset();
-    said_ = {msg("Stopped: nothing is changed."), false};
+    said_ = {msg("Stopped. Nothing was changed."), false};
   }
   ui.note("stop");
 }
 
-/// Takes what came out into the draft. A field's map is a file of its own, which the configuration names.
+/// Applies the result to the draft. A field map is a separate file, which the configuration names.
 void CalibratePage::finish(ConfigDraft& draft) {
   try {
     GuideOutcome outcome;
@@ -214,14 +214,14 @@ void CalibratePage::finish(ConfigDraft& draft) {
     }
     outcomes_[chosen_->name] = outcome.words;
     shows_outcome_ = true;
-    said_ = take_outcome(draft, outcome);
+    said_ = apply_outcome(draft, outcome);
   } catch (const InputError& error) {
     said_ = {error.what(), true};
   }
   running_.reset();
 }
 
-/// Shows what came out in the place of what was asked, so that nobody must look for it.
+/// Draws the result in place of the settings, so that it is visible without scrolling.
 void CalibratePage::draw_outcome(Interface& ui) {
   if (chosen_->begin == begin_field && field_) draw_field_picture(ui, *field_);
   const std::vector<std::string>& words = outcomes_.at(chosen_->name);
@@ -229,7 +229,7 @@ void CalibratePage::draw_outcome(Interface& ui) {
     if (words.size() <= words_at_once || k < 2) wrapped(words[k]);
   if (words.size() > words_at_once && ImGui::CollapsingHeader(ui.tr("More")))
     for (std::size_t k = 2; k < words.size(); ++k) wrapped(words[k]);
-  if (ImGui::Button(ui.tr("Once more"))) shows_outcome_ = false;
+  if (ImGui::Button(ui.tr("Repeat"))) shows_outcome_ = false;
   ui.note("once more");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The page of a camera: what it sees, and its lens found step by step.
+// The page of a camera: its image, and a guided lens calibration.
 
 #include <future>
 #include <memory>
@@ -10,14 +10,14 @@
 #include "client/setup/camera_watch.h"
 #include "client/setup/config_draft.h"
 #include "client/setup/interface.h"
-#include "client/setup/words.h"
-#include "drivers/found_devices.h"
+#include "client/setup/text_styles.h"
+#include "drivers/config/found_devices.h"
 
 namespace prosector {
 
-/// Returns what names the lens of a camera: for the tracker and the window's eyes that are seen by it. Where
-/// neither is, and there is no tracker, the camera becomes that.
-std::vector<ConfigChange> naming_lens(const ClientConfig& config, const std::string& camera);
+/// Returns the changes that assign the lens file to a camera: to the tracker and the window's face tracker,
+/// if they use the camera. If neither does, and there is no tracker, the camera becomes the tracker.
+std::vector<ConfigChange> lens_changes(const ClientConfig& config, const std::string& camera);
 
 class CameraPage {
  public:
@@ -27,7 +27,7 @@ class CameraPage {
   CameraPage& operator=(const CameraPage&) = delete;
 
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
-  /// Lets the camera go. A fit goes on.
+  /// Closes the camera. A running fit continues.
   void close();
   bool running() const { return watch_ != nullptr || fit_.valid(); }
   const Said& said() const { return said_; }
@@ -38,13 +38,14 @@ class CameraPage {
   std::int64_t found_ns_ = 0, opened_ns_ = 0;
   bool guides_ = false;
   std::stop_source fit_ends_;
-  std::future<LensFit> fit_;  // waits for its end when it goes: who is gone asks for that before
-  std::string fitted_;        // address of the camera whose lens that is
+  // Its destructor waits for the fit, so the page's destructor requests a stop first.
+  std::future<LensFit> fit_;
+  std::string fitted_;  // address of the camera that the fit is for
   std::vector<std::string> outcome_;
   std::unique_ptr<CameraWatch> watch_;
-  WatchedPicture seen_;
+  EvaluatedImage seen_;
   void* texture_ = nullptr;
-  std::uint64_t shown_ = 0;  // picture in the texture
+  std::uint64_t shown_ = 0;  // number of the image in the texture
   Said said_;
 
   void open(const std::string& address, std::int64_t now_ns);
@@ -52,7 +53,7 @@ class CameraPage {
   void draw_steps(Interface& ui);
   void draw_guide(Interface& ui);
   void draw_picture(Interface& ui);
-  void draw_trouble(Interface& ui, std::int64_t now_ns) const;
+  void draw_error(Interface& ui, std::int64_t now_ns) const;
   void begin_fit();
   void take_fit(const Interface& ui, ConfigDraft& draft);
 };

@@ -6,7 +6,7 @@
 namespace prosector {
 namespace {
 
-constexpr double rate_weight = 0.1;  // of the newest picture in the rate that is shown
+constexpr double rate_weight = 0.1;  // weight of the newest image in the displayed rate
 
 }  // namespace
 
@@ -19,7 +19,7 @@ CameraWatch::CameraWatch(std::string address)
           },
           [this](const Frame& frame) { see(frame); }) {}
 
-WatchedPicture CameraWatch::picture() const {
+EvaluatedImage CameraWatch::picture() const {
   const std::lock_guard lock(mutex_);
   return last_;
 }
@@ -45,7 +45,7 @@ std::vector<LensView> CameraWatch::views() const {
 }
 
 void CameraWatch::see(const Frame& frame) {
-  WatchedPicture now;
+  EvaluatedImage now;
   now.image = std::make_shared<const Image>(frame.image);
   const GreyImage grey = grey_of(frame.image);
   now.brightness = brightness_of(grey);

@@ -1,6 +1,6 @@
 #pragma once
-// A camera that a page shows: its newest picture, the tags in it, and a guide that takes pictures once it is
-// asked. All of it is reckoned on the camera's thread.
+// A camera shown on a page: its newest image, the detected tags, and a guide that collects images on request.
+// All processing runs on the camera's thread.
 
 #include <memory>
 #include <mutex>
@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "drivers/camera/calibration/lens_guide.h"
-#include "drivers/camera/camera_thread.h"
+#include "drivers/camera/capture/camera_thread.h"
 
 namespace prosector {
 
-/// What was seen last.
-struct WatchedPicture {
-  std::shared_ptr<const Image> image;  // none: no picture came yet
-  std::uint64_t number = 0;            // counts pictures from 1
-  std::vector<SeenTag> tags;
-  double brightness = 0;  // of 255
-  double rate = 0;        // pictures a second
-  LensGuideStep step;     // of the guide, while it is asked
-  std::set<PictureCell> covered;
+/// The latest image and its evaluation.
+struct EvaluatedImage {
+  std::shared_ptr<const Image> image;  // null: no image was received yet
+  std::uint64_t number = 0;            // counts images from 1
+  std::vector<DetectedTag> tags;
+  double brightness = 0;  // 0 … 255
+  double rate = 0;        // images per second
+  LensGuideStep step;     // of the guide, while it is active
+  std::set<ImageCell> covered;
 };
 
 class CameraWatch {
@@ -30,10 +30,10 @@ class CameraWatch {
   explicit CameraWatch(std::string address);
 
   CameraState state() const { return thread_.state(); }
-  WatchedPicture picture() const;
-  /// Returns what tells the camera from others; empty: it wasn't open yet.
+  EvaluatedImage picture() const;
+  /// Returns the camera's identifier; empty: it was not opened yet.
   std::string identity() const;
-  /// Begins to keep views of a board, anew.
+  /// Starts collecting views of a board, discarding earlier ones.
   void guide(const Board& board);
   void stop_guide();
   std::vector<LensView> views() const;
@@ -41,14 +41,14 @@ class CameraWatch {
  private:
   void see(const Frame& frame);
 
-  mutable std::mutex mutex_;        // of what is told
-  mutable std::mutex guide_mutex_;  // held while a picture is taken into the guide
+  mutable std::mutex mutex_;        // guards the published state
+  mutable std::mutex guide_mutex_;  // held while the guide takes an image
   std::optional<LensGuide> guide_;
-  TagFinder finder_{TagFinderSettings{}};
-  WatchedPicture last_;
+  TagDetector finder_{TagDetectorSettings{}};
+  EvaluatedImage last_;
   std::string identity_;
   std::int64_t last_ns_ = 0;
-  CameraThread thread_;  // last: it uses what is above
+  CameraThread thread_;  // last member: it uses the ones above
 };
 
 }  // namespace prosector

@@ -6,7 +6,7 @@
 #include <array>
 #include <thread>
 
-#include "client/setup/words.h"
+#include "client/setup/text_styles.h"
 #include "common/paths.h"
 
 namespace prosector {
@@ -19,7 +19,7 @@ const std::array<ImVec4, 4> state_colors = {
 }  // namespace
 
 void ChecksPage::draw(Interface& ui) {
-  title(ui.tr("What bears a session on this machine"));
+  title(ui.tr("Readiness of this machine for sessions"));
   if (checks_.empty())
     checks_ = {measure_pictures_(),
                check_cores(std::thread::hardware_concurrency(), ui.words()),
@@ -27,9 +27,9 @@ void ChecksPage::draw(Interface& ui) {
                check_real_time(ui.words()),
                check_clock(ui.words()),
                check_anatomy(default_data_dir(), ui.words()),
-               {msg("From hand to picture"), CheckState::unknown,
-                ui.tr("Only a second device that sees the screen can tell. Latency, on the page of the "
-                      "tracker, compares two.")}};
+               {msg("Latency from hand to display"), CheckState::unknown,
+                ui.tr("This can only be measured with a second device that observes the screen. The latency "
+                      "step on the tracker page compares two devices.")}};
   const float scale = static_cast<float>(ui.scale());
   float words_at = 310 * scale;
   for (const char* state : state_words)
@@ -51,7 +51,7 @@ void ChecksPage::draw(Interface& ui) {
     wrapped(check.words);
   }
   ImGui::Separator();
-  if (ImGui::Button(ui.tr("Look again"))) checks_.clear();
+  if (ImGui::Button(ui.tr("Check again"))) checks_.clear();
   ui.note("look again");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The page that says, in green, amber and red, what of this machine bears a session.
+// The page that rates this machine's suitability for sessions in green, amber and red.
 
 #include <functional>
 #include <vector>
@@ -11,7 +11,7 @@ namespace prosector {
 
 class ChecksPage {
  public:
-  /// Takes what measures pictures, which takes a moment.
+  /// Takes the function that measures frame times; it takes a moment.
   explicit ChecksPage(std::function<MachineCheck()> measure_pictures)
       : measure_pictures_(std::move(measure_pictures)) {}
 

@@ -20,7 +20,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t kept_lines = 200;
-constexpr std::chrono::milliseconds patience{5000}, between_looks{20};
+constexpr std::chrono::milliseconds time_limit{5000}, between_looks{20};
 
 }  // namespace
 
@@ -61,14 +61,14 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words) {
   pipe_ = ends[0];
   if (error != 0) {
     close(pipe_);
-    throw InputError(fmt::format("{} can't be started: {}", words.front(), std::strerror(error)));
+    throw InputError(fmt::format("cannot start {}: {}", words.front(), std::strerror(error)));
   }
   fcntl(pipe_, F_SETFL, O_NONBLOCK);
 }
 
 ChildProcess::~ChildProcess() {
   interrupt();
-  for (auto waited = std::chrono::milliseconds(0); !status_ && waited < patience; waited += between_looks) {
+  for (auto waited = std::chrono::milliseconds(0); !status_ && waited < time_limit; waited += between_looks) {
     std::this_thread::sleep_for(between_looks);
     poll();
   }

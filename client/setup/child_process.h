@@ -1,5 +1,5 @@
 #pragma once
-// A program that the set-up window starts: a server to host, a client to take part.
+// A program started by the set-up window: a server for hosting, or a client.
 
 #include <sys/types.h>
 
@@ -10,29 +10,29 @@
 
 namespace prosector {
 
-/// Returns the folder of the running program: others of Prosector's are beside it.
+/// Returns the folder of the running program, which contains Prosector's other programs.
 std::filesystem::path program_folder();
 
-/// Returns a command as people would type it in a shell.
+/// Returns a command in shell syntax.
 std::string shell_line(const std::vector<std::string>& words);
 
-/// Ends with it: the program gets SIGINT, and SIGKILL if it is still there after five seconds.
+/// A child process. The destructor sends SIGINT, and SIGKILL if the program still runs after five seconds.
 class ChildProcess {
  public:
-  /// Starts a program; what it writes is kept, and passed on to this one's standard output. Throws InputError
-  /// naming it where it can't be started.
+  /// Starts a program. Its output is stored, and forwarded to standard output. Throws InputError with the
+  /// program's name if it can't be started.
   explicit ChildProcess(const std::vector<std::string>& words);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads what it wrote since, without waiting, and looks whether it is still there.
+  /// Reads new output without waiting, and checks whether the program has ended.
   void poll();
-  /// Asks it to end, and goes on.
+  /// Sends SIGINT without waiting.
   void interrupt();
-  /// Returns how it ended, as shells count it; none while it runs.
+  /// Returns the exit status in the shell's convention; nullopt while it runs.
   std::optional<int> ended() const { return status_; }
-  /// Returns the last lines that it wrote, oldest first.
+  /// Returns the last lines of output, oldest first.
   const std::vector<std::string>& lines() const { return lines_; }
   bool said(const std::string& words) const;
 
@@ -40,7 +40,7 @@ class ChildProcess {
   pid_t pid_ = 0;
   int pipe_ = -1;
   std::optional<int> status_;
-  std::string rest_;  // of a line that isn't over
+  std::string rest_;  // an incomplete line
   std::vector<std::string> lines_;
 
   void read_output();

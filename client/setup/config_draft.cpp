@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-/// Returns what the file has; a missing one has nothing.
+/// Returns the file's text; empty if the file is missing.
 std::string text_of(const std::filesystem::path& file) {
   return std::filesystem::exists(file) ? read_config_text(file) : "";
 }
@@ -57,14 +57,13 @@ std::string ConfigDraft::named(const std::string& file) const {
   return file.empty() || below.first != folder.end() ? file : path.lexically_relative(folder).string();
 }
 
-void ConfigDraft::put_beside(const std::string& name, std::string text) {
+void ConfigDraft::add_companion_file(const std::string& name, std::string text) {
   beside_[name] = std::move(text);
 }
 
 void ConfigDraft::save() {
   if (text_of(file_) != saved_)
-    throw InputError(file_.string() +
-                     " was written by another program meanwhile: discard, and it is read anew");
+    throw InputError(file_.string() + " was changed by another program: discard your changes to reload it");
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
   for (const auto& [name, text] : beside_) save_config_text(file_.parent_path() / name, text);
@@ -77,7 +76,7 @@ void ConfigDraft::revert() {
   read();
 }
 
-/// Returns what differs, line by line: lines keep their order, so what both have in common is stepped over.
+/// Returns the changed lines. Lines keep their order, so equal lines are skipped.
 std::vector<ChangedLine> ConfigDraft::changes() const {
   const std::vector<std::string> before = lines_of(saved_), after = lines_of(draft_);
   std::vector<ChangedLine> out;

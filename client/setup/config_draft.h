@@ -1,39 +1,40 @@
 #pragma once
-// The client's configuration while it is changed in the set-up window: what is in the file, what it would be,
-// and both as a person reads them. Nothing is written before it was asked for.
+// The client's configuration while it is edited in the set-up window: the saved text, the draft, and the
+// parsed draft. Files are written only by save().
 
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "drivers/client_config.h"
-#include "drivers/client_config_write.h"
+#include "drivers/config/client_config.h"
+#include "drivers/config/client_config_write.h"
 
 namespace prosector {
 
-/// A line that a draft changes. Either may be empty: it comes, or it goes.
+/// A line that a draft changes. `before` empty: added; `after` empty: removed.
 struct ChangedLine {
   std::string before, after;
 };
 
 class ConfigDraft {
  public:
-  /// Reads the file. One that is missing counts as empty; of one that can't be used, problem() tells why, and
-  /// nothing is changed in it.
+  /// Reads the file. A missing file counts as empty. If it is invalid, problem() returns the reason, and
+  /// changes are refused.
   explicit ConfigDraft(std::filesystem::path file);
 
-  /// Changes keys. Returns why that isn't allowed; empty: it is done.
+  /// Changes keys. Returns the reason if the changes are invalid; empty: success.
   std::string change(const std::vector<ConfigChange>& changes);
-  /// Keeps a text for a file of that name beside the configuration's; it is written when the draft is.
-  void put_beside(const std::string& name, std::string text);
-  /// Writes the draft and what is beside it, with its comments and order kept. Throws InputError where that
-  /// can't be, and where the file was written by others since it was read: that isn't written over.
+  /// Stores the text of a file with this name next to the configuration file; save() writes it.
+  void add_companion_file(const std::string& name, std::string text);
+  /// Writes the draft and the files next to it, preserving comments and order. Throws InputError if writing
+  /// fails, or if another program changed the file since it was read; the file is then not overwritten.
   void save();
-  /// Forgets what was not written, and reads the file anew.
+  /// Discards unsaved changes, and reloads the file.
   void revert();
 
-  /// Returns a file that config() names as the text of the configuration does: beside it where it lies there.
+  /// Returns a file of config() as written in the configuration: relative if it is next to the configuration
+  /// file.
   std::string named(const std::string& file) const;
 
   const ClientConfig& config() const { return config_; }
@@ -45,7 +46,7 @@ class ConfigDraft {
  private:
   std::filesystem::path file_;
   std::string saved_, draft_, problem_;
-  std::map<std::string, std::string> beside_;  // texts by names of files
+  std::map<std::string, std::string> beside_;  // texts by file name
   ClientConfig config_;
 
   void read();

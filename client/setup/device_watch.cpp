@@ -5,14 +5,16 @@
 #include <map>
 
 #include "common/error.h"
+#include "drivers/device/driver_table.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::int64_t window_ns = 2'000'000'000;
-constexpr std::size_t most_kept = 4096;  // samples of a station: a device that floods must not fill memory
+// Samples per station, which limits memory if a device sends too many.
+constexpr std::size_t most_kept = 4096;
 
-/// Returns what the samples of one station tell together.
+/// Returns the statistics of one station's samples.
 WatchedStation look_at(const std::deque<DeviceSample>& samples) {
   WatchedStation out;
   out.last = samples.back();
@@ -41,9 +43,9 @@ WatchedStation look_at(const std::deque<DeviceSample>& samples) {
   return out;
 }
 
-/// Asks a tracker for all its receivers, those too that nobody has yet.
+/// Requests all receivers of a tracker, including those without a role.
 DeviceConfig all_receivers(DeviceConfig device) {
-  device.stations = (1u << max_stations) - 1;
+  device.placement.stations = (1u << max_stations) - 1;
   return device;
 }
 
@@ -52,7 +54,7 @@ DeviceConfig all_receivers(DeviceConfig device) {
 struct DeviceWatch::Opened {
   std::unique_ptr<Device> device;  // or …
   std::unique_ptr<Arm> arm;
-  std::string refusal;  // or: why there is neither
+  std::string refusal;  // reason why neither could be opened
   std::map<std::uint32_t, std::deque<DeviceSample>> kept;
   std::vector<DeviceSample> fresh;
 
@@ -135,7 +137,8 @@ std::optional<std::uint32_t> moving_station(const WatchedDevice& tracker) {
       second = std::max(second, station.moved);
     }
   }
-  if (most == nullptr || most->moved < least_way || most->moved < least_share * second) return std::nullopt;
+  if (most == nullptr || most->moved < min_moved_distance || most->moved < least_share * second)
+    return std::nullopt;
   return most->last.station;
 }
 

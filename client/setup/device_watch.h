@@ -1,5 +1,5 @@
 #pragma once
-// The devices of a configuration, opened to be looked at: what each tells, how often, and what moves.
+// The devices of a configuration, opened for inspection: their data, rates and motion.
 
 #include <deque>
 #include <memory>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/client_config.h"
+#include "drivers/config/client_config.h"
 
 namespace prosector {
 
@@ -15,25 +15,25 @@ namespace prosector {
 struct WatchedStation {
   DeviceSample last;
   double rate = 0;    // Hz
-  double moved = 0;   // m, from one end of its way to the other
-  double bent = 0;    // flexion, the most that a finger changed
-  double jitter = 0;  // s, RMS of the time between records
+  double moved = 0;   // m, extent of its motion
+  double bent = 0;    // flexion, the largest change of any finger
+  double jitter = 0;  // s, RMS of the deviation of intervals between records
 };
 
 enum class WatchedKind : std::uint8_t { tracker, glove, arm };
 
 struct WatchedDevice {
   WatchedKind kind = WatchedKind::tracker;
-  std::size_t hand = right_hand;  // of a glove or an arm
+  std::size_t hand = right_hand;  // for a glove or an arm
   std::string name, address;      // "right glove", "5dt:/dev/ttyS1"
   DeviceStatus status;
-  std::vector<WatchedStation> stations;  // by number; those that told something
+  std::vector<WatchedStation> stations;  // by number; those with data
 };
 
 class DeviceWatch {
  public:
-  /// Opens what the configuration names. What can't be opened is retried, and its status says so; a file that
-  /// can't be read isn't.
+  /// Opens the devices of the configuration. Devices that can't be opened are retried, and their status
+  /// reports it; a file that can't be read is not retried.
   explicit DeviceWatch(const ClientConfig& config);
   ~DeviceWatch();
 
@@ -48,15 +48,16 @@ class DeviceWatch {
   void add(WatchedDevice device, std::unique_ptr<Opened> opened);
 };
 
-inline constexpr double least_way = 0.15;     // m: what moves that far is meant
-inline constexpr double least_share = 3;      // times as far as any other
-inline constexpr double least_bending = 0.4;  // flexion
+inline constexpr double min_moved_distance = 0.15;  // m: minimum intended motion
+inline constexpr double least_share = 3;            // minimum ratio to the motion of any other
+inline constexpr double min_flexion_change = 0.4;   // flexion
 
-/// Returns which station of a tracker is being moved: that which went far, and much farther than the others.
+/// Returns the station of a tracker that is being moved: the one that moved far, and much farther than the
+/// others.
 std::optional<std::uint32_t> moving_station(const WatchedDevice& tracker);
-/// Tells whether a glove's fingers are being bent.
+/// Returns whether a glove's fingers are being bent.
 inline bool is_bent(const WatchedDevice& glove) {
-  return !glove.stations.empty() && glove.stations.front().bent >= least_bending;
+  return !glove.stations.empty() && glove.stations.front().bent >= min_flexion_change;
 }
 
 }  // namespace prosector

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
+#include "client/setup/side_by_side.h"
 
 namespace prosector {
 namespace {
@@ -52,10 +52,10 @@ void DevicesPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
     ImGui::Separator();
     if (draw_draft_changes(ui, draft, said_)) watch_.reset();
   };
-  draw_beside(ui, 0.44, which, [&] { draw_device(ui, draft, now_ns); });
+  draw_side_by_side(ui, 0.44, which, [&] { draw_device(ui, draft, now_ns); });
 }
 
-/// Opens what the draft names, reads it, and looks now and then what is plugged in.
+/// Opens the devices of the draft, reads them, and regularly searches for connected ones.
 void DevicesPage::look(const ConfigDraft& draft, std::int64_t now_ns) {
   if (!watch_) {
     watch_ = std::make_unique<DeviceWatch>(draft.config());
@@ -81,7 +81,7 @@ void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
   title(ui.tr("Devices"));
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     AddressField& field = fields_[k];
-    if (edit_address(ui, field, found_, ui.tr("No serial port and no glove is plugged in.")) &&
+    if (edit_address(ui, field, found_, ui.tr("No serial port or glove is connected.")) &&
         field.text != address_in(draft.config(), k))
       change(draft, {{field.key, field.text}},
              fmt::format("{}: {}", ui.tr(field.name), field.text.empty() ? ui.tr("none") : field.text));
@@ -93,7 +93,7 @@ void DevicesPage::draw_status(Interface& ui) {
   const std::vector<WatchedDevice>& devices = watch_ ? watch_->devices() : std::vector<WatchedDevice>();
   ImGui::Separator();
   if (devices.empty()) {
-    quiet(ui.tr("None is named yet. Give an address, DRIVER:PATH, or choose what is plugged in."));
+    quiet(ui.tr("No device is configured. Enter an address, DRIVER:PATH, or choose a connected device."));
     return;
   }
   for (std::size_t k = 0; k < devices.size(); ++k) {
@@ -101,8 +101,8 @@ void DevicesPage::draw_status(Interface& ui) {
     double rate = 0;
     for (const WatchedStation& station : device.stations) rate = std::max(rate, station.rate);
     const std::string label =
-        ui.tr("{}: {}, {:.0f} Hz, {} records, {} resyncs, {} reopened", ui.tr(device.name),
-              ui.tr(std::string(health_word(device.status.health))), rate, device.status.records,
+        ui.tr("{}: {}, {:.0f} Hz, {} records, {} resyncs, {} reconnects", ui.tr(device.name),
+              ui.tr(std::string(health_name(device.status.health))), rate, device.status.records,
               device.status.resyncs, device.status.reopens) +
         "###" + device.name;
     if (ImGui::Selectable(label.c_str(), k == shown_)) shown_ = k;
@@ -113,13 +113,13 @@ void DevicesPage::draw_status(Interface& ui) {
 
 void DevicesPage::draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   if (!watch_ || shown_ >= watch_->devices().size()) {
-    title(ui.tr("What it tells"));
+    title(ui.tr("Reported data"));
     quiet(ui.tr("Choose a device on the left."));
     return;
   }
   const WatchedDevice& device = watch_->devices()[shown_];
   title(ui.tr(device.name) + "   " + device.address);
-  if (device.stations.empty()) quiet(ui.tr("It tells nothing yet."));
+  if (device.stations.empty()) quiet(ui.tr("No data received yet."));
   for (const WatchedStation& station : device.stations) {
     const DeviceSample& s = station.last;
     ImGui::Separator();
@@ -148,7 +148,7 @@ void DevicesPage::draw_device(Interface& ui, ConfigDraft& draft, std::int64_t no
 void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDevice& tracker,
                              std::int64_t now_ns) {
   ImGui::Separator();
-  title(ui.tr("What is fixed to what"));
+  title(ui.tr("Receiver assignment"));
   for (const RoleWord& role : roles) {
     const auto& stations = draft.config().stations;
     const auto at = std::find(stations.begin(), stations.end(), role.role);
@@ -157,14 +157,14 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
                         at == stations.end() ? std::string(ui.tr("nothing"))
                                              : ui.tr("receiver {}", at - stations.begin() + 1)));
     ImGui::SameLine(220 * static_cast<float>(ui.scale()));
-    if (ImGui::Button(fmt::format("{}##{}", ui.tr("Find it by moving"), role.key).c_str())) {
+    if (ImGui::Button(fmt::format("{}##{}", ui.tr("Assign by moving"), role.key).c_str())) {
       assigned_ = role.role;
       assigned_until_ns_ = now_ns + assign_ns;
     }
     ui.note(fmt::format("move {}", role.key));
     if (at != stations.end()) {
       ImGui::SameLine();
-      const bool taken = ImGui::Button(fmt::format("{}##{}", ui.tr("Take it away"), role.key).c_str());
+      const bool taken = ImGui::Button(fmt::format("{}##{}", ui.tr("Remove"), role.key).c_str());
       ui.note(fmt::format("free {}", role.key));
       if (taken) {
         free_role(ui, draft, role.role);
@@ -180,29 +180,30 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
     }
     if (now_ns > assigned_until_ns_) {
       assigned_.reset();
-      said_ = {msg("No receiver moved much farther than the others."), true};
+      said_ = {msg("No receiver moved clearly farther than the others. Try again, and move only one."), true};
       return;
     }
     wrapped(ui.tr(role.instruction));
   }
 }
 
-/// Takes the receiver from a role. Its mount stays in the configuration.
+/// Removes the receiver from a role. Its mount stays in the configuration.
 void DevicesPage::free_role(const Interface& ui, ConfigDraft& draft, StationRole role) {
   const auto& stations = draft.config().stations;
   if (std::count(stations.begin(), stations.end(), StationRole::none) + 1 ==
       static_cast<std::ptrdiff_t>(stations.size())) {
-    said_ = {"It is the only receiver that is used. Name no tracker instead, with the arrow beside it.",
-             true};
+    said_ = {
+        "This is the only receiver in use. To use none, choose no tracker with the arrow beside its field.",
+        true};
     return;
   }
   const auto word =
       std::find_if(roles.begin(), roles.end(), [&](const RoleWord& w) { return w.role == role; });
   change(draft, {{fmt::format("tracker.stations.{}.station", word->key), 0.}},
-         ui.tr("No receiver is the {}'s.", ui.tr(word->name)));
+         ui.tr("No receiver is assigned to the {}.", ui.tr(word->name)));
 }
 
-/// Gives a receiver to a role. One that had it gets what that role had.
+/// Assigns a receiver to a role. If it had another role, the two receivers swap roles.
 void DevicesPage::assign(const Interface& ui, ConfigDraft& draft, StationRole role, std::uint32_t station) {
   const auto& stations = draft.config().stations;
   const auto word_of = [&](StationRole wanted) {
@@ -218,14 +219,14 @@ void DevicesPage::assign(const Interface& ui, ConfigDraft& draft, StationRole ro
   const auto before = std::find(stations.begin(), stations.end(), role);
   if (other != roles.end() && other->role != role) {
     if (before == stations.end()) {
-      said_ = {
-          ui.tr("Receiver {} is the {}'s: find that one by moving first.", station + 1, ui.tr(other->name)),
-          true};
+      said_ = {ui.tr("Receiver {} is assigned to the {}: assign another receiver to that one first.",
+                     station + 1, ui.tr(other->name)),
+               true};
       return;
     }
     changes.push_back(set(*other, static_cast<std::size_t>(before - stations.begin())));
   }
-  change(draft, changes, ui.tr("Receiver {} is the {}'s.", station + 1, ui.tr(own.name)));
+  change(draft, changes, ui.tr("Receiver {} is assigned to the {}.", station + 1, ui.tr(own.name)));
 }
 
 }  // namespace prosector

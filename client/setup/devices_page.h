@@ -1,5 +1,5 @@
 #pragma once
-// The page of trackers, gloves and arms: which there are, what they tell now, and what each is fixed to.
+// The page of trackers, gloves and arms: detected devices, their live data, and the assignment of receivers.
 
 #include <array>
 #include <cstdint>
@@ -12,14 +12,14 @@
 #include "client/setup/config_draft.h"
 #include "client/setup/device_watch.h"
 #include "client/setup/interface.h"
-#include "client/setup/words.h"
+#include "client/setup/text_styles.h"
 
 namespace prosector {
 
 class DevicesPage {
  public:
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
-  /// Lets devices go, so that another program can have them.
+  /// Closes the devices, so that another program can use them.
   void close() { watch_.reset(); }
   bool open() const { return watch_ != nullptr; }
   const Said& said() const { return said_; }
@@ -32,9 +32,9 @@ class DevicesPage {
   std::unique_ptr<DeviceWatch> watch_;
   std::vector<FoundDevice> found_;
   std::int64_t found_ns_ = 0;
-  std::size_t shown_ = 0;                // device
-  std::optional<StationRole> assigned_;  // to what is moved …
-  std::int64_t assigned_until_ns_ = 0;   // … until then
+  std::size_t shown_ = 0;                // index of the shown device
+  std::optional<StationRole> assigned_;  // role to assign to the receiver that is moved …
+  std::int64_t assigned_until_ns_ = 0;   // … until this time
   Said said_;
 
   void look(const ConfigDraft& draft, std::int64_t now_ns);

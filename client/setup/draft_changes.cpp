@@ -9,10 +9,10 @@ namespace prosector {
 bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
   if (!draft.changed()) {
     const std::string file = draft.file().string();
-    quiet(std::filesystem::exists(draft.file()) ? file : ui.tr("{}: none yet", file));
+    quiet(std::filesystem::exists(draft.file()) ? file : ui.tr("{}: no file yet", file));
     return false;
   }
-  title(ui.tr("To be written to {}", draft.file().string()));
+  title(ui.tr("Changes to write to {}", draft.file().string()));
   for (const ChangedLine& line : draft.changes()) {
     if (!line.before.empty()) quiet("- " + line.before);
     if (!line.after.empty()) wrapped("+ " + line.after);
@@ -33,7 +33,7 @@ bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
   return discarded;
 }
 
-Said take_outcome(ConfigDraft& draft, const GuideOutcome& outcome) {
+Said apply_outcome(ConfigDraft& draft, const GuideOutcome& outcome) {
   const std::string why = outcome.changes.empty() ? "" : draft.change(outcome.changes);
   return why.empty() ? Said{msg("Done."), false} : Said{why, true};
 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/setup/beside.h"
-#include "client/setup/words.h"
+#include "client/setup/side_by_side.h"
+#include "client/setup/text_styles.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -17,17 +17,17 @@ namespace {
 constexpr float picture_aspect = 16.f / 9;
 constexpr int scenes_across = 3;
 
-/// Returns why nobody can enter a session; empty: one can.
+/// Returns why a session cannot be entered; empty: it can.
 std::string refusal(const Interface& ui, const FoundSession& session) {
   if (!session.speaks_our_version())
-    return ui.tr("It speaks version {} of the protocol, this program version {}: install the same.",
+    return ui.tr("The session uses protocol version {}, this program version {}. Install the same release.",
                  session.info.version, protocol_version);
   if (session.full())
-    return ui.tr("It is full: it has place for {}, observers included.", session.info.capacity);
+    return ui.tr("Session full: {} participants, observers included.", session.info.capacity);
   return {};
 }
 
-/// Lets the next control stand in the same line where there is room for its width, else in a new one.
+/// Places the next control on the same line if its width fits, else on a new line.
 void continue_line(float width) {
   const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;
   const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
@@ -36,13 +36,13 @@ void continue_line(float width) {
 
 }  // namespace
 
-void EnterPage::draw(Interface& ui, Anteroom& room) {
+void EnterPage::draw(Interface& ui, SetupSession& room) {
   draw_person(ui, room);
-  draw_beside(
+  draw_side_by_side(
       ui, 0.36, [&] { draw_sessions(ui, room); }, [&] { draw_scenes(ui, room); });
 }
 
-void EnterPage::draw_person(Interface& ui, Anteroom& room) {
+void EnterPage::draw_person(Interface& ui, SetupSession& room) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(ui.tr("Your name"));
   ImGui::SameLine();
@@ -50,32 +50,33 @@ void EnterPage::draw_person(Interface& ui, Anteroom& room) {
   ImGui::InputText("##name", &room.memory.name);
   ui.note("name");
   ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::RadioButton(ui.tr("take part"), !room.memory.watches)) room.memory.watches = false;
+  if (ImGui::RadioButton(ui.tr("Participate"), !room.memory.watches)) room.memory.watches = false;
   ui.note("take part");
   ImGui::SameLine();
-  if (ImGui::RadioButton(ui.tr("watch"), room.memory.watches)) room.memory.watches = true;
+  if (ImGui::RadioButton(ui.tr("Observe"), room.memory.watches)) room.memory.watches = true;
   ui.note("watch");
   continue_line(14 * ImGui::GetFontSize());
   bool lan = room.memory.lan;
-  if (ImGui::Checkbox(ui.tr("the local network, too"), &lan)) room.look_on_lan(lan);
+  if (ImGui::Checkbox(ui.tr("Search the local network"), &lan)) room.search_lan(lan);
   ui.note("lan");
 }
 
-void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
+void EnterPage::draw_sessions(Interface& ui, SetupSession& room) {
   const SearchResult& found = room.found();
   title(room.memory.lan ? ui.tr("Sessions on the local network") : ui.tr("Sessions on this machine"));
   if (!found.problem.empty())
     warning(found.problem);
   else if (found.rounds == 0)
-    quiet(ui.tr("Looking …"));
+    quiet(ui.tr("Searching …"));
   else if (found.sessions.empty())
-    quiet(ui.tr("There is none yet. Host one: choose a scene."));
+    quiet(ui.tr("No sessions found. Choose a scene to host one."));
   const FoundSession* chosen = nullptr;
   for (const FoundSession& session : found.sessions) {
     const std::string& name = session.info.session;
     const std::string label = fmt::format(
         "{}  ·  {}  ·  {}###{}", name, session.info.scene,
-        session.people.size() == 1 ? ui.tr("1 person") : ui.tr("{} people", session.people.size()), name);
+        session.people.size() == 1 ? ui.tr("1 participant") : ui.tr("{} participants", session.people.size()),
+        name);
     if (ImGui::Selectable(label.c_str(), name == session_)) session_ = name;
     ui.note("session " + name);
     if (name == session_) chosen = &session;
@@ -87,11 +88,10 @@ void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
     if (std::none_of(found.sessions.begin(), found.sessions.end(),
                      [&](const FoundSession& s) { return s.info.session == name; }))
       before += (before.empty() ? "" : ", ") + name;
-  if (found.rounds > 0 && !before.empty())
-    quiet(ui.tr("You were in these, which aren't open here now: {}", before));
+  if (found.rounds > 0 && !before.empty()) quiet(ui.tr("Sessions joined before, not open now: {}", before));
 }
 
-void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& session) {
+void EnterPage::draw_session(Interface& ui, SetupSession& room, const FoundSession& session) {
   ImGui::Separator();
   const auto scene = std::find_if(room.scenes().scenes().begin(), room.scenes().scenes().end(),
                                   [&](const ListedScene& s) { return s.name == session.info.scene; });
@@ -102,12 +102,12 @@ void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& 
   }
   std::string people;
   for (const std::string& person : session.people) people += (people.empty() ? "" : ", ") + person;
-  wrapped(people.empty() ? ui.tr("Nobody is in.") : ui.tr("In it: {}.", people));
+  wrapped(people.empty() ? ui.tr("No participants.") : ui.tr("Participants: {}.", people));
   if (const std::string why = refusal(ui, session); !why.empty()) {
     warning(why);
     return;
   }
-  if (ImGui::Button(room.memory.watches ? ui.tr("Watch it") : ui.tr("Enter"),
+  if (ImGui::Button(room.memory.watches ? ui.tr("Observe session") : ui.tr("Join"),
                     {ImGui::GetContentRegionAvail().x, 0}))
     room.enter(session.info.session);
   ui.note("enter");
@@ -116,12 +116,12 @@ void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& 
   quiet(shell_line(command));
 }
 
-void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
+void EnterPage::draw_scenes(Interface& ui, SetupSession& room) {
   title(ui.tr("Host a session"));
   if (room.scenes().scenes().empty())
-    quiet(ui.tr(
-        "No scenes are here: they come with the server (prosector-server). Name a file below, or a folder "
-        "with --scenes."));
+    quiet(
+        ui.tr("No scenes found: they are installed with the server (prosector-server). Enter a file below, "
+              "or choose a folder with --scenes."));
   const std::vector<ListedScene>& scenes = room.scenes().scenes();
   if (!scene_chosen_) {
     scene_chosen_ = true;
@@ -130,7 +130,7 @@ void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
     if (last != scenes.end()) scene_ = static_cast<std::size_t>(last - scenes.begin());
   }
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + 3 * ImGui::GetTextLineHeightWithSpacing();
-  const float least = 10 * ImGui::GetTextLineHeightWithSpacing();  // of a page that scrolls
+  const float least = 10 * ImGui::GetTextLineHeightWithSpacing();  // for a page that scrolls
   ImGui::BeginChild("grid", {0, std::max(ImGui::GetContentRegionAvail().y - below, least)});
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width =
@@ -163,33 +163,33 @@ void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
   draw_hosting(ui, room);
 }
 
-void EnterPage::draw_hosting(Interface& ui, Anteroom& room) {
+void EnterPage::draw_hosting(Interface& ui, SetupSession& room) {
   const std::vector<ListedScene>& scenes = room.scenes().scenes();
   if (const Hosting* hosting = room.hosting()) {
-    wrapped(hosting->open() ? ui.tr("You host \"{}\".", hosting->session())
+    wrapped(hosting->open() ? ui.tr("You are hosting \"{}\".", hosting->session())
                             : ui.tr("Opening \"{}\": {}", hosting->session(), hosting->words()));
     if (hosting->open()) {
-      if (ImGui::Button(ui.tr("Enter your session"))) room.enter(hosting->session());
+      if (ImGui::Button(ui.tr("Join your session"))) room.enter(hosting->session());
       ui.note("enter own");
       ImGui::SameLine();
     }
-    if (ImGui::Button(ui.tr("Close it for everyone"))) room.close_hosted();
+    if (ImGui::Button(ui.tr("Close the session for everyone"))) room.close_hosted();
     ui.note("close");
     return;
   }
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(ui.tr("Called"));
+  ImGui::TextUnformatted(ui.tr("Session name"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(200 * static_cast<float>(ui.scale()));
   ImGui::InputText("##hosted", &hosted_name_);
   ui.note("hosted name");
   ImGui::SameLine();
-  if (ImGui::Button(ui.tr("Host and enter")) && scene_ < scenes.size())
+  if (ImGui::Button(ui.tr("Host and join")) && scene_ < scenes.size())
     room.host(scenes[scene_].file, hosted_name_);
   ui.note("host");
   continue_line(14 * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##own", ui.tr("another scene file, then Enter"), &own_scene_,
+  if (ImGui::InputTextWithHint("##own", ui.tr("other scene file; confirm with Enter"), &own_scene_,
                                ImGuiInputTextFlags_EnterReturnsTrue))
     if (const auto place = room.offer(own_scene_)) scene_ = *place;
   ui.note("own scene");

@@ -7,22 +7,21 @@
 
 #include "client/setup/fields.h"
 #include "common/error.h"
-#include "drivers/tracker_roles.h"
+#include "drivers/config/tracker_roles.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::array<std::size_t, 3> cross_counts = {least_seen_points, 16, most_crosses};
+constexpr std::array<std::size_t, 3> cross_counts = {min_seen_points, 16, max_crosses};
 
 }  // namespace
 
-void EyeCrosses::draw_wishes(Interface& ui, const ClientConfig& config, Said& said) {
+void EyeCrossCalibration::draw_settings_form(Interface& ui, const ClientConfig& config, Said& said) {
   quiet(ui.tr(
-      "Wear the display, with a receiver on it that is the head's. Crosses come, one after the other: lay "
-      "each "
-      "over a mark in the room with one eye alone, by moving your head, hold still, and press Space."));
+      "Wear the display with the head's receiver on it. Crosses appear one after the other. With one eye "
+      "closed, move your head until the cross covers a mark in the room, hold still, and press Space."));
   ImGui::PushItemWidth(270 * static_cast<float>(ui.scale()));
-  edit_vector(ui.tr("mark, m"), mark_);
+  edit_vector(ui.tr("position of the mark, m"), mark_);
   ui.note("mark");
   if (ImGui::BeginCombo(ui.tr("display"), displays_.empty() ? "" : displays_[display_].name.c_str())) {
     for (std::size_t k = 0; k < displays_.size(); ++k) {
@@ -40,17 +39,17 @@ void EyeCrosses::draw_wishes(Interface& ui, const ClientConfig& config, Said& sa
     if (ImGui::RadioButton(std::to_string(count).c_str(), crosses_ == count)) crosses_ = count;
     ui.note(fmt::format("crosses {}", count));
   }
-  quiet(ui.tr("Crosses must fill the display: choose \"filling the screen\", and its number."));
-  if (ImGui::Button(ui.tr("Begin"))) begin(config, said);
+  quiet(ui.tr("The crosses must fill the display: choose \"full screen\" and the screen's number."));
+  if (ImGui::Button(ui.tr("Start"))) begin(config, said);
   ui.note("begin eyes");
 }
 
-void EyeCrosses::begin(const ClientConfig& config, Said& said) {
+void EyeCrossCalibration::begin(const ClientConfig& config, Said& said) {
   said = {};
   try {
-    if (displays_.empty()) throw InputError(msg("No side-by-side display is known."));
+    if (displays_.empty()) throw InputError(msg("No side-by-side display profile found."));
     const EyeDisplay& display = displays_[display_];
-    const ClientConfig seen = seen_for(config, StationRole::head);
+    const ClientConfig seen = config_for_role(config, StationRole::head);
     auto guide = std::make_unique<EyesGuide>(seen, mark_, display.width, display.height, crosses_);
     guide_ = guide.get();
     running_ =
@@ -61,7 +60,7 @@ void EyeCrosses::begin(const ClientConfig& config, Said& said) {
   }
 }
 
-std::optional<GuideOutcome> EyeCrosses::draw_cross(Interface& ui, Said& said) {
+std::optional<GuideOutcome> EyeCrossCalibration::draw_cross(Interface& ui, Said& said) {
   running_->poll();
   const GuideStep step = running_->step();
   if (step.done) {
@@ -100,9 +99,9 @@ std::optional<GuideOutcome> EyeCrosses::draw_cross(Interface& ui, Said& said) {
   return std::nullopt;
 }
 
-/// Writes into the eye's picture, where the cross isn't.
-void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, float width, bool above,
-                            Said& said) {
+/// Draws text in the eye's view, away from the cross.
+void EyeCrossCalibration::draw_words(Interface& ui, const GuideStep& step, float left, float width,
+                                     bool above, Said& said) {
   const auto scale = static_cast<float>(ui.scale());
   const float margin = 24 * scale, height = 190 * scale;
   ImGui::SetCursorPos({left + margin, above ? margin : ImGui::GetIO().DisplaySize.y - margin - height});
@@ -110,10 +109,10 @@ void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, fl
   wrapped(ui.tr(step.instruction));
   ImGui::ProgressBar(static_cast<float>(step.progress), {-1, 0},
                      ui.tr("{} of {}", step.index + 1, step.count).c_str());
-  const bool covered = ImGui::Button(ui.tr("Covered (Space)"));
+  const bool covered = ImGui::Button(ui.tr("Aligned (Space)"));
   ui.note("covered");
   ImGui::SameLine();
-  const bool again = ImGui::Button(ui.tr("This one again"));
+  const bool again = ImGui::Button(ui.tr("Repeat this step"));
   ui.note("back");
   ImGui::SameLine();
   const bool stops = ImGui::Button(ui.tr("Stop"));
@@ -126,24 +125,24 @@ void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, fl
   if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
   quiet(residuals(ui));
   ImGui::EndChild();
-  // Space is for the cross, wherever the keyboard is, unless it presses another button.
+  // Space always confirms the cross, unless it activates another button.
   const bool space = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false);
   if (covered || (space && !again && !stops)) guide_->confirm();
   if (again) running_->back();
   if (!stops) return;
   close();
-  said = {msg("Stopped: nothing is changed."), false};
+  said = {msg("Stopped. Nothing was changed."), false};
 }
 
-/// Says how well what was seen so far fits, of each eye that saw enough.
-std::string EyeCrosses::residuals(const Interface& ui) const {
+/// Returns a text with the fit's residual for each eye with enough crosses.
+std::string EyeCrossCalibration::residuals(const Interface& ui) const {
   std::string out;
   for (const bool right : {false, true}) try {
       const double residual = guide_->fit(right).residual;
       out += (out.empty() ? "" : "; ") + (right ? ui.tr("right eye: residual {:.2f} pixels", residual)
                                                 : ui.tr("left eye: residual {:.2f} pixels", residual));
     } catch (const InputError&) {
-      continue;  // too few yet
+      continue;  // not enough crosses yet
     }
   return out;
 }

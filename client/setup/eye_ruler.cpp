@@ -12,7 +12,7 @@
 namespace prosector {
 namespace {
 
-constexpr double usual_pixel = 0.265e-3;  // m, of a screen of 96 pixels an inch, at scale 1
+constexpr double usual_pixel = 0.265e-3;  // m, pixel size of a 96-dpi screen, at scale 1
 constexpr ImU32 pale = IM_COL32(225, 230, 235, 255), left_shade = IM_COL32(110, 190, 255, 255),
                 right_shade = IM_COL32(255, 190, 90, 255);
 
@@ -22,7 +22,7 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   const auto scale = static_cast<float>(ui.scale());
   const float field = 190 * scale;
   if (card_ == 0) card_ = card_width / usual_pixel * ui.scale();
-  quiet(ui.tr("1. Lay a bank card on the bar, and make the bar as wide."));
+  quiet(ui.tr("1. Hold a bank card to the bar, and make the bar as wide as the card."));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float high = 0.8f * ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + static_cast<float>(card_), at.y + high}, pale,
@@ -35,32 +35,32 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   card_ = std::clamp(card_, 1., 8192.);
   double pixel = 0;
   try {
-    pixel = pixel_by_card(card_);
+    pixel = pixel_size_from_card(card_);
   } catch (const InputError& error) {
     warning(error.what());
     return std::nullopt;
   }
   quiet(
-      ui.tr("2. Hold a thin rod upright before the ruler. Where does it stand for each eye alone, the other "
-            "closed?"));
+      ui.tr("2. Hold a thin rod upright in front of the ruler. At which mark does each eye see it, with the "
+            "other eye closed?"));
   draw_ruler(ui, pixel);
   ImGui::PushItemWidth(field);
   ImGui::InputDouble(ui.tr("mm, seen by the left eye"), &left_, 0.5, 5, "%.1f");
   ui.note("left mark");
   ImGui::InputDouble(ui.tr("mm, seen by the right eye"), &right_, 0.5, 5, "%.1f");
   ui.note("right mark");
-  quiet(ui.tr("3. Measure how far both are from your eyes."));
+  quiet(ui.tr("3. Measure the distance of your eyes to the screen and to the rod."));
   ImGui::InputDouble(ui.tr("mm to the screen"), &screen_mm_, 5, 50, "%.0f");
   ui.note("screen distance");
   ImGui::InputDouble(ui.tr("mm to the rod"), &rod_mm_, 5, 50, "%.0f");
   ui.note("rod distance");
   ImGui::PopItemWidth();
-  const bool asked = ImGui::Button(ui.tr("Reckon"));
+  const bool asked = ImGui::Button(ui.tr("Calculate"));
   ui.note("reckon");
   if (!asked) return std::nullopt;
   try {
     const EyeDistance eyes =
-        eye_distance_by_sight(1e-3 * std::abs(left_ - right_), 1e-3 * screen_mm_, 1e-3 * rod_mm_);
+        eye_distance_by_sighting(1e-3 * std::abs(left_ - right_), 1e-3 * screen_mm_, 1e-3 * rod_mm_);
     return GuideOutcome{
         {ui.tr("Your eyes are {:.1f} ± {:.1f} mm apart.", 1e3 * eyes.distance, 1e3 * eyes.error)},
         {{"eyes.distance", eyes.distance}}};
@@ -70,13 +70,13 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   }
 }
 
-/// Draws millimetres as they are on the screen, with both marks. A press puts the nearer mark there.
+/// Draws a millimetre scale at its true size, with both marks. A press moves the nearer mark there.
 void EyeRuler::draw_ruler(Interface& ui, double pixel) {
   const auto scale = static_cast<float>(ui.scale());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float wide = ImGui::GetContentRegionAvail().x - 8 * scale;
   const float line = ImGui::GetTextLineHeight(), high = 3.4f * line;
-  const auto mm = static_cast<float>(1e-3 / pixel);  // pixels
+  const auto mm = static_cast<float>(1e-3 / pixel);  // pixels per mm
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + wide, at.y + high}, IM_COL32(255, 255, 255, 14), 3 * scale);
   const int last = static_cast<int>(wide / mm);

@@ -30,7 +30,7 @@ bool edit_vector(const char* name, Vec3& v) {
 void edit_role(Interface& ui, StationRole& role) {
   std::size_t at = 0;
   while (role_choices[at].role != role) ++at;
-  if (ImGui::BeginCombo(ui.tr("whose receiver"), ui.tr(role_choices[at].name))) {
+  if (ImGui::BeginCombo(ui.tr("receiver of"), ui.tr(role_choices[at].name))) {
     for (const RoleChoice& choice : role_choices) {
       if (ImGui::Selectable(ui.tr(choice.name), choice.role == role)) role = choice.role;
       ui.note(choice.name);

@@ -1,16 +1,16 @@
 #pragma once
-// Fields that several pages ask people to fill in.
+// Input fields shared by several pages.
 
 #include "client/setup/interface.h"
-#include "drivers/client_config.h"
+#include "drivers/config/client_config.h"
 
 namespace prosector {
 
-/// Shows three numbers to edit. Returns whether they were changed.
+/// Draws three editable numbers. Returns whether they changed.
 bool edit_vector(const char* name, Vec3& v);
-/// Shows which of a tracker's receivers is meant, by what it is fixed to.
+/// Draws a choice of a tracker's receivers, named by their roles.
 void edit_role(Interface& ui, StationRole& role);
-/// Shows which hand's glove is meant.
+/// Draws a choice of the glove's hand.
 void edit_hand(Interface& ui, std::size_t& hand);
 
 }  // namespace prosector

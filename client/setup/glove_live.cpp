@@ -6,20 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/setup/drawn_space.h"
 #include "client/setup/fields.h"
+#include "client/setup/orthographic_view.h"
 #include "common/hand.h"
-#include "drivers/client_config_table.h"
+#include "drivers/config/client_config_table.h"
+#include "drivers/device/gesture.h"
 #include "drivers/fitting/glove_guide.h"
-#include "drivers/gesture.h"
 
 namespace prosector {
 namespace {
 
-constexpr double far_enough = 0.8;  // of the calibrated span
+constexpr double min_span_share = 0.8;  // fraction of the calibrated range
 constexpr std::array finger_words = {msg("thumb"), msg("index"), msg("middle"), msg("ring"), msg("little")};
 
-/// A bone, or an edge of the palm, as it is drawn.
+/// A bone, or an edge of the palm, as drawn.
 struct Stroke {
   Vec3 from, to;
   double radius;
@@ -27,7 +27,7 @@ struct Stroke {
 };
 
 std::vector<Stroke> strokes_of(std::size_t hand, const std::array<double, fingers>& flexion,
-                               const DrawnSpace& space) {
+                               const OrthographicView& space) {
   std::vector<Stroke> out;
   const auto add = [&](const Vec3& from, const Vec3& to, double radius) {
     out.push_back({from, to, radius, space.nearness((from + to) / 2)});
@@ -36,7 +36,7 @@ std::vector<Stroke> strokes_of(std::size_t hand, const std::array<double, finger
   const auto& segments = hand_segments(hand);
   for (std::size_t k = 0; k < hand_joints; ++k)
     add(poses[k].p, poses[k] * Vec3(0, 0, -segments[k].length), segments[k].radius);
-  // The palm: rays from the wrist's side to where fingers begin.
+  // The palm: lines from the wrist to the bases of the fingers.
   const Palm palm = hand_palm(hand);
   for (std::size_t k = 0; k < hand_joints; ++k)
     if (segments[k].parent < 0) {
@@ -51,7 +51,7 @@ std::vector<Stroke> strokes_of(std::size_t hand, const std::array<double, finger
 
 }  // namespace
 
-void SeenSpans::take(const std::array<std::uint16_t, fingers>& counts) {
+void ObservedRanges::take(const std::array<std::uint16_t, fingers>& counts) {
   for (std::size_t f = 0; f < fingers; ++f) {
     least_[f] = any_ ? std::min(least_[f], counts[f]) : counts[f];
     most_[f] = any_ ? std::max(most_[f], counts[f]) : counts[f];
@@ -59,11 +59,11 @@ void SeenSpans::take(const std::array<std::uint16_t, fingers>& counts) {
   any_ = true;
 }
 
-double SeenSpans::span(std::size_t finger) const {
+double ObservedRanges::span(std::size_t finger) const {
   return most_[finger] - least_[finger];
 }
 
-double SeenSpans::share(std::size_t finger, const std::optional<GloveCalibration>& calibration) const {
+double ObservedRanges::share(std::size_t finger, const std::optional<GloveCalibration>& calibration) const {
   if (!calibration) return 1;
   const double open = calibration->open[finger], closed = calibration->closed[finger];
   const double low = std::max<double>(std::min(open, closed), least_[finger]);
@@ -71,26 +71,26 @@ double SeenSpans::share(std::size_t finger, const std::optional<GloveCalibration
   return std::clamp((high - low) / std::abs(closed - open), 0., 1.);
 }
 
-void GloveLive::close() {
+void GloveTestPanel::close() {
   watch_.reset();
   spans_ = {};
   made_.clear();
 }
 
-void GloveLive::begin(const ClientConfig& config) {
+void GloveTestPanel::begin(const ClientConfig& config) {
   ClientConfig bare;
   bare.gloves[hand_] = config.gloves[hand_];
   watch_ = std::make_unique<DeviceWatch>(bare);
 }
 
-void GloveLive::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_ns) {
+void GloveTestPanel::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_ns) {
   const ClientConfig& config = draft.config();
   const std::size_t before = hand_;
   edit_hand(ui, hand_);
   if (hand_ != before) close();
   const GloveSettings& glove = config.gloves[hand_];
   if (glove.address.empty()) {
-    quiet(ui.tr("No such glove is named yet: name it on the page of devices."));
+    quiet(ui.tr("This glove is not configured. Choose it on the Devices page."));
     return;
   }
   if (!watch_) begin(config);
@@ -98,7 +98,7 @@ void GloveLive::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_
   const WatchedDevice& device = watch_->devices().front();
   if (!device.status.message.empty()) warning(device.status.message);
   if (device.stations.empty() || !device.stations.front().last.has_flexion) {
-    quiet(ui.tr("It tells nothing yet."));
+    quiet(ui.tr("No data received yet."));
     return;
   }
   const DeviceSample& sample = device.stations.front().last;
@@ -113,11 +113,11 @@ void GloveLive::draw(Interface& ui, ConfigDraft& draft, Said&, std::int64_t now_
   draw_gestures(ui, sample, config);
 }
 
-void GloveLive::draw_hand(Interface& ui, const DeviceSample& sample) const {
+void GloveTestPanel::draw_hand(Interface& ui, const DeviceSample& sample) const {
   const auto scale = static_cast<float>(ui.scale());
   const float size = 250 * scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  DrawnSpace space;
+  OrthographicView space;
   space.scale = size / 0.21f;
   space.view = seen_from(0.9, hand_ == right_hand ? 0.35 : -0.35);
   space.x = at.x + 0.42f * size;
@@ -142,7 +142,7 @@ void GloveLive::draw_hand(Interface& ui, const DeviceSample& sample) const {
   ui.note("hand");
 }
 
-void GloveLive::draw_bars(Interface& ui, const DeviceSample& sample, const GloveSettings& glove) const {
+void GloveTestPanel::draw_bars(Interface& ui, const DeviceSample& sample, const GloveSettings& glove) const {
   const double least = GloveGuide::least_span_of(glove.address);
   const float wide = 0.45f * ImGui::GetContentRegionAvail().x;
   for (std::size_t f = 0; f < fingers; ++f) {
@@ -150,26 +150,27 @@ void GloveLive::draw_bars(Interface& ui, const DeviceSample& sample, const Glove
                        fmt::format("{} {:.2f}", ui.tr(finger_words[f]), sample.flexion[f]).c_str());
     const bool counts =
         std::any_of(sample.raw_flexion.begin(), sample.raw_flexion.end(), [](auto c) { return c > 0; });
-    if (!counts) continue;  // what it tells isn't counts
+    if (!counts) continue;  // the device reports no counts
     ImGui::SameLine();
-    const double span = spans_.span(f), share = spans_.share(f, glove.device.calibration);
-    const bool enough = span >= least && share >= far_enough;
+    const double span = spans_.span(f), share = spans_.share(f, glove.device.glove.calibration);
+    const bool enough = span >= least && share >= min_span_share;
     const std::string words =
-        span < least ? ui.tr("{}: {:.0f} counts of {:.0f} at least", sample.raw_flexion[f], span, least)
-        : glove.device.calibration
-            ? ui.tr("{}: {:.0f} % of what was calibrated", sample.raw_flexion[f], 100 * share)
-            : ui.tr("{}: went {:.0f} counts", sample.raw_flexion[f], span);
+        span < least ? ui.tr("{}: {:.0f} counts of at least {:.0f}", sample.raw_flexion[f], span, least)
+        : glove.device.glove.calibration
+            ? ui.tr("{}: {:.0f} % of the calibrated range", sample.raw_flexion[f], 100 * share)
+            : ui.tr("{}: range {:.0f} counts", sample.raw_flexion[f], span);
     if (enough)
       wrapped(words);
     else
       warning(words);
     ui.note(fmt::format("span {} {}", finger_words[f], enough ? "good" : "short"));
   }
-  if (!glove.device.calibration)
-    quiet(ui.tr("It learns its range from what it sees, anew each time: calibrate what its counts mean."));
+  if (!glove.device.glove.calibration)
+    quiet(ui.tr("Not calibrated: the range is learnt again at each start. Calibrate the glove to store it."));
 }
 
-void GloveLive::draw_gestures(Interface& ui, const DeviceSample& sample, const ClientConfig& config) const {
+void GloveTestPanel::draw_gestures(Interface& ui, const DeviceSample& sample,
+                                   const ClientConfig& config) const {
   const bool none = sample.gesture == Gesture::none;
   ImGui::SetWindowFontScale(1.35f);
   title(none ? ui.tr("no gesture") : gesture_name(sample.gesture));

@@ -1,5 +1,5 @@
 #pragma once
-// A glove that is tried on: the hand that it makes, how far each sensor goes, and gestures as they are known.
+// Live test of a glove: the hand, each sensor's range, and the recognised gestures.
 
 #include <array>
 #include <map>
@@ -10,13 +10,13 @@
 
 namespace prosector {
 
-/// How far a glove's sensors went, by what was seen of them.
-class SeenSpans {
+/// Observed ranges of a glove's sensors.
+class ObservedRanges {
  public:
   void take(const std::array<std::uint16_t, fingers>& counts);
-  /// Returns counts between the least and the most that were seen.
+  /// Returns the difference between the largest and the smallest observed count.
   double span(std::size_t finger) const;
-  /// Returns which share of its calibrated span a finger went through; 1 without a calibration.
+  /// Returns the observed fraction of a finger's calibrated range; 1 without a calibration.
   double share(std::size_t finger, const std::optional<GloveCalibration>& calibration) const;
 
  private:
@@ -24,9 +24,9 @@ class SeenSpans {
   bool any_ = false;
 };
 
-class GloveLive final : public LivePanel {
+class GloveTestPanel final : public LivePanel {
  public:
-  const char* name() const override { return msg("Try it on"); }
+  const char* name() const override { return msg("Test"); }
   const char* about() const override {
     return msg("Open and close the whole hand, bend each finger, and make each gesture.");
   }
@@ -37,7 +37,7 @@ class GloveLive final : public LivePanel {
  private:
   std::size_t hand_ = right_hand;
   std::unique_ptr<DeviceWatch> watch_;  // of the glove on that hand
-  SeenSpans spans_;
+  ObservedRanges spans_;
   std::map<Gesture, bool> made_;
 
   void begin(const ClientConfig& config);

@@ -1,5 +1,5 @@
 #pragma once
-// A guide with the device that it watches: one calibration from its beginning to what came out.
+// A guide with its device: one calibration from start to result.
 
 #include <memory>
 #include <string>
@@ -13,13 +13,13 @@ namespace prosector {
 
 class GuidedCalibration {
  public:
-  /// Begins with a guide, and opens the device. Throws InputError for an address of no driver.
+  /// Starts a guide and opens the device. Throws InputError for an address without a driver.
   GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address, const DeviceConfig& device);
-  /// Begins with a guide that compares the device with another one.
+  /// Starts a guide that compares the device with a second one.
   GuidedCalibration(std::unique_ptr<DelayGuide> guide, const std::string& address, const DeviceConfig& device,
                     const std::string& other);
 
-  /// Lets what the device told go through the guide.
+  /// Passes new samples from the device to the guide.
   void poll();
   void back() { guide_->back(); }
   GuideStep step() const { return guide_->step(); }
@@ -28,37 +28,39 @@ class GuidedCalibration {
 
  private:
   std::unique_ptr<Guide> guide_;
-  std::unique_ptr<Device> device_, other_;  // the second where it is compared
+  std::unique_ptr<Device> device_, other_;  // the second one if a delay is measured
   DelayGuide* delay_ = nullptr;             // the guide that compares them
   std::vector<DeviceSample> samples_;
 };
 
-/// Returns a configuration's tracker. Throws InputError where it names none.
+/// Returns a configuration's tracker address. Throws InputError if it has none.
 const std::string& tracker_of(const ClientConfig& config);
 
-/// What a person says before a calibration begins.
-struct CalibrationWishes {
-  StationRole role = StationRole::right_hand;  // whose receiver touches, swings or rests
+/// The user's settings of a calibration.
+struct CalibrationSettings {
+  StationRole role = StationRole::right_hand;  // role of the receiver to calibrate
   std::size_t hand = right_hand;               // of the glove
-  std::vector<Vec3> points;                    // m, room: to be touched
-  std::vector<Vec3> landmarks;                 // m, of a phantom's shape: to be touched
-  Vec3 target = Vec3::Zero();                  // m, of that shape: where its error is told
+  std::vector<Vec3> points;                    // m, room: points to touch
+  std::vector<Vec3> landmarks;                 // m, frame of a phantom's shape: points to touch
+  Vec3 target = Vec3::Zero();                  // m, in that frame: point at which the error is reported
   FieldGrid grid;
-  double seconds = 10;  // to rest, or to move
+  double seconds = 10;  // duration of rest or motion
   std::string against;  // address of a second device that moves along
 };
 
-/// Begins a calibration with the devices of a configuration. Throws InputError where it names none, or what
-/// is wished can't be.
-std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_phantom(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationWishes& wishes);
-std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config, const CalibrationWishes& wishes);
+/// Starts a calibration with the devices of a configuration. Throws InputError if a device is missing or the
+/// settings are invalid.
+std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_phantom(const ClientConfig& config,
+                                                 const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationSettings& wishes);
+std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config,
+                                                 const CalibrationSettings& wishes);
 
-/// The file of a field map, beside the configuration.
+/// The file of a field map, next to the configuration file.
 inline constexpr const char* field_map_file = "field.toml";
 
 }  // namespace prosector

@@ -13,7 +13,7 @@ namespace {
 constexpr float letter_size = 17;  // pixels at scale 1
 const Eigen::Vector3f ground{0.075f, 0.085f, 0.1f};
 
-// What ImGui asks for by its own names of keys; others of ours have no use there.
+// Keys with ImGui names; ImGui does not need other keys.
 constexpr std::array<std::pair<ImGuiKey_, Key>, 20> keys = {{{ImGuiKey_Tab, Key::tab},
                                                              {ImGuiKey_LeftArrow, Key::left},
                                                              {ImGuiKey_RightArrow, Key::right},
@@ -76,7 +76,7 @@ Interface::Interface(GlContext& context, const std::filesystem::path& shaders, d
       imgui_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // places of windows aren't anybody's to move
+  io.IniFilename = nullptr;  // does not save window positions
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   for (const auto& [theirs, ours] : keys) io.KeyMap[theirs] = static_cast<int>(ours);
   set_style(scale);
@@ -87,7 +87,7 @@ Interface::~Interface() {
   ImGui::DestroyContext(imgui_);
 }
 
-/// Makes the letters of Latin, Greek and Cyrillic; what else is typed is shown as a box.
+/// Makes the glyphs of Latin, Greek and Cyrillic; other characters are shown as boxes.
 void Interface::make_fonts() {
   static constexpr std::array<ImWchar, 11> ranges = {0x20,   0x24f,  0x370,  0x52f,  0x2010, 0x2026,
                                                      0x2190, 0x2193, 0x2212, 0x2265, 0};
@@ -108,7 +108,7 @@ void Interface::take(const std::vector<WindowEvent>& events) {
   events_.insert(events_.end(), events.begin(), events.end());
 }
 
-/// Takes in what happened up to a press or release that follows another one in the same picture.
+/// Processes queued events up to a press or release that must be shown for a frame.
 void Interface::take_in() {
   while (!events_.empty()) {
     const WindowEvent event = events_.front();
@@ -117,7 +117,7 @@ void Interface::take_in() {
   }
 }
 
-/// Takes one in. Returns true for what must be seen by itself.
+/// Processes one event. Returns true if a frame must be drawn before the next event.
 bool Interface::take_in(const WindowEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
   if (const auto* moved = std::get_if<MouseMoved>(&event)) {
@@ -131,7 +131,7 @@ bool Interface::take_in(const WindowEvent& event) {
   } else if (const auto* typed = std::get_if<CharacterTyped>(&event)) {
     io.AddInputCharacter(typed->character);
   } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    if (key->repeat) return false;  // ImGui repeats by itself
+    if (key->repeat) return false;  // ImGui generates repeats
     io.KeysDown[static_cast<int>(key->key)] = key->down;
     if (key->key == Key::shift) io.KeyShift = key->down;
     if (key->key == Key::control) io.KeyCtrl = key->down;
@@ -170,7 +170,7 @@ void* Interface::texture_of(const Image& image, void* instead) {
   return instead;
 }
 
-/// Returns what ImGui made of this picture.
+/// Returns ImGui's triangles of this frame.
 std::vector<InterfaceDraw> Interface::triangles() const {
   std::vector<InterfaceDraw> out;
   const ImDrawData& data = *ImGui::GetDrawData();

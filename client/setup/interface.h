@@ -1,7 +1,6 @@
 #pragma once
-// Dear ImGui in the client's own pictures: what happened in a window becomes its input, and its triangles are
-// drawn by our painter, in a window as offscreen. Pages call ImGui between the beginning and end of a
-// picture.
+// `Dear ImGui` in the client's renderer: window events become its input, and InterfacePainter draws its
+// triangles, in a window or offscreen. Pages call ImGui between the beginning and end of a frame.
 
 #include <deque>
 #include <functional>
@@ -18,35 +17,35 @@ struct ImGuiContext;
 
 namespace prosector {
 
-/// Where a control was drawn last, for scripts that click.
+/// A control's latest position, for test scripts that click.
 struct PlacedControl {
   std::string name;
-  double left = 0, top = 0, right = 0, bottom = 0;  // pixels of the picture, from the top left
+  double left = 0, top = 0, right = 0, bottom = 0;  // pixels of the frame, from the top left
 };
 
 class Interface {
  public:
-  /// Takes a `context` that outlives it. `scale`: of letters and controls; `words`: of what pages say. Throws
-  /// InputError as the painter does, and where there is no font.
+  /// Stores a reference to `context`, which must outlive the object. `scale`: of text and controls; `words`:
+  /// translations for pages. Throws InputError as the painter does, and without fonts.
   Interface(GlContext& context, const std::filesystem::path& shaders, double scale, Catalogue words = {});
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
-  /// Takes what happened. What is pressed and let go within one picture is shown pressed for one.
+  /// Adds window events. A press and release within one frame is shown as pressed for one frame.
   void take(const std::vector<WindowEvent>& events);
-  /// Makes a picture, `seconds` after the last; `pages` calls ImGui.
+  /// Draws a frame, `seconds` after the last one; `pages` calls ImGui.
   void draw(double seconds, const std::function<void()>& pages);
-  /// Tells whether what happened is not all taken in yet.
+  /// Returns whether events are still queued.
   bool behind() const { return !events_.empty(); }
 
-  /// Notes where the control is that was made last.
+  /// Records the position of the last created control.
   void note(const std::string& name);
   const std::vector<PlacedControl>& placed() const { return placed_; }
-  /// Returns what ImGui shows a picture by. It may take the place of one that was shown before.
+  /// Returns ImGui's texture handle for an image. `instead`: a texture to replace; null: a new one.
   void* texture_of(const Image& image, void* instead = nullptr);
   double scale() const { return scale_; }
-  /// Returns a text in the user's language (Catalogue).
+  /// Returns the translations into the user's language.
   const Catalogue& words() const { return words_; }
   const char* tr(const char* english) const { return words_.tr(english); }
   std::string tr(const std::string& english) const { return words_.tr(english); }

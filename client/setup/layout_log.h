@@ -1,5 +1,5 @@
 #pragma once
-// Where the set-up window's controls are, in a file, for scripts that click.
+// Positions of the set-up window's controls in a file, for test scripts that click.
 
 #include <filesystem>
 #include <string>
@@ -10,11 +10,11 @@ namespace prosector {
 
 class LayoutLog {
  public:
-  /// Takes a file; empty: nothing is written.
+  /// Sets the file; empty: nothing is written.
   explicit LayoutLog(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Writes the places of all controls and what is said, once two pictures have the same: what comes anew
-  /// finds its place first. The file is whole at any time.
+  /// Writes the positions of all controls and the message, once they are equal in two frames, because the
+  /// layout of new controls takes a frame to settle. The file is replaced atomically.
   void write(const Interface& ui, const std::string& words);
 
  private:

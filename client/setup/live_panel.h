@@ -1,11 +1,11 @@
 #pragma once
-// What a page shows of a device while it goes on, beside guided steps.
+// A panel with a device's live data, next to guided steps.
 
 #include <cstdint>
 
 #include "client/setup/config_draft.h"
 #include "client/setup/interface.h"
-#include "client/setup/words.h"
+#include "client/setup/text_styles.h"
 
 namespace prosector {
 
@@ -14,9 +14,9 @@ class LivePanel {
   virtual ~LivePanel() = default;
   virtual const char* name() const = 0;
   virtual const char* about() const = 0;
-  /// Shows it; opens its device when it isn't yet.
+  /// Draws the panel; opens its device if needed.
   virtual void draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) = 0;
-  /// Lets the device go.
+  /// Closes the device.
   virtual void close() = 0;
   virtual bool open() const = 0;
 };

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <thread>
 
-#include "drivers/real_time.h"
+#include "drivers/ports/real_time.h"
 
 namespace prosector {
 namespace {
 
-constexpr double smooth = 1. / 60, bearable = 1. / 25;  // s a picture
+constexpr double smooth = 1. / 60, bearable = 1. / 25;  // s per frame
 constexpr double good_buffer = 1 << 20;                 // bytes: a few frames of a large scene
 constexpr unsigned good_cores = 4, least_cores = 2;
 constexpr std::array shipped_data = {"liver.inr.gz", "head.nii", "brain.nii.gz", "femur.off"};
@@ -20,24 +20,25 @@ constexpr std::array shipped_data = {"liver.inr.gz", "head.nii", "brain.nii.gz",
 
 MachineCheck check_pictures(double seconds, const std::string& opengl, const Catalogue& words) {
   MachineCheck out{msg("Pictures"), CheckState::good,
-                   words.tr("{:.1f} ms a picture of a small scene, by {}.", 1e3 * seconds, opengl)};
+                   words.tr("{:.1f} ms per frame for a small scene, with {}.", 1e3 * seconds, opengl)};
   if (seconds > bearable) {
     out.state = CheckState::bad;
-    out.words += words.tr(" That isn't smooth: take --quality low, or a graphics card's driver.");
+    out.words += words.tr(" This is not smooth: use --quality low, or install the graphics card's driver.");
   } else if (seconds > smooth) {
     out.state = CheckState::fair;
-    out.words += words.tr(" Large scenes may want --quality low, or --frame-time 33.");
+    out.words += words.tr(" Large scenes may need --quality low, or --frame-time 33.");
   }
   return out;
 }
 
 MachineCheck check_real_time(const Catalogue& words) {
   bool given = false;
-  std::thread([&] { given = ask_for_real_time(servo_priority); }).join();
+  std::thread([&] { given = request_real_time_priority(servo_priority); }).join();
   if (given)
-    return {msg("Real-time priority"), CheckState::good, words.tr("The servo of a haptic arm gets one.")};
+    return {msg("Real-time priority"), CheckState::good,
+            words.tr("Available for the servo loop of a haptic arm.")};
   return {msg("Real-time priority"), CheckState::fair,
-          words.tr("None is given: a haptic arm may stutter. Allow it in /etc/security/limits.d: @audio - "
+          words.tr("Not available: a haptic arm may stutter. Allow it in /etc/security/limits.d: @audio - "
                    "rtprio 50.")};
 }
 
@@ -46,23 +47,23 @@ MachineCheck check_clock(const Catalogue& words) {
   const bool known = adjtimex(&asked) >= 0;
   if (!known)
     return {msg("Clock"), CheckState::unknown,
-            words.tr("The system doesn't tell whether its clock is right.")};
+            words.tr("Cannot determine whether the clock is synchronised.")};
   if ((asked.status & STA_UNSYNC) == 0)
-    return {msg("Clock"), CheckState::good, words.tr("It is kept by a server of time.")};
+    return {msg("Clock"), CheckState::good, words.tr("Synchronised with a time server.")};
   return {"Clock", CheckState::fair,
-          words.tr("No server of time keeps it. Sessions don't mind; times in journals of several machines "
-                   "may differ.")};
+          words.tr("Not synchronised with a time server. Sessions are not affected; times in journals of "
+                   "several machines may differ.")};
 }
 
 MachineCheck check_network_buffers(const std::filesystem::path& limit, const Catalogue& words) {
   double bytes = 0;
   if (!(std::ifstream(limit) >> bytes))
-    return {msg("Network"), CheckState::unknown, words.tr("{} can't be read.", limit.string())};
+    return {msg("Network"), CheckState::unknown, words.tr("Cannot read {}.", limit.string())};
   if (bytes >= good_buffer)
-    return {msg("Network"), CheckState::good, words.tr("Sockets keep up to {:.0f} kB.", bytes / 1024)};
+    return {msg("Network"), CheckState::good, words.tr("Sockets buffer up to {:.0f} kB.", bytes / 1024)};
   return {msg("Network"), CheckState::fair,
-          words.tr("Sockets keep {:.0f} kB at most. On a network that loses bursts, let them keep more: "
-                   "sysctl net.core.rmem_max={:.0f}.",
+          words.tr("Sockets buffer at most {:.0f} kB. If bursts are lost on the network, increase it: sysctl "
+                   "net.core.rmem_max={:.0f}.",
                    bytes / 1024, 4 * good_buffer)};
 }
 
@@ -71,7 +72,7 @@ MachineCheck check_cores(unsigned cores, const Catalogue& words) {
   if (cores >= good_cores) return {msg("Processor"), CheckState::good, count};
   if (cores >= least_cores)
     return {msg("Processor"), CheckState::fair,
-            count + words.tr(" To host and take part here at once, choose small scenes.")};
+            count + words.tr(" To host and participate on this machine, choose small scenes.")};
   return {msg("Processor"), CheckState::bad, count + words.tr(" Host on another machine.")};
 }
 
@@ -81,10 +82,11 @@ MachineCheck check_anatomy(const std::filesystem::path& data, const Catalogue& w
     if (!std::filesystem::exists(data / file)) missing += (missing.empty() ? "" : ", ") + std::string(file);
   if (missing.empty())
     return {msg("Anatomy"), CheckState::good,
-            words.tr("All that shipped scenes name is in {}.", data.string())};
-  return {msg("Anatomy"), CheckState::fair,
-          words.tr("{} lacks {}: plain shapes stand for it. Fetch it: deploy/fetch_anatomy.sh.",
-                   data.string(), missing)};
+            words.tr("All files of the shipped scenes are in {}.", data.string())};
+  return {
+      msg("Anatomy"), CheckState::fair,
+      words.tr("{} lacks {}: simple shapes are used instead. Fetch the files with deploy/fetch_anatomy.sh.",
+               data.string(), missing)};
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// What of this machine bears a session well, and what doesn't, in words that say what to do.
+// Checks of this machine's suitability for sessions, with messages that state what to do.
 
 #include <filesystem>
 #include <string>
@@ -17,22 +17,23 @@ struct MachineCheck {
   std::string words;
 };
 
-/// Where the system says how much a socket may keep, bytes.
+/// File with the system's limit of a socket's receive buffer, bytes.
 inline constexpr const char* network_buffer_limit = "/proc/sys/net/core/rmem_max";
 
-/// Judges the median time of a picture of a small scene, s, drawn at that quality by that OpenGL.
+/// Rates the median frame time of a small scene, s; `opengl`: description of the OpenGL used.
 MachineCheck check_pictures(double seconds, const std::string& opengl, const Catalogue& words = {});
-/// Asks for a real-time priority on a thread that ends at once: haptic arms want one.
+/// Requests a real-time priority on a temporary thread; haptic arms need one.
 MachineCheck check_real_time(const Catalogue& words = {});
-/// Looks whether the system's clock is kept by a server of time: journals of several machines are compared
-/// by it.
+/// Checks whether the system's clock is synchronised with a time server. Journals of several machines are
+/// compared by clock time.
 MachineCheck check_clock(const Catalogue& words = {});
-/// Looks how much the system lets a socket keep, bytes, which bursts of a large scene need on a network.
+/// Checks the limit of sockets' receive buffers, bytes. Bursts of a large scene on a network need large
+/// buffers.
 MachineCheck check_network_buffers(const std::filesystem::path& limit = network_buffer_limit,
                                    const Catalogue& words = {});
-/// Looks whether there are cores enough for a server and a client.
+/// Checks whether there are enough cores for a server and a client.
 MachineCheck check_cores(unsigned cores, const Catalogue& words = {});
-/// Looks for the anatomy that shipped scenes are made of.
+/// Checks whether the anatomy data of the shipped scenes is present.
 MachineCheck check_anatomy(const std::filesystem::path& data, const Catalogue& words = {});
 
 }  // namespace prosector

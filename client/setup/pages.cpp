@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "client/setup/words.h"
+#include "client/setup/text_styles.h"
 #include "common/clock.h"
 
 namespace prosector {
@@ -14,7 +14,7 @@ void Pages::draw(Interface& ui) {
   ImGui::Begin("anteroom", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   const float line = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("page", {0, -line});
-  // Tabs are narrow, so that all are read whole where letters are large.
+  // Tabs have narrow padding, so that all labels fit at a large scale.
   const ImVec2 usual = ImGui::GetStyle().FramePadding, narrow = {0.6f * usual.x, usual.y};
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
   const bool has_tabs = ImGui::BeginTabBar("pages");
@@ -31,7 +31,7 @@ void Pages::draw(Interface& ui) {
       }
       return open;
     };
-    page(msg("Enter"), [&] {
+    page(msg("Join"), [&] {
       enter_.draw(ui, room_);
       said_ = &room_.said();
     });

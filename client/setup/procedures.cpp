@@ -6,41 +6,43 @@ namespace prosector {
 
 std::span<const ProcedureRow> tracker_procedures() {
   static const std::vector<ProcedureRow> rows = {
-      {msg("Place in the room"),
-       msg("Touch points whose place in the room is known: the tracker's own place follows."),
+      {msg("Position in the room"),
+       msg("Touch points with known positions in the room. This determines the position of the tracker."),
        begin_room,
-       {Asked::role, Asked::points}},
+       {CalibrationSetting::role, CalibrationSetting::points}},
       {msg("Instrument's tip"),
-       msg("Rest the tip in a dent and swing the instrument about it: where the tip is follows."),
+       msg("Rest the tip in a dent and swing the instrument about it. This determines the position of the "
+           "tip."),
        begin_tip,
-       {Asked::role}},
-      {msg("Bent field"),
-       msg("Hold the receiver at the points of a grid: what metal bends is mapped and taken out."),
+       {CalibrationSetting::role}},
+      {msg("Field distortion"),
+       msg("Hold the receiver at the points of a grid. This maps the distortion caused by metal and corrects "
+           "it."),
        begin_field,
-       {Asked::role, Asked::grid}},
+       {CalibrationSetting::role, CalibrationSetting::grid}},
       {msg("Noise"),
-       msg("Let a receiver rest: how much it trembles and drifts is told."),
+       msg("Keep a receiver at rest. Reports its noise and drift."),
        begin_noise,
-       {Asked::role, Asked::seconds}},
+       {CalibrationSetting::role, CalibrationSetting::seconds}},
       {msg("Latency"),
-       msg("Move a receiver together with a second device: how much later this one tells it follows."),
+       msg("Move a receiver together with a second device. This determines how much later this one reports."),
        begin_latency,
-       {Asked::role, Asked::seconds, Asked::against}},
+       {CalibrationSetting::role, CalibrationSetting::seconds, CalibrationSetting::against}},
       {msg("Phantom"),
-       msg("Touch points of a real body with an instrument's tip: where its shape is follows, on its board "
-           "or in "
-           "the room."),
+       msg("Touch points of a real body with an instrument's tip. This determines the pose of its shape, on "
+           "its board or in the room."),
        begin_phantom,
-       {Asked::role, Asked::shape, Asked::landmarks}}};
+       {CalibrationSetting::role, CalibrationSetting::shape, CalibrationSetting::landmarks}}};
   return rows;
 }
 
 std::span<const ProcedureRow> glove_procedures() {
   static const std::vector<ProcedureRow> rows = {
-      {msg("What counts mean"),
-       msg("Hold the hand flat, as a fist, and with each finger bent: what counts mean follows."),
+      {msg("Sensor range"),
+       msg("Hold the hand flat, as a fist, and with each finger bent. This determines the finger angle for "
+           "each sensor count."),
        begin_glove,
-       {Asked::hand}}};
+       {CalibrationSetting::hand}}};
   return rows;
 }
 

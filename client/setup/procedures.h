@@ -1,5 +1,5 @@
 #pragma once
-// The calibrations that pages lead through, by name.
+// The guided calibrations by name.
 
 #include <memory>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace prosector {
 
-/// What a person says before one begins.
-enum class Asked : std::uint8_t { points, role, grid, hand, seconds, against, shape, landmarks };
+/// The settings to ask for before a calibration.
+enum class CalibrationSetting : std::uint8_t { points, role, grid, hand, seconds, against, shape, landmarks };
 
 struct ProcedureRow {
   const char* name;
   const char* about;
-  std::unique_ptr<GuidedCalibration> (*begin)(const ClientConfig&, const CalibrationWishes&);
-  std::vector<Asked> asked;
+  std::unique_ptr<GuidedCalibration> (*begin)(const ClientConfig&, const CalibrationSettings&);
+  std::vector<CalibrationSetting> asked;
 };
 
 std::span<const ProcedureRow> tracker_procedures();

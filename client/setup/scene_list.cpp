@@ -18,7 +18,7 @@ namespace {
 constexpr const char* picture_size = "480x270";
 constexpr std::size_t most_bytes = 1 << 20;  // of a scene file
 
-/// Reads what a scene is called and is about. Throws InputError where it isn't TOML, or is none.
+/// Reads a scene's name and description. Throws InputError if the file is not TOML or not a scene.
 ListedScene read_heading(const std::filesystem::path& file) {
   ListedScene out;
   out.file = file;
@@ -43,7 +43,7 @@ SceneList::SceneList(const std::filesystem::path& folder, std::filesystem::path 
     if (entry.path().extension() != ".toml") continue;
     try {
       scenes_.push_back(read_heading(entry.path()));
-    } catch (const InputError&) {  // not one to offer
+    } catch (const InputError&) {  // not a scene, so not listed
     }
   }
   std::sort(scenes_.begin(), scenes_.end(),
@@ -59,7 +59,8 @@ std::size_t SceneList::add(const std::filesystem::path& file) {
   return scenes_.size() - 1;
 }
 
-/// Returns where a scene's picture is kept: it is another once the scene's file was written.
+/// Returns the path of a scene's cached preview. It contains the file's modification time, so that a changed
+/// scene gets a new preview.
 std::filesystem::path SceneList::picture_of(const ListedScene& scene) const {
   std::error_code error;
   const auto written = std::filesystem::last_write_time(scene.file, error).time_since_epoch().count();

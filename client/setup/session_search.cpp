@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::chrono::milliseconds listening{600}, asking{400}, resting{1500};
 
-/// Returns who is in a session, by listening to its server for a moment.
-std::vector<std::string> people_in(BusConfig where, const std::string& session) {
+/// Returns the users in a session, by receiving from its server for a moment.
+std::vector<std::string> users_in_session(BusConfig where, const std::string& session) {
   where.end = BusEnd::observer;
   where.session = session;
   const auto bus = make_cyclone_bus(where);
@@ -81,7 +81,7 @@ void SessionSearch::run(std::stop_token stop) {
         FoundSession& session = found.sessions.emplace_back();
         session.info = std::move(info);
         if (session.speaks_our_version() && !stop.stop_requested())
-          session.people = people_in(where, session.info.session);
+          session.people = users_in_session(where, session.info.session);
       }
     } catch (const InputError& error) {
       found.problem = error.what();

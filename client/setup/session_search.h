@@ -1,5 +1,5 @@
 #pragma once
-// Which sessions there are, and who is in them, looked for again and again on a thread of its own.
+// Continuous search for sessions and their users, on a separate thread.
 
 #include <condition_variable>
 #include <mutex>
@@ -11,10 +11,10 @@
 
 namespace prosector {
 
-/// A session as one sees it from outside.
+/// A session as seen from outside.
 struct FoundSession {
   SessionInfo info;
-  std::vector<std::string> people;  // "Ada (host)", in the order of their names
+  std::vector<std::string> people;  // "Ada (host)", sorted by name
 
   bool speaks_our_version() const { return info.version == protocol_version; }
   bool full() const { return people.size() >= info.capacity; }
@@ -22,25 +22,25 @@ struct FoundSession {
 
 struct SearchResult {
   std::vector<FoundSession> sessions;  // by name
-  std::uint64_t rounds = 0;            // that were searched; 0: it isn't known yet what there is
-  std::string problem;                 // why nothing can be found; empty: nothing is wrong
+  std::uint64_t rounds = 0;            // number of completed searches; 0: nothing is known yet
+  std::string problem;                 // reason why the search fails; empty: no problem
 };
 
 class SessionSearch {
  public:
-  /// Begins to search where the configuration reaches.
+  /// Starts searching the network of the configuration.
   explicit SessionSearch(const BusConfig& where);
   ~SessionSearch();
 
-  /// Searches there from now on, and forgets what was found before.
+  /// Searches this network from now on, and discards the results so far.
   void search(const BusConfig& where);
   SearchResult result() const;
 
  private:
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards the following members
   std::condition_variable_any changed_;
   BusConfig where_;
-  std::uint64_t asked_ = 0;  // how often where to search was said
+  std::uint64_t asked_ = 0;  // counter of calls of search()
   SearchResult result_;
   std::jthread thread_;
 

@@ -8,32 +8,33 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/setup/drawn_space.h"
 #include "client/setup/guided_calibration.h"
+#include "client/setup/orthographic_view.h"
 #include "common/error.h"
+#include "drivers/device/driver_table.h"
 
 namespace prosector {
 namespace {
 
 constexpr double exact_within = 0.76, works_within = 3;  // m, of a FASTRAK
-constexpr double least_shown = 1;                        // m, from the transmitter to the picture's edge
+constexpr double least_shown = 1;                        // m, from the transmitter to the drawing's border
 constexpr std::array<ImU32, 3> trust_shades = {
     {IM_COL32(90, 210, 120, 255), IM_COL32(245, 185, 65, 255), IM_COL32(245, 100, 85, 255)}};
-constexpr std::array trust_words = {msg("exact"), msg("less exact"), msg("out of range")};
+constexpr std::array trust_words = {msg("accurate"), msg("less accurate"), msg("out of range")};
 
-/// Sides of the transmitter, with the hemisphere's zenith: X forward, Y right, Z down.
+/// Sides of the transmitter with their hemisphere's zenith: X forward, Y right, Z down.
 struct Side {
   const char* name;
   Vec3 zenith;
 };
-const std::array<Side, 6> sides = {{{msg("before it"), {1, 0, 0}},
-                                    {msg("behind it"), {-1, 0, 0}},
-                                    {msg("right of it"), {0, 1, 0}},
-                                    {msg("left of it"), {0, -1, 0}},
-                                    {msg("above it"), {0, 0, -1}},
-                                    {msg("below it"), {0, 0, 1}}}};
+const std::array<Side, 6> sides = {{{msg("in front"), {1, 0, 0}},
+                                    {msg("behind"), {-1, 0, 0}},
+                                    {msg("to its right"), {0, 1, 0}},
+                                    {msg("to its left"), {0, -1, 0}},
+                                    {msg("above"), {0, 0, -1}},
+                                    {msg("below"), {0, 0, 1}}}};
 
-/// Returns a direction of the FASTRAK's own frame in ours.
+/// Converts a direction from the FASTRAK's frame to ours.
 Vec3 ours(const Vec3& v) {
   return {v.y(), -v.z(), -v.x()};
 }
@@ -46,8 +47,8 @@ std::string receiver_name(const Interface& ui, const ClientConfig& config, std::
                      : ui.tr("Receiver {}, {}", station + 1, ui.tr(whose));
 }
 
-/// Says how something is turned: aside, up or down, and about its own axis.
-std::string turn_words(const Interface& ui, const Quat& q) {
+/// Returns a text with an orientation: yaw, pitch and roll.
+std::string orientation_text(const Interface& ui, const Quat& q) {
   constexpr double degrees = 180 / std::numbers::pi;
   const Vec3 ahead = q * -Vec3::UnitZ();
   const double aside = degrees * std::atan2(ahead.x(), -ahead.z());
@@ -58,7 +59,7 @@ std::string turn_words(const Interface& ui, const Quat& q) {
                rolled);
 }
 
-/// Draws the half of a disk that lies against a direction.
+/// Draws the half of a disk that faces away from a direction.
 void draw_dark_half(ImDrawList& list, ImVec2 middle, float radius, ImVec2 to, ImU32 shade) {
   constexpr int corners = 32;
   const double across = std::atan2(to.y, to.x) + std::numbers::pi / 2;
@@ -77,28 +78,29 @@ Trust trust_at(double distance, char error) {
   return distance <= exact_within ? Trust::good : Trust::less;
 }
 
-/// Opens the tracker alone. Poses are its receivers' in its own frame.
-void TrackerRange::begin(const ClientConfig& config) {
+/// Opens only the tracker. Its receivers' poses are in its own frame.
+void TrackerRangePanel::begin(const ClientConfig& config) {
   ClientConfig bare;
   bare.tracker = config.tracker;
   bare.tracker_device = config.tracker_device;
-  bare.tracker_device.room_device = {};
-  bare.tracker_device.mount.fill({});
-  bare.tracker_device.field_map.clear();
+  bare.tracker_device.placement.room_device = {};
+  bare.tracker_device.placement.mount.fill({});
+  bare.tracker_device.placement.field_map.clear();
   watch_ = std::make_unique<DeviceWatch>(bare);
   const std::string driver = driver_of(config.tracker).name;
   knows_range_ = driver == "fastrak" || driver.starts_with("recorded");
   map_.reset();
   try {
-    if (!config.tracker_device.field_map.empty()) map_ = load_field_map(config.tracker_device.field_map);
+    if (!config.tracker_device.placement.field_map.empty())
+      map_ = load_field_map(config.tracker_device.placement.field_map);
   } catch (const InputError&) {
-    map_.reset();  // whoever enters with it is told
+    map_.reset();  // the error is reported when a session is entered with this map
   }
 }
 
-void TrackerRange::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) {
+void TrackerRangePanel::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) {
   if (draft.config().tracker.empty()) {
-    quiet(ui.tr("No tracker is named yet: name it on the page of devices."));
+    quiet(ui.tr("No tracker is configured. Choose it on the Devices page."));
     return;
   }
   if (!watch_) begin(draft.config());
@@ -109,15 +111,16 @@ void TrackerRange::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int6
   draw_receivers(ui, draft.config());
   ImGui::Separator();
   if (!knows_range_) {
-    quiet(ui.tr(
-        "How far this tracker reaches isn't known. Its side and straight ahead are its own program's."));
+    quiet(
+        ui.tr("The range of this tracker is not known. Its hemisphere and forward direction are set in its "
+              "own software."));
     return;
   }
   draw_side(ui, draft, said);
   draw_ahead(ui, draft, said);
 }
 
-void TrackerRange::draw_pictures(Interface& ui, const ClientConfig& config) const {
+void TrackerRangePanel::draw_pictures(Interface& ui, const ClientConfig& config) const {
   const auto scale = static_cast<float>(ui.scale());
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float wide = (ImGui::GetContentRegionAvail().x - gap) / 2, high = 190 * scale;
@@ -130,11 +133,11 @@ void TrackerRange::draw_pictures(Interface& ui, const ClientConfig& config) cons
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const bool right : {false, true}) {
     const ImVec2 corner = {at.x + (right ? wide + gap : 0), at.y};
-    const DrawnSpace space = {corner.x + wide / 2, corner.y + high / 2,
-                              static_cast<float>(0.5 * high / farthest),
-                              right ? Mat3(Mat3::Identity()) : above};
+    const OrthographicView space = {corner.x + wide / 2, corner.y + high / 2,
+                                    static_cast<float>(0.5 * high / farthest),
+                                    right ? Mat3(Mat3::Identity()) : above};
     list.PushClipRect(corner, {corner.x + wide, corner.y + high}, true);
-    draw_range(space, config.tracker_device.hemisphere, scale);
+    draw_range(space, config.tracker_device.fastrak.hemisphere, scale);
     draw_dots(space, scale);
     list.AddText({corner.x + 6 * scale, corner.y + 3 * scale}, IM_COL32(158, 166, 178, 255),
                  right ? ui.tr("from behind") : ui.tr("from above, forward is up"));
@@ -146,8 +149,8 @@ void TrackerRange::draw_pictures(Interface& ui, const ClientConfig& config) cons
   ui.note("range");
 }
 
-/// Draws how far the tracker reaches, its dark side, and the mapped field.
-void TrackerRange::draw_range(const DrawnSpace& space, const Vec3& hemisphere, float scale) const {
+/// Draws the tracker's range, its unused hemisphere, and the mapped field.
+void TrackerRangePanel::draw_range(const OrthographicView& space, const Vec3& hemisphere, float scale) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle = {space.x, space.y};
   if (knows_range_) {
@@ -156,8 +159,9 @@ void TrackerRange::draw_range(const DrawnSpace& space, const Vec3& hemisphere, f
     list.AddCircleFilled(middle, space.scale * static_cast<float>(exact_within), IM_COL32(90, 210, 120, 44),
                          96);
     const Vec3 zenith = space.view * ours(hemisphere);
-    constexpr double least_aslant = 0.3;  // seen along the side's own direction there is no border
-    if (zenith.norm() > 0 && zenith.head<2>().norm() > least_aslant * zenith.norm())
+    // Seen almost along the zenith, the hemisphere's border is not visible.
+    constexpr double min_visible_tilt = 0.3;
+    if (zenith.norm() > 0 && zenith.head<2>().norm() > min_visible_tilt * zenith.norm())
       draw_dark_half(list, middle, works, {static_cast<float>(zenith.x()), static_cast<float>(-zenith.y())},
                      IM_COL32(0, 0, 0, 150));
   }
@@ -172,7 +176,7 @@ void TrackerRange::draw_range(const DrawnSpace& space, const Vec3& hemisphere, f
                      IM_COL32(200, 205, 212, 255), 2 * scale);
 }
 
-void TrackerRange::draw_dots(const DrawnSpace& space, float scale) const {
+void TrackerRangePanel::draw_dots(const OrthographicView& space, float scale) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const WatchedStation& s : watch_->devices().front().stations) {
     const ImVec2 dot = space.at<ImVec2>(s.last.pose.p);
@@ -182,13 +186,13 @@ void TrackerRange::draw_dots(const DrawnSpace& space, float scale) const {
   }
 }
 
-/// Returns the colour of how far a receiver can be trusted; white where that isn't known.
-std::uint32_t TrackerRange::shade_of(const DeviceSample& sample) const {
+/// Returns the colour of a receiver's accuracy class; white if unknown.
+std::uint32_t TrackerRangePanel::shade_of(const DeviceSample& sample) const {
   if (!knows_range_) return IM_COL32(225, 230, 235, 255);
   return trust_shades[static_cast<std::size_t>(trust_at(sample.pose.p.norm(), sample.error))];
 }
 
-void TrackerRange::draw_receivers(Interface& ui, const ClientConfig& config) const {
+void TrackerRangePanel::draw_receivers(Interface& ui, const ClientConfig& config) const {
   for (const WatchedStation& s : watch_->devices().front().stations) {
     if (config.stations[s.last.station] == StationRole::none) continue;
     const double distance = s.last.pose.p.norm();
@@ -200,48 +204,50 @@ void TrackerRange::draw_receivers(Interface& ui, const ClientConfig& config) con
                   ui.tr(trusted),
                   !map_    ? ""
                   : mapped ? ui.tr(", in the mapped field")
-                           : ui.tr(", beside the mapped field"),
-                  turn_words(ui, s.last.pose.q)));
+                           : ui.tr(", outside the mapped field"),
+                  orientation_text(ui, s.last.pose.q)));
     ImGui::PopStyleColor();
     ui.note(fmt::format("receiver {} {}", s.last.station + 1, trusted));
   }
 }
 
-void TrackerRange::change(ConfigDraft& draft, Said& said, const ConfigChange& what, const std::string& done) {
+void TrackerRangePanel::change(ConfigDraft& draft, Said& said, const ConfigChange& what,
+                               const std::string& done) {
   const std::string why = draft.change({what});
   said = why.empty() ? Said{done, false} : Said{why, true};
   if (why.empty()) watch_.reset();
 }
 
-void TrackerRange::draw_side(Interface& ui, ConfigDraft& draft, Said& said) {
+void TrackerRangePanel::draw_side(Interface& ui, ConfigDraft& draft, Said& said) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(ui.tr("The transmitter has receivers …"));
-  const Vec3 now = draft.config().tracker_device.hemisphere;
+  ImGui::TextUnformatted(ui.tr("The receivers are on this side of the transmitter:"));
+  const Vec3 now = draft.config().tracker_device.fastrak.hemisphere;
   for (const Side& side : sides) {
     ImGui::SameLine();
     if (ImGui::RadioButton(ui.tr(side.name), (now.normalized() - side.zenith).norm() < 1e-3)) {
       const std::vector<double> zenith(side.zenith.data(), side.zenith.data() + 3);
       change(draft, said, {"tracker.hemisphere", zenith},
-             ui.tr("Receivers are taken to be {}.", ui.tr(side.name)));
+             ui.tr("The receivers are assumed to be: {}.", ui.tr(side.name)));
     }
     ui.note(side.name);
   }
-  quiet(ui.tr(
-      "A receiver on the dark side is told as its mirror image: lift it, and see whether its dot goes up."));
+  quiet(
+      ui.tr("A receiver on the other side is reported as its mirror image. Lift it, and check that its dot "
+            "moves up."));
 }
 
-void TrackerRange::draw_ahead(Interface& ui, ConfigDraft& draft, Said& said) {
-  bool boresight = draft.config().tracker_device.boresight;
-  if (ImGui::Checkbox(ui.tr("how receivers are turned at the start counts as straight ahead"), &boresight))
+void TrackerRangePanel::draw_ahead(Interface& ui, ConfigDraft& draft, Said& said) {
+  bool boresight = draft.config().tracker_device.fastrak.boresight;
+  if (ImGui::Checkbox(ui.tr("use the receivers' orientation at start as forward"), &boresight))
     change(draft, said, {"tracker.boresight", boresight},
-           boresight ? msg("Straight ahead is how receivers are turned at the start.")
-                     : msg("Straight ahead is as the receivers are built."));
+           boresight ? msg("Forward is the receivers' orientation at start.")
+                     : msg("Forward is defined by the receivers' housing."));
   ui.note("boresight");
   if (!boresight) return;
   ImGui::SameLine();
-  if (ImGui::Button(ui.tr("Take it anew"))) {
+  if (ImGui::Button(ui.tr("Set it again"))) {
     watch_.reset();
-    said = {msg("How receivers are turned now counts as straight ahead."), false};
+    said = {msg("The receivers' current orientation is now forward."), false};
   }
   ui.note("boresight now");
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Where a tracker's receivers are within the range in which it can be trusted, which side of the transmitter
-// it reckons with, and what counts as straight ahead.
+// A tracker's receivers within its accurate range, the selected hemisphere of the transmitter, and the
+// straight-ahead direction.
 
 #include <memory>
 #include <optional>
@@ -8,19 +8,19 @@
 
 #include "client/setup/device_watch.h"
 #include "client/setup/live_panel.h"
-#include "drivers/field_map.h"
+#include "drivers/device/field_map.h"
 
 namespace prosector {
 
-struct DrawnSpace;
+struct OrthographicView;
 
-/// How far a tracker can be trusted at a distance from its transmitter.
+/// A tracker's accuracy at a distance from its transmitter.
 enum class Trust : std::uint8_t { good, less, none };
-/// Returns it for a FASTRAK: its accuracy is promised within 0.76 m, and it works up to 3 m. An `error` that
-/// the device told is none.
+/// Returns the accuracy class for a FASTRAK: specified accuracy within 0.76 m, operation up to 3 m. Returns
+/// none if the device reported an `error`.
 Trust trust_at(double distance, char error);
 
-class TrackerRange final : public LivePanel {
+class TrackerRangePanel final : public LivePanel {
  public:
   const char* name() const override { return msg("Range and side"); }
   const char* about() const override {
@@ -34,13 +34,13 @@ class TrackerRange final : public LivePanel {
  private:
   std::unique_ptr<DeviceWatch> watch_;
   std::optional<FieldMap> map_;
-  bool knows_range_ = false;  // a FASTRAK, or what was recorded
+  bool knows_range_ = false;  // a FASTRAK, or a recording
 
   void begin(const ClientConfig& config);
   void change(ConfigDraft& draft, Said& said, const ConfigChange& what, const std::string& done);
   void draw_pictures(Interface& ui, const ClientConfig& config) const;
-  void draw_range(const DrawnSpace& space, const Vec3& hemisphere, float scale) const;
-  void draw_dots(const DrawnSpace& space, float scale) const;
+  void draw_range(const OrthographicView& space, const Vec3& hemisphere, float scale) const;
+  void draw_dots(const OrthographicView& space, float scale) const;
   std::uint32_t shade_of(const DeviceSample& sample) const;
   void draw_receivers(Interface& ui, const ClientConfig& config) const;
   void draw_side(Interface& ui, ConfigDraft& draft, Said& said);

@@ -6,19 +6,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
-#include "client/setup/eyes_shown.h"
+#include "client/setup/eye_position_view.h"
+#include "client/setup/side_by_side.h"
 #include "common/error.h"
+#include "drivers/device/driver_table.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::int64_t list_again_ns = 2'000'000'000, held_ns = 500'000'000;  // eyes are shown as last seen
-constexpr double mm = 1000;                                                   // of a metre
+// held_ns: how long the last detected eyes are shown.
+constexpr std::int64_t list_again_ns = 2'000'000'000, held_ns = 500'000'000;
+constexpr double mm = 1000;  // per metre
 constexpr const char* face_driver = "face:";
 
-/// Lists cameras by the addresses at which they see a face.
+/// Lists cameras with their face-tracker addresses.
 std::vector<FoundDevice> face_cameras() {
   std::vector<FoundDevice> out = found_cameras();
   for (FoundDevice& camera : out)
@@ -26,8 +28,8 @@ std::vector<FoundDevice> face_cameras() {
   return out;
 }
 
-/// Returns by how much a camera looks down that is turned to the user, degrees; none: it is turned otherwise.
-std::optional<double> looks_down(const Quat& q) {
+/// Returns the downward pitch of a camera that faces the user, degrees; nullopt: it has another orientation.
+std::optional<double> downward_pitch(const Quat& q) {
   constexpr double least = 1e-6;
   if (std::abs(q.w()) > least || std::abs(q.x()) > least) return std::nullopt;
   return 2 * std::atan(q.z() / q.y()) * 180 / std::numbers::pi;
@@ -38,7 +40,7 @@ Quat looking_down(double degrees) {
   return {0, 0, std::cos(half), std::sin(half)};
 }
 
-/// Shows a number and what it is. Returns whether it was changed.
+/// Draws an editable number with its description. Returns whether it changed.
 bool edit_number(Interface& ui, const char* words, const char* note, double& value, const char* format) {
   ImGui::PushID(note);
   ImGui::SetNextItemWidth(110 * static_cast<float>(ui.scale()));
@@ -52,9 +54,9 @@ bool edit_number(Interface& ui, const char* words, const char* note, double& val
 
 }  // namespace
 
-void WindowPage::draw(Interface& ui, Anteroom& room, ConfigDraft& draft, std::int64_t now_ns) {
+void WindowPage::draw(Interface& ui, SetupSession& room, ConfigDraft& draft, std::int64_t now_ns) {
   look(draft, now_ns);
-  draw_beside(
+  draw_side_by_side(
       ui, 0.42, [&] { draw_settings(ui, draft); },
       [&] {
         draw_seen(ui, draft.config().window, now_ns);
@@ -70,7 +72,7 @@ void WindowPage::close() {
   is_old_ = true;
 }
 
-/// Opens what the draft names, once nothing is being typed, and reads it.
+/// Opens the devices of the draft, unless text is being edited, and reads them.
 void WindowPage::look(const ConfigDraft& draft, std::int64_t now_ns) {
   const WindowSettings& window = draft.config().window;
   if (!is_read_) address_.text = window.address;
@@ -96,27 +98,27 @@ void WindowPage::change(ConfigDraft& draft, const std::vector<ConfigChange>& cha
   is_old_ |= why.empty();
 }
 
-/// Takes what was typed as the camera. One that is the tracker's, too, has its lens.
+/// Applies the edited address as the camera. If it is also the tracker's camera, assigns its lens.
 void WindowPage::name_camera(ConfigDraft& draft) {
   const ClientConfig& config = draft.config();
   std::vector<ConfigChange> changes = {{address_.key, address_.text}};
   try {
-    const std::string camera = first_camera(address_.text), &lens = config.tracker_device.lens;
+    const std::string camera = first_camera(address_.text), &lens = config.tracker_device.camera.lens;
     if (!camera.empty() && camera == first_camera(config.tracker) && !lens.empty())
       changes.push_back({"window.lens", draft.named(lens)});
   } catch (const InputError&) {
-    // The draft says what is wrong with it.
+    // The draft reports the problem.
   }
   change(draft, changes);
 }
 
 void WindowPage::draw_settings(Interface& ui, ConfigDraft& draft) {
   title(ui.tr("The screen as a window"));
-  wrapped(ui.tr("A camera sees your eyes, and the view follows them."));
-  if (edit_address(ui, address_, found_, ui.tr("No camera is plugged in.")) &&
+  wrapped(ui.tr("A camera tracks your eyes, and the view follows them."));
+  if (edit_address(ui, address_, found_, ui.tr("No camera is connected.")) &&
       address_.text != draft.config().window.address)
     name_camera(draft);
-  quiet(ui.tr("face: and a camera's number, file, stream or synthetic:FILE"));
+  quiet(ui.tr("face: followed by a camera's number, file, stream or synthetic:FILE"));
   if (!draft.problem().empty()) warning(draft.problem());
   if (draft.config().window.address.empty()) return;
   draw_camera(ui, draft);
@@ -124,15 +126,15 @@ void WindowPage::draw_settings(Interface& ui, ConfigDraft& draft) {
   draw_use(ui, draft);
 }
 
-/// Asks for what a ruler tells, in millimetres.
+/// Draws the fields for ruler measurements, in millimetres.
 void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
   const ClientConfig& config = draft.config();
-  const Pose& camera = config.window.device.room_device;
+  const Pose& camera = config.window.device.placement.room_device;
   std::vector<ConfigChange> changes;
-  double height = mm * config.window.height, apart = mm * config.window.device.eye_distance;
-  if (edit_number(ui, ui.tr("mm high, the picture on the screen"), "height", height, "%.0f"))
+  double height = mm * config.window.height, apart = mm * config.window.device.face.eye_distance;
+  if (edit_number(ui, ui.tr("mm: height of the image on the screen"), "height", height, "%.0f"))
     changes.push_back({"window.height", height / mm});
-  quiet(ui.tr("From the picture's middle to the camera's lens:"));
+  quiet(ui.tr("From the image centre to the camera's lens:"));
   constexpr std::array<std::array<const char*, 2>, 3> axes = {{{msg("mm to the right"), "camera right"},
                                                                {msg("mm up"), "camera up"},
                                                                {msg("mm towards you"), "camera near"}}};
@@ -143,17 +145,16 @@ void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
     place[axis] = there / mm;
     changes.push_back({"window.camera.position", place});
   }
-  std::optional<double> down = looks_down(camera.q);
+  std::optional<double> down = downward_pitch(camera.q);
   if (!down)
-    quiet(ui.tr("How it is turned stands in the file: window.camera.orientation"));
-  else if (edit_number(ui, ui.tr("° that it looks down"), "looks down", *down, "%.1f"))
+    quiet(ui.tr("Its orientation is set in the file: window.camera.orientation"));
+  else if (edit_number(ui, ui.tr("° downward tilt"), "looks down", *down, "%.1f"))
     changes.push_back({"window.camera.orientation", written(looking_down(*down))});
   if (edit_number(ui, ui.tr("mm between your pupils"), "eyes apart", apart, "%.1f"))
     changes.push_back({"eyes.distance", apart / mm});
-  quiet(config.eyes.distance
-            ? ui.tr("A per cent off is a per cent of your distance.")
-            : ui.tr("Nobody measured them: these are people's in the mean. The page of pictures finds "
-                    "yours by a ruler."));
+  quiet(config.eyes.distance ? ui.tr("An error of 1 % changes your measured distance by 1 %.")
+                             : ui.tr("Not calibrated: using average adult values. Measure yours with the "
+                                     "ruler on the Pictures page."));
   if (!changes.empty()) change(draft, changes);
 }
 
@@ -163,11 +164,11 @@ void WindowPage::draw_use(Interface& ui, ConfigDraft& draft) {
       change(draft, {{"window.mode", std::string(mode)}});
     ui.note(fmt::format("mode {}", mode));
   };
-  choice(ui.tr("what is drawn lies behind the screen"), "window", false);
-  choice(ui.tr("your face turns the view"), "pan", true);
+  choice(ui.tr("scene behind the screen"), "window", false);
+  choice(ui.tr("face rotates the view"), "pan", true);
 }
 
-/// Returns where the eyes were seen last; none: not for a while.
+/// Returns the last detected eye position; nullopt: not detected recently.
 std::optional<Vec3> WindowPage::eyes(std::int64_t now_ns) const {
   for (const WatchedStation& station : watch_->devices().front().stations)
     if (station.last.station == 0 && station.last.has_pose && now_ns - station.last.time_ns <= held_ns)
@@ -178,39 +179,37 @@ std::optional<Vec3> WindowPage::eyes(std::int64_t now_ns) const {
 void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int64_t now_ns) {
   title(ui.tr("Your eyes"));
   if (!watch_) {
-    quiet(ui.tr("Name a camera, and where it sees your eyes is shown here."));
+    quiet(ui.tr("Choose a camera to show the detected eye positions here."));
     return;
   }
-  const ScreenPlace screen = {window.height, window.device.room_device.p};
+  const ScreenGeometry screen = {window.height, window.device.placement.room_device.p};
   const std::optional<Vec3> at = eyes(now_ns);
   const std::string& trouble = watch_->devices().front().status.message;
-  const std::string distance = at ? distance_words(ui.words(), *at, screen) : ui.tr("No eyes are seen.");
+  const std::string distance = at ? distance_text(ui.words(), *at, screen) : ui.tr("No eyes detected.");
   ImGui::SetWindowFontScale(1.35f);
   wrapped(distance);
   ImGui::SetWindowFontScale(1);
   if (at) ui.note("told: eyes " + distance);
-  wrapped(at ? direction_words(ui.words(), *at) : "");
-  if (ImGui::Button(ui.tr("Look anew"))) is_old_ = true;
+  wrapped(at ? direction_text(ui.words(), *at) : "");
+  if (ImGui::Button(ui.tr("Restart camera"))) is_old_ = true;
   ui.note("look anew");
   ImGui::SameLine();
-  // Beside the button, trouble that comes and goes moves nothing below.
+  // Next to the button, so that an intermittent message moves nothing below.
   if (trouble.empty())
-    quiet(ui.tr("Check it with a ruler: from the lens to between your eyes."));
+    quiet(ui.tr("Check with a ruler: distance from the lens to the point between your eyes."));
   else
     warning(trouble);
   ui.note("window trouble: " + trouble);
-  draw_eyes_before(ui, at, screen);
+  draw_eye_position(ui, at, screen);
 }
 
-/// Says where the way in which sessions are seen has no window into the room.
-void WindowPage::draw_display(Interface& ui, SeenAs& seen) {
-  const SeenAs usual;
+/// Shows a warning if the selected display has no window mode.
+void WindowPage::draw_display(Interface& ui, DisplaySettings& seen) {
+  const DisplaySettings usual;
   if (seen.display == usual.display) return;
-  warning(
-      ui.tr("You see sessions by {}: none is entered while a camera is named here. See them in a "
-            "window, or name none.",
-            seen.display));
-  if (ImGui::Button(ui.tr("See them in a window"))) seen.display = usual.display;
+  warning(ui.tr("The display is set to {}. Show sessions in a window, or clear the camera field to join.",
+                seen.display));
+  if (ImGui::Button(ui.tr("Show sessions in a window"))) seen.display = usual.display;
   ui.note("in a window");
 }
 

@@ -20,7 +20,7 @@ std::vector<std::u32string_view> split(std::u32string_view text, char32_t at) {
   return parts;
 }
 
-/// Returns where columns begin, from those of the lines that have any.
+/// Returns the columns' positions, from the lines that have columns.
 std::vector<double> columns_of(Fonts& fonts, const std::vector<std::u32string_view>& lines) {
   std::vector<double> widths;
   for (const std::u32string_view line : lines) {
@@ -36,12 +36,12 @@ std::vector<double> columns_of(Fonts& fonts, const std::vector<std::u32string_vi
   return begins;
 }
 
-/// A line with what is needed to set it anew with an ellipsis.
+/// A line with the data needed to set it again with an ellipsis.
 struct Row {
   TextLine line;
-  TextLine columns;     // what stands before its last column
+  TextLine columns;     // the columns before its last one
   double begins = 0;    // of its last column, em
-  std::u32string rest;  // of its paragraph, from what is in its last column on
+  std::u32string rest;  // of its paragraph, from the start of the last column's text
   Direction direction = Direction::left_to_right;
 };
 
@@ -69,7 +69,7 @@ class Layout {
     }
     const double last = begins[cells.size() - 1];
     const Paragraph cell(fonts_, std::u32string(cells.back()));
-    for (const BrokenLine& part : broken(cell, room(last))) {
+    for (const ParagraphLine& part : broken(cell, room(last))) {
       rows_.push_back({joined(columns, last, part.line), columns, last, cell.characters().substr(part.first),
                        cells.size() == 1 ? cell.direction() : Direction::left_to_right});
       columns = {};
@@ -96,7 +96,7 @@ class Layout {
  private:
   static bool runs_left(const Row& row) { return row.direction == Direction::right_to_left; }
 
-  /// Returns the width that is left beside what is before it; a column keeps some in any case.
+  /// Returns the width available from `begins` on; at least 4 em, or the frame's width if that is less.
   double room(double begins) const {
     constexpr double least = 4;
     return frame_.width > 0 ? std::max(frame_.width - begins, std::min(least, frame_.width)) : 0;

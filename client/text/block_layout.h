@@ -1,5 +1,5 @@
 #pragma once
-// Lines one below the other. Private to client/text.
+// Layout of lines into a block. Private to client/text.
 
 #include <string_view>
 
@@ -12,7 +12,7 @@ struct BlockFrame {
   bool centred = false;
 };
 
-/// Lays out lines, columns and paragraphs as Typesetter::set() says.
+/// Lays out lines, columns and paragraphs as documented at Typesetter::set().
 TextBlock lay_out(Fonts& fonts, std::u32string_view characters, const BlockFrame& frame);
 
 }  // namespace prosector

@@ -18,7 +18,7 @@ struct Segment {
   Point a, b;
 };
 
-/// An outline as straight segments, gathered by FT_Outline_Decompose().
+/// An outline as straight segments, collected by FT_Outline_Decompose().
 struct Pieces {
   std::vector<Segment> segments;
   Point at = Point::Zero();
@@ -47,7 +47,7 @@ int line_to(const FT_Vector* to, void* user) {
   return 0;
 }
 
-// A curve's segments: at this em none is off by a tenth of a pixel.
+// Segments per curve: at this em size the error is below a tenth of a pixel.
 constexpr int conic_segments = 8, cubic_segments = 12;
 
 int conic_to(const FT_Vector* control, const FT_Vector* to, void* user) {
@@ -74,7 +74,7 @@ double squared_distance(const Segment& segment, const Point& from) {
   return (way - share * along).squaredNorm();
 }
 
-/// Squared distances of pixels from segments, as far as an image reaches.
+/// Squared distances of pixels from the segments, within the image's reach.
 class Field {
  public:
   Field(int left, int top, int width, int height)
@@ -98,7 +98,7 @@ class Field {
       }
   }
 
-  /// Returns the distances, inside where the coverage is more than half of a pixel.
+  /// Returns the signed distances. A pixel is inside if its coverage is more than half.
   std::vector<std::uint8_t> pixels(const FT_Bitmap& coverage, int inset) const {
     std::vector<std::uint8_t> out(squared_.size());
     for (int y = 0; y < height_; ++y)

@@ -1,5 +1,5 @@
 #pragma once
-// Distances from a glyph's outline. Private to client/text.
+// Signed distance fields of glyph outlines. Private to client/text.
 
 #include "client/text/font.h"
 
@@ -7,8 +7,8 @@ struct FT_GlyphSlotRec_;
 
 namespace prosector {
 
-/// Draws the outline in the slot as Font::distances() says, and renders the slot. FreeType draws the same
-/// (FT_RENDER_MODE_SDF) in twenty times the time.
+/// Draws the distance field of the outline in the slot, as documented at Font::distances(), and renders the
+/// slot. FreeType's equivalent (FT_RENDER_MODE_SDF) takes twenty times as long.
 GlyphImage distance_field(FT_GlyphSlotRec_* slot);
 
 }  // namespace prosector

@@ -14,7 +14,8 @@ namespace {
 
 std::shared_ptr<hb_font_t> shaping_font(const FontFile& file) {
   hb_blob_t* blob = hb_blob_create_from_file(file.path.c_str());
-  // FreeType's index: the face in the low half, a variable font's named instance, from 1, in the high one.
+  // FreeType's index: the face in the lower half, a variable font's named instance, counted from 1, in the
+  // upper one.
   hb_face_t* face = hb_face_create(blob, static_cast<unsigned>(file.index & 0xFFFF));
   hb_font_t* font = hb_font_create(face);
   if (const int instance = file.index >> 16; instance > 0)
@@ -24,7 +25,7 @@ std::shared_ptr<hb_font_t> shaping_font(const FontFile& file) {
   return {font, &hb_font_destroy};
 }
 
-/// Copies the slot's bitmap; of a glyph without a shape an empty one.
+/// Copies the slot's bitmap; returns an empty image for a glyph without a shape.
 GlyphImage image_of(const FT_GlyphSlot slot) {
   const FT_Bitmap& bitmap = slot->bitmap;
   GlyphImage image{

@@ -1,5 +1,5 @@
 #pragma once
-// A font face: its shapes as pictures, and what HarfBuzz shapes with.
+// A font face: its glyph images, and its HarfBuzz font for shaping.
 
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,7 @@ struct hb_font_t;
 
 namespace prosector {
 
-/// A glyph as it is drawn: one byte a pixel, rows from the top.
+/// A glyph's image: one byte per pixel, rows from the top.
 struct GlyphImage {
   int width = 0, height = 0;
   int left = 0;  // pixels from the pen to the image's left
@@ -21,24 +21,24 @@ struct GlyphImage {
   std::vector<std::uint8_t> pixels;
 };
 
-inline constexpr int pen_phases = 4;          // places within a pixel at which a glyph may begin
-inline constexpr int distance_em = 48;        // pixels of an em, of images of distances
-inline constexpr int distance_reach = 6;      // pixels from the outline to where its image ends
-inline constexpr double largest_image = 160;  // pixels of an em: larger text enlarges such images
+inline constexpr int pen_phases = 4;          // positions within a pixel at which a glyph may begin
+inline constexpr int distance_em = 48;        // pixels per em, of distance fields
+inline constexpr int distance_reach = 6;      // pixels from the outline to its image's border
+inline constexpr double largest_image = 160;  // pixels per em: larger text is scaled up from these images
 
 class Font {
  public:
-  /// Opens the face; the library outlives it. Throws InputError naming the file.
+  /// Opens the face; the library must outlive it. Throws InputError with the file name.
   Font(FT_LibraryRec_* library, const FontFile& file);
 
-  /// Draws the glyph for a screen: what it covers of each pixel, 0…255. The em is `size` 64ths of a pixel,
-  /// hinted lightly (in height alone). The pen stands `phase` of `pen_phases` within its pixel.
+  /// Draws the glyph's coverage of each pixel, 0…255. `size`: of the em, in 64ths of a pixel. Light hinting
+  /// (vertical only). The pen is at `phase` of `pen_phases` within its pixel.
   GlyphImage coverage(std::uint32_t glyph, int size, int phase) const;
-  /// Draws the glyph as distances from its outline: 128 on it, up to 255 `distance_reach` pixels inside, down
-  /// to 1 as far outside. The em is `distance_em` pixels.
+  /// Draws the glyph's signed distance field: 128 on the outline, up to 255 at `distance_reach` pixels
+  /// inside, down to 1 at the same distance outside. The em is `distance_em` pixels.
   GlyphImage distances(std::uint32_t glyph) const;
 
-  hb_font_t* shaping() const { return shaping_.get(); }  // its scale: units of the em
+  hb_font_t* shaping() const { return shaping_.get(); }  // scaled in font units
   double units_per_em() const { return units_per_em_; }
 
  private:

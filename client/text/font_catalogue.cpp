@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// The base font, and what lends it the scripts that it lacks, each a small Debian package.
+/// The base font, and fonts for the scripts that it lacks, each in a small Debian package.
 constexpr std::array<const char*, 3> preferred = {"DejaVu Sans", "Lohit Devanagari", "Droid Sans Fallback"};
 
 using Pattern = std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)>;
@@ -27,8 +27,8 @@ std::string string_of(const FcPattern* font, const char* key) {
                                                                    : std::string();
 }
 
-/// Wishes for upright outline fonts of usual weight. The user's own rules are left out: they would make the
-/// same text another picture.
+/// Makes a pattern for upright outline fonts of regular weight. User configuration is ignored, because it
+/// would change how the same text looks.
 Pattern wish() {
   Pattern pattern(FcPatternCreate(), &FcPatternDestroy);
   for (const char* family : preferred) FcPatternAddString(pattern.get(), FC_FAMILY, bytes(family));
@@ -63,7 +63,8 @@ std::shared_ptr<const FcCharSet> characters_in(const FcPattern* font) {
 
 FontCatalogue::FontCatalogue() {
   FcResult result = FcResultNoMatch;
-  const Config config(FcInitLoadConfigAndFonts(), &FcConfigDestroy);  // of our own: nothing stays behind
+  // A separate configuration, freed afterwards.
+  const Config config(FcInitLoadConfigAndFonts(), &FcConfigDestroy);
   const Pattern pattern = wish();
   const Patterns sorted(FcFontSort(config.get(), pattern.get(), FcTrue, nullptr, &result), &FcFontSetDestroy);
   for (int k = 0; sorted && k < sorted->nfont; ++k) {
@@ -72,8 +73,7 @@ FontCatalogue::FontCatalogue() {
       entries_.push_back({file_of(font), std::move(characters)});
   }
   if (entries_.empty())
-    throw InputError(
-        "text: fontconfig knows no font to write with; install the Debian package fonts-dejavu-core");
+    throw InputError("text: fontconfig finds no usable font; install the Debian package fonts-dejavu-core");
 }
 
 FontCatalogue::FontCatalogue(const std::vector<std::filesystem::path>& files) {
@@ -81,7 +81,7 @@ FontCatalogue::FontCatalogue(const std::vector<std::filesystem::path>& files) {
     int faces = 0;
     const Pattern font(FcFreeTypeQuery(bytes(path.c_str()), 0, nullptr, &faces), &FcPatternDestroy);
     auto characters = font ? characters_in(font.get()) : nullptr;
-    if (!characters) throw InputError(fmt::format("text: {} is no font", path.string()));
+    if (!characters) throw InputError(fmt::format("text: {} is not a font", path.string()));
     entries_.push_back({file_of(font.get()), std::move(characters)});
   }
   if (entries_.empty()) throw InputError("text: a catalogue of fonts needs at least one");

@@ -1,5 +1,5 @@
 #pragma once
-// Which fonts there are, and which characters each has.
+// Available fonts and their character sets.
 
 #include <filesystem>
 #include <memory>
@@ -12,18 +12,19 @@ namespace prosector {
 
 struct FontFile {
   std::filesystem::path path;
-  int index = 0;  // of the face in the file, as FreeType counts
+  int index = 0;  // FreeType's index of the face in the file
   std::string family;
 };
 
-/// Fonts in the order in which they are asked for a character. No two systems have the same ones, so those
-/// that Prosector recommends come first: with them installed, text looks alike everywhere.
+/// Fonts in order of preference. Systems have different fonts, so the ones recommended for Prosector are
+/// first: with them installed, text looks the same everywhere.
 class FontCatalogue {
  public:
-  /// Lists the outline fonts of this system that add characters to those before them (fontconfig). Throws
-  /// InputError, naming the Debian package, when there is none.
+  /// Lists this system's outline fonts that add characters to the fonts before them (fontconfig). Throws
+  /// InputError with the Debian package's name if there are none.
   FontCatalogue();
-  /// Lists these files, as they are ordered. Throws InputError for a file that is no font, and for no files.
+  /// Lists these files in the given order. Throws InputError for a file that is not a font, and for an empty
+  /// list.
   explicit FontCatalogue(const std::vector<std::filesystem::path>& files);
 
   std::size_t size() const { return entries_.size(); }

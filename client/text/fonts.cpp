@@ -10,12 +10,13 @@ namespace prosector {
 Fonts::Fonts(FontCatalogue catalogue)
     : catalogue_(std::move(catalogue)), opened_(catalogue_.size()), broken_(catalogue_.size(), false) {
   FT_Library library = nullptr;
-  if (FT_Init_FreeType(&library) != 0) throw InputError("text: FreeType does not start");
+  if (FT_Init_FreeType(&library) != 0) throw InputError("text: cannot initialise FreeType");
   library_.reset(library, &FT_Done_FreeType);
   FontId first = 0;
   while (first < catalogue_.size() && !open(first)) ++first;
   if (first == catalogue_.size())
-    throw InputError("text: FreeType opens none of the fonts; install the Debian package fonts-dejavu-core");
+    throw InputError(
+        "text: FreeType cannot open any of the fonts; install the Debian package fonts-dejavu-core");
 }
 
 FontId Fonts::font_of(char32_t character) {
@@ -34,7 +35,7 @@ bool Fonts::open(FontId font) {
   try {
     opened_[font].emplace(library_.get(), catalogue_.file(font));
   } catch (const InputError&) {
-    broken_[font] = true;  // another one has the character, or a box stands for it
+    broken_[font] = true;  // another font has the character, or a box is drawn
   }
   return !broken_[font];
 }

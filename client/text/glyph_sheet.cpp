@@ -6,7 +6,7 @@
 namespace prosector {
 namespace {
 
-constexpr int apart = 1;        // pixels between glyphs, so that no one's border shows another
+constexpr int apart = 1;  // pixels between glyphs, so that sampling at a border does not reach the neighbour
 constexpr int shelf_steps = 4;  // pixels: heights of shelves are multiples
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr int shelf_steps = 4;  // pixels: heights of shelves are multiples
 std::size_t GlyphSheet::Hash::operator()(const GlyphKey& key) const {
   std::uint64_t mixed = std::uint64_t{key.font} << 40 ^ std::uint64_t{key.glyph} << 20 ^
                         static_cast<std::uint64_t>(key.size) << 2 ^ static_cast<std::uint64_t>(key.phase);
-  mixed *= 0x9E3779B97F4A7C15U;  // the golden ratio's: spreads what differs in a few bits (Knuth)
+  mixed *= 0x9E3779B97F4A7C15U;  // golden-ratio multiplier: spreads keys that differ in a few bits (Knuth)
   return static_cast<std::size_t>(mixed ^ mixed >> 32);
 }
 
@@ -33,7 +33,7 @@ std::optional<GlyphSpot> GlyphSheet::spot(const GlyphKey& key, const std::functi
   return spots_.emplace(key, spot).first->second;
 }
 
-/// Finds the lowest shelf with room that wastes less than half of its height, or begins one.
+/// Returns the lowest shelf with room that wastes less than half of its height, or begins a new one.
 GlyphSheet::Shelf* GlyphSheet::shelf_for(int glyph_width, int glyph_height) {
   Shelf* best = nullptr;
   for (Shelf& shelf : shelves_)

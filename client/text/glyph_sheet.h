@@ -1,5 +1,5 @@
 #pragma once
-// Many glyphs on one picture of bounded size. No GL: whoever draws with it uploads the rows that changed.
+// A glyph atlas of bounded size. No GL: the user of the sheet uploads the rows that changed.
 
 #include <functional>
 #include <optional>
@@ -9,30 +9,30 @@
 
 namespace prosector {
 
-/// Names an image of a glyph.
+/// Identifies an image of a glyph.
 struct GlyphKey {
   std::uint32_t font = 0, glyph = 0;
   int size = 0;   // 64ths of a pixel
-  int phase = 0;  // of pen_phases
+  int phase = 0;  // 0 … pen_phases − 1
   bool operator==(const GlyphKey&) const = default;
 };
 
 struct GlyphSpot {
   int x = 0, y = 0, width = 0, height = 0;  // on the sheet, pixels; width 0: nothing to draw
-  int left = 0, top = 0;                    // as GlyphImage's
+  int left = 0, top = 0;                    // as in GlyphImage
 };
 
 class GlyphSheet {
  public:
   static constexpr int width = 1024;             // pixels, one byte each
-  static constexpr int least_height = 256;       // to begin with
-  static constexpr int most_height = 2048;       // so a sheet holds at most 2 MiB
-  static constexpr int most_glyph_height = 512;  // what is higher is not put on it
+  static constexpr int least_height = 256;       // initial height
+  static constexpr int most_height = 2048;       // limits a sheet to 2 MiB
+  static constexpr int most_glyph_height = 512;  // higher glyphs are not stored
 
-  /// Returns where the glyph is, after `make` has drawn it if it is new. nullopt: the sheet is full; clear
-  /// it.
+  /// Returns the glyph's position on the sheet; `make` draws it at the first use. nullopt: the sheet is full
+  /// and must be cleared.
   std::optional<GlyphSpot> spot(const GlyphKey& key, const std::function<GlyphImage()>& make);
-  /// Forgets all glyphs; the height stays.
+  /// Removes all glyphs; the height stays.
   void clear();
 
   int height() const { return height_; }
@@ -51,7 +51,7 @@ class GlyphSheet {
   struct Hash {
     std::size_t operator()(const GlyphKey& key) const;
   };
-  /// Glyphs of about one height, side by side.
+  /// A row of glyphs of similar height.
   struct Shelf {
     int top, height, used = 0;
   };

@@ -8,15 +8,15 @@
 namespace prosector {
 namespace {
 
-constexpr double slack = 1e-9;  // em: of sums in another order
+constexpr double slack = 1e-9;  // em: rounding error of sums in another order
 
 bool is_blank(char32_t c) {
-  // Not those that join what they stand between (U+00A0, U+2007, U+202F).
+  // Excludes the non-breaking ones (U+00A0, U+2007, U+202F).
   return c == U' ' || c == U'\t' || c == 0x1680 || (c >= 0x2000 && c <= 0x200B && c != 0x2007) ||
          c == 0x205F || c == 0x3000;
 }
 
-/// Tells whether the character's script is written without blanks, each sign a word's part of its own.
+/// Returns whether the character's script is written without blanks and may be broken between characters.
 bool is_ideograph(char32_t c) {
   switch (hb_unicode_script(hb_unicode_funcs_get_default(), c)) {
     case HB_SCRIPT_HAN:
@@ -40,7 +40,7 @@ bool ends_no_line(char32_t c) {
   return std::u32string_view(U"（【《「『〔｛([{").find(c) != std::u32string_view::npos;
 }
 
-/// Tells whether a line may end between two characters.
+/// Returns whether a line may end between two characters.
 bool may_break(char32_t before, char32_t after) {
   if (is_blank(after)) return false;
   if (is_blank(before)) return true;
@@ -57,12 +57,13 @@ class Breaker {
         width_(width),
         advances_(paragraph.advances()) {}
 
-  std::vector<BrokenLine> lines() const {
-    std::vector<BrokenLine> out;
+  std::vector<ParagraphLine> lines() const {
+    std::vector<ParagraphLine> out;
     for (std::size_t first = 0; first < text_.size();) {
       std::size_t end = end_of_line(first);
       TextLine fitting = line(first, end);
-      // A line's glyphs may be wider than in the whole paragraph: letters that joined no longer do.
+      // A line's glyphs may be wider than in the unbroken paragraph, because letters that were joined no
+      // longer are.
       while (fitting.width > width_ + slack && shorter(first, end) > first) {
         end = shorter(first, end);
         fitting = line(first, end);
@@ -83,7 +84,7 @@ class Breaker {
     return paragraph_.line(first, end);
   }
 
-  /// Returns the end of the longest line from `first` on that fits, or of its first cluster.
+  /// Returns the end of the longest line from `first` on that fits, or the end of its first cluster.
   std::size_t end_of_line(std::size_t first) const {
     double so_far = 0;
     std::size_t best = first;  // after a word
@@ -99,7 +100,7 @@ class Breaker {
     return text_.size();
   }
 
-  /// Returns an earlier end: after the word before, or else the cluster before; `first` when there is none.
+  /// Returns an earlier end: after the previous word, else the previous cluster; `first` if there is none.
   std::size_t shorter(std::size_t first, std::size_t end) const {
     for (std::size_t k = end - 1; k > first; --k)
       if (begins_cluster(k) && may_break(text_[k - 1], text_[k])) return k;
@@ -124,7 +125,7 @@ class Breaker {
 
 }  // namespace
 
-std::vector<BrokenLine> broken(const Paragraph& paragraph, double width) {
+std::vector<ParagraphLine> broken(const Paragraph& paragraph, double width) {
   if (width <= 0) return {{paragraph.line(0, paragraph.characters().size()), 0}};
   return Breaker(paragraph, width).lines();
 }

@@ -33,7 +33,7 @@ hb_unicode_general_category_t category_of(char32_t c) {
   return hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
 }
 
-/// Tells whether the character has the look of what it follows: marks, joiners and blanks.
+/// Returns whether the character takes the font of the preceding one: marks, joiners and blanks.
 bool follows(char32_t c) {
   switch (category_of(c)) {
     case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
@@ -47,8 +47,8 @@ bool follows(char32_t c) {
   }
 }
 
-/// Tells whether nothing is to be seen of the character by itself, in any font.
-bool is_unseen(char32_t c) {
+/// Returns whether the character alone is invisible in any font.
+bool is_invisible(char32_t c) {
   return category_of(c) == HB_UNICODE_GENERAL_CATEGORY_FORMAT || (c >= 0xFE00 && c <= 0xFE0F);
 }
 
@@ -64,7 +64,7 @@ Paragraph::Paragraph(Fonts& fonts, std::u32string characters, Direction directio
   fribidi_get_bracket_types(plain(characters_), count, types_.data(), brackets.data());
   auto base = static_cast<FriBidiParType>(base_);
   if (fribidi_get_par_embedding_levels_ex(types_.data(), brackets.data(), count, &base, levels_.data()) == 0)
-    levels_.assign(characters_.size(), 0);  // out of memory, or nested beyond reason
+    levels_.assign(characters_.size(), 0);  // out of memory, or too deeply nested
   base_ = base;
   choose_scripts();
   choose_fonts();
@@ -74,8 +74,8 @@ Direction Paragraph::direction() const {
   return FRIBIDI_IS_RTL(base_) ? Direction::right_to_left : Direction::left_to_right;
 }
 
-/// Gives each character its script; what all scripts share (digits, marks) has that of what is before it, and
-/// at the beginning that of what comes.
+/// Sets each character's script. Characters common to all scripts (digits, marks) get the script of the
+/// preceding character, and at the beginning that of the following one.
 void Paragraph::choose_scripts() {
   scripts_.assign(characters_.size(), HB_SCRIPT_COMMON);
   std::uint32_t script = HB_SCRIPT_COMMON;
@@ -95,7 +95,7 @@ void Paragraph::choose_fonts() {
   used_fonts_.clear();
   for (const char32_t c : characters_) {
     const bool stays =
-        !used_fonts_.empty() && (is_unseen(c) || (follows(c) && fonts_->has(used_fonts_.back(), c)));
+        !used_fonts_.empty() && (is_invisible(c) || (follows(c) && fonts_->has(used_fonts_.back(), c)));
     used_fonts_.push_back(stays ? used_fonts_.back() : fonts_->font_of(c));
   }
 }
@@ -104,7 +104,8 @@ std::vector<Paragraph::Run> Paragraph::runs_from_left(std::size_t first, std::si
   std::vector<FriBidiStrIndex> order(characters_.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<FriBidiLevel> levels(levels_.begin(), levels_.end());
-  // Moves the indices of the line, and resets the levels of its last blanks. Without memory it leaves both.
+  // Reorders the indices of the line, and resets the levels of trailing blanks. Without memory it changes
+  // neither.
   [[maybe_unused]] const FriBidiLevel most =
       fribidi_reorder_line(FRIBIDI_FLAGS_DEFAULT & ~FRIBIDI_FLAG_REORDER_NSM, types_.data(),
                            static_cast<FriBidiStrIndex>(end - first), static_cast<FriBidiStrIndex>(first),

@@ -1,6 +1,6 @@
 #pragma once
-// One paragraph: which way its characters run (Unicode Bidirectional Algorithm, by FriBidi), and the glyphs
-// of any line of it (HarfBuzz). Private to client/text.
+// One paragraph: its text directions (Unicode Bidirectional Algorithm, FriBidi), and the glyphs of any of its
+// lines (HarfBuzz). Private to client/text.
 
 #include <string>
 #include <vector>
@@ -14,16 +14,16 @@ enum class Direction : std::uint8_t { as_written, left_to_right, right_to_left }
 
 class Paragraph {
  public:
-  /// Takes the characters of one paragraph, without '\n'. `direction`: as the first letter's script runs, or
-  /// as said. The fonts outlive the paragraph.
+  /// Takes the characters of one paragraph, without '\n'. `direction`: as_written is that of the first
+  /// letter's script. The fonts must outlive the paragraph.
   Paragraph(Fonts& fonts, std::u32string characters, Direction direction = Direction::as_written);
 
   const std::u32string& characters() const { return characters_; }
   Direction direction() const;
-  /// Returns the glyphs of the characters from `first` up to `end`, as a line of its own.
+  /// Returns the glyphs of the characters from `first` up to `end` as a line.
   TextLine line(std::size_t first, std::size_t end) const;
-  /// Returns how far each character takes a line that is never broken, em. A cluster's first character has it
-  /// all, the others have −1: a line can't be broken before those.
+  /// Returns the advance of each character in an unbroken line, em. A cluster's first character has the
+  /// cluster's advance; the others have −1, since lines can't be broken before them.
   std::vector<double> advances() const;
 
  private:
@@ -37,11 +37,11 @@ class Paragraph {
 
   Fonts* fonts_;
   std::u32string characters_;
-  std::vector<std::uint32_t> types_;  // FriBidi's
-  std::vector<std::int8_t> levels_;   // odd: from right to left
+  std::vector<std::uint32_t> types_;  // FriBidi character types
+  std::vector<std::int8_t> levels_;   // embedding levels; odd: right to left
   std::vector<std::uint32_t> scripts_;
   std::vector<FontId> used_fonts_;
-  std::uint32_t base_ = 0;  // FriBidi's type of the paragraph
+  std::uint32_t base_ = 0;  // FriBidi type of the paragraph
 };
 
 }  // namespace prosector

@@ -14,7 +14,7 @@
 namespace prosector {
 namespace {
 
-/// Returns the small letter, by the rules of all scripts, whatever language the user's system speaks.
+/// Returns the lower-case letter by the rules of all scripts, independent of the user's locale.
 std::wint_t lower(std::wint_t character) {
   static const std::unique_ptr<std::remove_pointer_t<locale_t>, void (*)(locale_t)> rules(
       newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr), [](locale_t l) {
@@ -23,7 +23,7 @@ std::wint_t lower(std::wint_t character) {
   return rules ? towlower_l(character, rules.get()) : std::towlower(character);
 }
 
-/// Returns what letters are searched as that no decomposition takes apart; empty: as themselves.
+/// Returns the search form of letters without a decomposition; empty: the letter itself.
 std::u32string_view plain(char32_t letter) {
   static const std::map<char32_t, std::u32string_view> letters = {
       {U'ß', U"ss"}, {U'æ', U"ae"}, {U'œ', U"oe"}, {U'ø', U"o"}, {U'đ', U"d"},

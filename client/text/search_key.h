@@ -1,18 +1,18 @@
 #pragma once
-// Text as it is compared in a search: without case and without marks above and below letters.
+// Text normalised for searching: without case and diacritics.
 
 #include <string>
 #include <string_view>
 
 namespace prosector {
 
-/// Returns the characters of UTF-8 by which it is found: "Große Drüse" and "GROSSE DRUSE" have the same, so
-/// have "sağ" and "sag". Letters are decomposed (Unicode, canonically), their marks left out, and upper and
-/// lower case made one. Blanks at the ends are left out, several between words are one.
+/// Returns the search key of a UTF-8 text: "Große Drüse" and "GROSSE DRUSE" have equal keys, as have "sağ"
+/// and "sag". Letters are canonically decomposed (Unicode), marks are removed, and case is folded. Leading
+/// and trailing blanks are removed; several blanks between words become one.
 std::u32string search_key(std::string_view utf8);
 
-/// Tells whether `key` has each word of `searched` somewhere; both are search keys. An empty search
-/// finds all.
+/// Returns whether `key` contains each word of `searched`; both are search keys. An empty search matches
+/// everything.
 bool is_found(std::u32string_view key, std::u32string_view searched);
 
 }  // namespace prosector

@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr double shrinking = 0.95;  // from one size to the next that is tried
+constexpr double shrinking = 0.95;  // ratio of successive sizes that are tried
 
 std::string key_of(std::string_view text, const TextFrame& frame) {
   const double numbers[] = {frame.size, frame.least_size, frame.width, frame.height,

@@ -1,5 +1,5 @@
 #pragma once
-// Sets text: any script, in lines, as large as there is room for.
+// Typesetting of text in any script: lines, columns and shrinking to fit.
 
 #include <string_view>
 
@@ -8,13 +8,13 @@
 
 namespace prosector {
 
-/// How large a text is to be, and what it has to fit into. All in one unit: pixels, points or metres.
+/// The size of a text, and the area that it must fit into. All lengths in one unit: pixels, points or metres.
 struct TextFrame {
-  double size = 1;        // of the em, if it fits
-  double least_size = 0;  // down to which it shrinks rather than being cut; 0: it does not shrink
-  double width = 0;       // lines are broken at it; 0: only at '\n'
-  double height = 0;      // what does not fit into it ends with an ellipsis; 0: any
-  bool centred = false;   // each line in the middle of the block
+  double size = 1;        // of the em; reduced if the text does not fit
+  double least_size = 0;  // minimum em size; smaller would be cut instead; 0: it does not shrink
+  double width = 0;       // maximum line width; 0: lines end only at '\n'
+  double height = 0;      // text beyond it is replaced by an ellipsis; 0: unlimited
+  bool centred = false;   // each line centred in the block
 };
 
 struct SetText {
@@ -27,13 +27,13 @@ struct SetText {
 
 class Typesetter {
  public:
-  /// Sets with this system's fonts. Throws InputError, naming the Debian package, when there is none.
+  /// Uses this system's fonts. Throws InputError with the Debian package's name if there are none.
   Typesetter() : Typesetter(FontCatalogue()) {}
   explicit Typesetter(FontCatalogue catalogue) : fonts_(std::move(catalogue)) {}
 
-  /// Sets UTF-8 of any content. Lines are as their first letter's script runs: from the left, or from the
-  /// right and then flush with the frame's right. A '\t' begins a column: all lines with one share its place,
-  /// and what is in the last column is broken within it. What was set lately is remembered.
+  /// Typesets any UTF-8. Each line has the direction of its first letter's script; right-to-left lines are
+  /// aligned with the frame's right. A '\t' begins a column, aligned over all lines with one; the last
+  /// column's text is wrapped within it. Recent results are cached.
   SetText set(std::string_view text, const TextFrame& frame);
 
   const Font& font(FontId font) const { return fonts_.at(font); }

@@ -6,15 +6,15 @@
 namespace prosector {
 namespace {
 
-/// Tells how a sequence goes on after its lead byte. The range of its second byte excludes overlong forms,
-/// surrogates and what lies beyond U+10FFFF (Unicode 15, table 3-7).
+/// A lead byte's properties: the number of following bytes, and the range of the second byte. The range
+/// excludes overlong forms, surrogates and values above U+10FFFF (Unicode 15, table 3-7).
 struct Lead {
-  std::size_t more;  // bytes that follow
+  std::size_t more;  // number of following bytes
   char32_t bits;     // of the lead byte
   unsigned char least = 0x80, most = 0xBF;
 };
 
-/// Returns a lead with nothing to follow and the replacement for bytes that lead nothing.
+/// Returns the lead's properties; for an invalid lead byte, no following bytes and the replacement character.
 Lead lead_of(unsigned char byte) {
   if (byte < 0x80) return {0, byte};
   if (byte < 0xC2 || byte > 0xF4) return {0, replacement_character};
@@ -31,7 +31,8 @@ Lead lead_of(unsigned char byte) {
   return lead;
 }
 
-/// Takes one character from the text; of an ill-formed part as much as could have begun one.
+/// Removes one character from the text and returns it. Of an ill-formed sequence, removes its longest valid
+/// beginning.
 char32_t take_character(std::string_view& text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const Lead lead = lead_of(byte(0));

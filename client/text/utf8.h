@@ -1,5 +1,5 @@
 #pragma once
-// UTF-8 as characters, and back.
+// Conversion between UTF-8 and characters.
 
 #include <string>
 #include <string_view>
@@ -8,11 +8,11 @@ namespace prosector {
 
 inline constexpr char32_t replacement_character = 0xFFFD;
 
-/// Returns the characters of a text that may hold anything. Each ill-formed part, and each control character
-/// but '\n' and '\t', becomes U+FFFD. The '\r' of "\r\n" is left out.
+/// Returns the characters of any text. Each ill-formed sequence, and each control character except '\n' and
+/// '\t', becomes U+FFFD. The '\r' of "\r\n" is removed.
 std::u32string characters_of(std::string_view utf8);
 
-/// Returns the characters as UTF-8; surrogates and what lies beyond U+10FFFF become U+FFFD.
+/// Returns the characters as UTF-8; surrogates and values above U+10FFFF become U+FFFD.
 std::string utf8_of(std::u32string_view characters);
 
 }  // namespace prosector

@@ -3,7 +3,7 @@
 namespace prosector {
 namespace {
 
-constexpr double near = 0.3;  // m
+constexpr double near = 0.3;  // m, largest distance of a part from the soft bodies
 
 Eigen::AlignedBox3d box_of(const std::vector<Vec3>& points) {
   Eigen::AlignedBox3d box;
@@ -11,7 +11,7 @@ Eigen::AlignedBox3d box_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-/// Returns the points of a rigid body where the scene puts it.
+/// Returns the points of a rigid body at its pose in the scene file.
 std::vector<Vec3> points_of(const RigidReplica& body) {
   std::vector<Vec3> out;
   for (const Vec3& x : body.mesh.positions) out.push_back(body.scene_pose * x);

@@ -1,12 +1,12 @@
 #pragma once
-// Where the anatomy of a scene lies: what a first view is to show.
+// Points of a scene's anatomy, which the initial view is fitted to.
 
 #include "client/replica/replica.h"
 
 namespace prosector {
 
-/// Returns points (m, world frame, at rest) of the soft bodies and of the parts near them; where there are
-/// none, of what moves; none: nothing does.
+/// Returns vertices (m, world frame, rest pose) of the soft bodies and of the parts near them. Without soft
+/// bodies or parts: those of the movable bodies; empty if no body moves.
 std::vector<Vec3> anatomy_points(Replica& replica);
 
 }  // namespace prosector

@@ -6,11 +6,12 @@
 namespace prosector {
 namespace {
 
-constexpr double counted = 0.99;  // of the values, that a scale is to reach
+constexpr double counted = 0.99;  // fraction of the values within the scale
 constexpr double of_largest = 1.0 / 3;
-constexpr double well_below = 0.8;  // of an end: from there down it is taken
+constexpr double well_below = 0.8;  // the limit falls if values are below this fraction of a smaller limit
 
-/// Returns the smallest end of 1, 2 or 5 times a power of ten that is not below the value, which is positive.
+/// Returns the smallest limit of 1, 2 or 5 times a power of ten that is not below the value, which is
+/// positive.
 double end_for(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   for (const double factor : {1.0, 2.0, 5.0})

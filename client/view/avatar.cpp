@@ -3,18 +3,18 @@
 #include <array>
 
 #include "client/view/body_mesh.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {
 
-constexpr double name_above = 0.2;  // m, from the eyes
+constexpr double name_above = 0.2;  // m, above the eyes
 
 const Appearance eyes_look{.color = {0.03, 0.03, 0.035}, .roughness = 0.2};
 
 const Appearance mask_look{.color = {0.6, 0.68, 0.7}, .roughness = 0.9, .surface = Surface::cloth};
 
-/// Makes a face pale enough that shading shows, in the user's tint.
+/// Returns the face's appearance: tinted in the user's colour, but pale enough that shading is visible.
 Appearance face_look(const Vec3& color) {
   return {.color = 0.55 * Vec3(0.85, 0.83, 0.8) + 0.3 * color, .roughness = 0.6, .surface = Surface::skin};
 }

@@ -16,10 +16,10 @@ std::optional<BladeFrame> blade_frame(const RigidReplica& body) {
   out.tip = at_end ? longest->to : longest->from;
   out.length = length(*longest);
   out.along = (at_end ? 1 : -1) / out.length * (longest->to - longest->from);
-  // The edge looks away from the instrument's middle.
+  // The edge faces away from the instrument's middle.
   const Vec3 outwards = out.tip - middle;
   const Vec3 across = outwards - outwards.dot(out.along) * out.along;
-  constexpr double least = 1e-6;  // m: an edge in the middle looks anywhere
+  constexpr double least = 1e-6;  // m: an edge through the middle has no defined direction
   out.ahead = across.norm() > least ? across.normalized() : out.along.unitOrthogonal();
   return out;
 }

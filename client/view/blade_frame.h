@@ -1,5 +1,5 @@
 #pragma once
-// An instrument's blade as a hand leads it.
+// Tip, edge direction and length of a hand-held blade.
 
 #include <optional>
 
@@ -7,18 +7,19 @@
 
 namespace prosector {
 
-/// A blade in some frame. It is drawn `ahead`, with its tip foremost or not.
+/// Geometry of a blade in some frame. It cuts by being drawn towards `ahead`, with or without its tip in
+/// front.
 struct BladeFrame {
   Vec3 tip = Vec3::Zero();      // m
   Vec3 along = -Vec3::UnitZ();  // unit: along the edge to the tip
-  Vec3 ahead = -Vec3::UnitX();  // unit, at right angles to that: where the edge looks
-  double length = 0;            // m, of the edge
+  Vec3 ahead = -Vec3::UnitX();  // unit, perpendicular to `along`: the direction the edge faces
+  double length = 0;            // m, length of the edge
 };
 
-/// Returns the blade by the longest of the body's edges, in the body's frame. nullopt: it has none.
+/// Returns the geometry of the body's longest cutting edge, in the body's frame; nullopt: it has no edge.
 std::optional<BladeFrame> blade_frame(const RigidReplica& body);
 
-/// Returns the blade in the frame to which the pose leads.
+/// Transforms the blade into the pose's target frame.
 BladeFrame operator*(const Pose& pose, const BladeFrame& blade);
 
 }  // namespace prosector

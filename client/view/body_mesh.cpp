@@ -6,9 +6,9 @@
 namespace prosector {
 namespace {
 
-/// Returns the mesh's long axis, along x, y or z; zero where it is not slender.
+/// Returns the mesh's long axis, along x, y or z; zero if the mesh is not slender.
 Vec3 slender_axis(const std::vector<Eigen::Vector3f>& positions) {
-  constexpr float least = 5;  // times as long as wide
+  constexpr float least = 5;  // ratio of length to width
   Eigen::AlignedBox3f box;
   for (const auto& x : positions) box.extend(x);
   if (box.isEmpty()) return Vec3::Zero();

@@ -6,7 +6,7 @@ namespace prosector {
 
 Pose look_at(const Vec3& eye, const Vec3& target) {
   const Vec3 back = (eye - target).normalized();
-  // Looking along the vertical, any direction may be "right": take x.
+  // With a vertical view direction, "right" is undefined: use x.
   const Vec3 right =
       std::abs(back.y()) < 0.9999 ? Vec3::UnitY().cross(back).normalized() : Vec3(Vec3::UnitX());
   Mat3 axes;

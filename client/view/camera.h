@@ -1,20 +1,21 @@
 #pragma once
-// Cameras: from a pose and a field of view, and a pair of eyes with off-axis frusta.
+// Cameras: a symmetric one from a pose and a field of view, and a stereo pair with off-axis frusta.
 
 #include "client/view/draw_list.h"
 #include "client/view/stereo_profile.h"
 
 namespace prosector {
 
-/// Returns the pose of an eye at `eye` that looks at `target` with +y up as far as possible; straight up or
-/// down is fine.
+/// Returns the pose of an eye at `eye` that looks at `target`, with +y as far up as possible. Straight up or
+/// down is allowed.
 Pose look_at(const Vec3& eye, const Vec3& target);
 
-/// Returns a symmetric frustum over the whole picture; `fov` is vertical, in radians.
+/// Returns a camera with a symmetric frustum over the whole viewport; `fov` is vertical, in radians.
 DrawCamera mono_camera(const Pose& eye, double fov, int width, int height);
 
-/// Returns left and right eye, parallel axes (never toe-in). With half-width w at distance D and eye distance
-/// e, the left eye's frustum is [(−w + e/2)/D, (w + e/2)/D] in tangents, the right one's mirrored.
+/// Returns the left and right cameras with parallel axes (never toe-in). With half-width w at distance D and
+/// eye distance e, the left eye's frustum is [(−w + e/2)/D, (w + e/2)/D] in tangents. The right one is
+/// mirrored.
 std::array<DrawCamera, 2> stereo_cameras(const Pose& head, const StereoProfile& profile, int width,
                                          int height);
 

@@ -8,13 +8,13 @@
 namespace prosector {
 namespace {
 
-// Pieces of a cap reach over their neighbours by this, so that no pixel falls between them.
+// Pieces of a cap overlap by this length, so that no pixel falls between them.
 constexpr double overlap = 1e-5;  // m
 
-/// An edge of the outline that is not level, from its lower end up.
+/// A non-horizontal segment of the outline, oriented upwards.
 struct RisingEdge {
   OutlinePoint low, high;
-  int winding;  // 1: the solid begins here, as seen from the left; −1: it ends
+  int winding;  // 1: the solid begins here, going from left to right; −1: it ends
 
   double share_at(double y) const {
     return std::clamp((y - low.at.y()) / (high.at.y() - low.at.y()), 0.0, 1.0);
@@ -22,9 +22,9 @@ struct RisingEdge {
   double x_at(double y) const { return low.at.x() + share_at(y) * (high.at.x() - low.at.x()); }
 };
 
-/// What is filled from y on between two edges.
+/// The region filled from y upwards between two segments.
 struct Span {
-  std::size_t left, right;  // of the rising edges
+  std::size_t left, right;  // indices of rising edges
   double from;              // y, m
 };
 
@@ -46,7 +46,7 @@ std::vector<double> levels_of(const std::vector<RisingEdge>& edges) {
   return out;
 }
 
-/// Returns the spans that a level line at y crosses; `active`: the edges that it meets.
+/// Returns the spans that a horizontal line at y crosses; `active`: the edges that it crosses.
 std::vector<Span> spans_at(double y, const std::vector<RisingEdge>& edges, std::vector<std::size_t>& active) {
   std::ranges::sort(active, {}, [&](std::size_t e) { return edges[e].x_at(y); });
   std::vector<Span> out;
@@ -91,7 +91,7 @@ void add_outline(const DrawItem& item, const SectionPlane& section, std::vector<
   const Pose into = frame_of(section).inverse();
   const Mat3 linear = item.shape.A * item.pose.q.toRotationMatrix();
   const bool mirrored = linear.determinant() < 0;
-  std::vector<Vec3> places;  // in the plane's frame; z is the height
+  std::vector<Vec3> places;  // in the plane's frame; z is the height over the plane
   places.reserve(mesh.positions.size());
   for (const auto& x : mesh.positions)
     places.push_back(into * (item.shape * (item.pose * x.cast<double>().eval())));
@@ -104,7 +104,8 @@ void add_outline(const DrawItem& item, const SectionPlane& section, std::vector<
   for (const auto& t : mesh.triangles) {
     const std::array<bool, 3> above = {places[t[0]].z() > 0, places[t[1]].z() > 0, places[t[2]].z() > 0};
     if (above[0] == above[1] && above[1] == above[2]) continue;
-    const std::size_t k = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;  // alone on its side
+    // The corner that is alone on its side of the plane.
+    const std::size_t k = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;
     const std::uint32_t alone = t[k], next = t[(k + 1) % 3], last = t[(k + 2) % 3];
     OutlineEdge edge = above[k] ? OutlineEdge{crossing(alone, next), crossing(alone, last)}
                                 : OutlineEdge{crossing(last, alone), crossing(next, alone)};
@@ -113,8 +114,8 @@ void add_outline(const DrawItem& item, const SectionPlane& section, std::vector<
   }
 }
 
-// Level lines through all corners divide the plane into strips, in which edges do not end. What lies between
-// the same two edges in several strips is one piece.
+// Scanline fill. Horizontal lines through all corners divide the plane into strips, in which no edge ends.
+// The area between the same two edges in consecutive strips is one piece.
 Cap fill(const std::vector<OutlineEdge>& outline) {
   const std::vector<RisingEdge> edges = rising(outline);
   const std::vector<double> levels = levels_of(edges);

@@ -1,5 +1,5 @@
 #pragma once
-// What fills the hole where a plane opens a solid, made of the solid's surface.
+// Caps that close a solid's surface where a section plane cuts it.
 
 #include <cstdint>
 #include <vector>
@@ -8,32 +8,33 @@
 
 namespace prosector {
 
-/// A point of the section's outline: where it is in the plane, m, and where it was in the rest shape, m.
+/// A point of the section's outline: its position in the plane, m, and its rest position, m.
 struct OutlinePoint {
   Eigen::Vector2d at;
   Eigen::Vector3f rest;
 };
 
-/// A piece of the outline, with the solid on its left as seen from where the section's normal points.
+/// A segment of the outline. The solid is on its left, seen from the side that the section's normal points
+/// to.
 struct OutlineEdge {
   OutlinePoint from, to;
 };
 
-/// Maps the section's plane to the room: x and y lie in the plane, z is its normal.
+/// Returns the frame of the section's plane in the room: x and y lie in the plane, z is its normal.
 Pose frame_of(const SectionPlane& section);
 
-/// Adds where the section meets the item's surface, in the plane of `frame_of(section)`.
+/// Adds the intersection of the section with the item's surface, in the frame `frame_of(section)`.
 void add_outline(const DrawItem& item, const SectionPlane& section, std::vector<OutlineEdge>& outline);
 
 /// Triangles that fill outlines, facing +z in the plane's frame.
 struct Cap {
   std::vector<OutlinePoint> corners;
   Triangles triangles;
-  double area = 0;  // m², of what is filled
+  double area = 0;  // m², of the filled region
 };
 
-/// Fills what lies inside of more outlines than outside. Where an outline has a gap, a strip as high as the
-/// gap stays open.
+/// Fills the region that lies inside more outlines than outside (winding number above 0). Where an outline
+/// has a gap, a strip of the gap's height stays open.
 Cap fill(const std::vector<OutlineEdge>& outline);
 
 }  // namespace prosector

@@ -1,12 +1,13 @@
 #pragma once
-// Lights that bodies carry.
+// Lights attached to bodies.
 
-#include "common/messages.h"
+#include "common/appearance.h"
+#include "common/math.h"
 
 namespace prosector {
 
-/// Moves the light, given in its carrier's frame, to where the carrier is.
-inline LightInfo carried_by(const Pose& carrier, LightInfo light) {
+/// Transforms a light from its carrier's frame to the frame of the carrier's pose.
+inline LightInfo light_in_room(const Pose& carrier, LightInfo light) {
   light.position = carrier * light.position;
   light.direction = carrier.q * light.direction;
   return light;

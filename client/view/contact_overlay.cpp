@@ -12,7 +12,7 @@ namespace prosector {
 namespace {
 
 constexpr double text_height = 13, padding = 7;  // points
-constexpr double left = 10, bottom = 120;        // points: above the axes, left of the middle of the picture
+constexpr double left = 10, bottom = 120;        // points: above the axes, left of the view's centre
 const Vec3 green{0.10, 0.90, 0.20};
 
 std::string in_words(const Vec3& v, int digits) {
@@ -32,7 +32,7 @@ std::string contact_figures(const ContactSample& contact, const std::string& bod
   line(words.tr("impulse\t{:.4f} N s", contact.impulse));
   line(words.tr("force\t{:.2f} N", force));
   if (error >= 0)
-    line(is_known_error(error) ? words.tr("within\t{}", percent_text(error)) : words.tr("error\tnot known"));
+    line(is_known_error(error) ? words.tr("within\t{}", percent_text(error)) : words.tr("error\tunknown"));
   if (force > 0) line(words.tr("along\t{}", in_words(contact.force / force, 2)));
   return text;
 }

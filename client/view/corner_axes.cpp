@@ -8,18 +8,18 @@
 namespace prosector {
 namespace {
 
-constexpr double margin = 56;         // points, from the borders to where the axes meet
+constexpr double margin = 56;         // points, from the borders to the origin of the axes
 constexpr double letter_height = 12;  // points
-constexpr double letter_gap = 11;     // points, from an axis' end to its letter's middle
-constexpr double axis_length = 42;    // points, if seen from beside
+constexpr double letter_gap = 11;     // points, from an axis' end to its letter's centre
+constexpr double axis_length = 42;    // points, of an axis perpendicular to the view direction
 constexpr double half_length = 34;    // points, of an axis with two ends
-constexpr double least_seen =
-    0.25;  // of its length: an axis with two ends that is seen shorter has no letters
+constexpr double min_visible_opacity =
+    0.25;  // fraction of its length: a two-ended axis that appears shorter has no letters
 
 struct Axis {
   Vec3 direction;  // unit, world frame
   Vec3 color;
-  std::string end, other_end;  // letters; an axis without the other begins where all meet
+  std::string end, other_end;  // letters; an axis without other_end begins at the origin
 };
 
 const std::array<Vec3, 3> colors = {{{0.9, 0.05, 0.04}, {0.05, 0.75, 0.08}, {0.08, 0.2, 1.0}}};
@@ -34,7 +34,7 @@ std::array<Axis, 3> axes_of(const std::optional<PatientFrame>& patient) {
            {patient->head.normalized(), colors[2], "S", "I"}}};
 }
 
-/// Adds what is in a picture's lower left corner; places are points from there, upwards.
+/// Draws in a view's lower left corner; positions are points from there, y upwards.
 class CornerDrawing {
  public:
   CornerDrawing(DrawList& list, const DrawCamera& camera) : list_(list), picture_(camera, list.scale) {}
@@ -71,7 +71,7 @@ void add_corner_axes(DrawList& list, const std::optional<PatientFrame>& patient,
     const bool two_ends = !axis.other_end.empty();
     const Vec3 reach = (two_ends ? half_length : axis_length) * seen, gap = letter_gap * seen.normalized();
     corner.add_line(two_ends ? Vec3(middle - reach) : middle, middle + reach, axis.color);
-    if (two_ends && seen.norm() < least_seen) continue;
+    if (two_ends && seen.norm() < min_visible_opacity) continue;
     corner.add_letter(axis.end, middle + reach + gap, axis.color);
     if (two_ends) corner.add_letter(axis.other_end, middle - reach - gap, axis.color);
   }

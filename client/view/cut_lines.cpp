@@ -5,10 +5,10 @@
 namespace prosector {
 namespace {
 
-constexpr double closer = 0.004;  // m, to the eye: sides of a cut that press on each other go into each other
+constexpr double closer = 0.004;  // m, towards the eye: pressed sides of a cut penetrate each other
 const Vec3 wet_dark{0.035, 0.002, 0.002};
 
-/// Returns how many pixels a metre at that place has.
+/// Returns the number of pixels per metre at a position.
 double pixels_per_metre(const DrawCamera& camera, const Vec3& at) {
   const double depth = std::max(-(camera.pose.inverse() * at).z(), camera.near);
   return camera.height / (camera.top - camera.bottom) / depth;
@@ -37,7 +37,7 @@ void CutLines::put(BodyId id, const SoftReplica& soft, const DrawMesh& mesh, con
   for (const CutRim& rim : body.rims) body.rest.push_back({rest.positions[rim.a], rest.positions[rim.b]});
 }
 
-/// Finds the sides of all bodies' cuts. What came off has the other side of what stays.
+/// Finds the sides of all bodies' cuts. The opposite side may belong to another piece.
 void CutLines::find_sides() {
   changed_ = false;
   sides_.clear();
@@ -51,7 +51,7 @@ void CutLines::find_sides() {
   for (std::size_t k = 0; k < sides_.size(); ++k) sides_[k].other = others[k];
 }
 
-/// Returns where a share of a side's edge is, in the room.
+/// Returns the position in the room of the point at a fraction of a side's edge.
 Vec3 CutLines::place(const Side& side, double share) {
   const auto& positions = side.body->mesh->positions;
   const Vec3 a = positions[side.rim.a].cast<double>(), b = positions[side.rim.b].cast<double>();

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "client/view/normals.h"
-#include "client/view/place_on_triangle.h"
+#include "client/view/triangle_point.h"
 
 namespace prosector {
 namespace {
@@ -17,8 +17,8 @@ using Vec3f = Eigen::Vector3f;
 constexpr std::size_t most_levels = 6;
 constexpr std::size_t least_triangles = 64;
 
-/// Returns the squared error at one vertex, as error_of() says.
-float squared_error(const CoarserList::LeftOut& out, const std::array<std::uint32_t, 3>& corners,
+/// Returns the squared error at one vertex, as defined by error_of().
+float squared_error(const CoarserList::OmittedVertex& out, const std::array<std::uint32_t, 3>& corners,
                     std::span<const Vec3f> positions, std::span<const Vec3f> normals) {
   const auto& [a, b, c] = corners;
   const auto& [s, t] = out.weights;
@@ -28,10 +28,10 @@ float squared_error(const CoarserList::LeftOut& out, const std::array<std::uint3
   return std::max(off.squaredNorm(), out.width * out.width * turned.squaredNorm());
 }
 
-/// The surface with its creases closed: vertices at one place are one there.
+/// The surface with its creases closed: coincident vertices are merged.
 struct Welded {
-  std::vector<std::uint32_t> place;                  // of each vertex
-  std::vector<std::vector<std::uint32_t>> vertices;  // at each place
+  std::vector<std::uint32_t> place;                  // by vertex: its merged vertex
+  std::vector<std::vector<std::uint32_t>> vertices;  // by merged vertex: its vertices
   std::vector<Vec3f> positions;
   Triangles triangles;
 };
@@ -53,7 +53,7 @@ Welded weld(std::span<const Vec3f> rest, const Triangles& triangles) {
   return out;
 }
 
-/// A coarser list of a surface, and what of it stands for the vertices that it leaves out.
+/// Builds coarser lists of a surface, with replacement points for the omitted vertices.
 class Coarsening {
  public:
   Coarsening(std::span<const Vec3f> rest, const Triangles& triangles)
@@ -70,7 +70,7 @@ class Coarsening {
     }
   }
 
-  /// Returns a list of so few triangles; nullopt: the surface can't be reduced to so few.
+  /// Returns a list with at most this number of triangles; nullopt: the surface can't be reduced so far.
   std::optional<CoarserList> reduced_to(std::size_t triangles) {
     if (!collapser_.reduce_to(triangles)) return std::nullopt;
     CoarserList out;
@@ -81,7 +81,7 @@ class Coarsening {
       if (collapser_.is_gone(t)) continue;
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = stand_in(triangles_[t][k]);
+        corners[k] = replacement_of(triangles_[t][k]);
         kept[corners[k]] = true;
         around_[welded_.place[corners[k]]].push_back(static_cast<std::uint32_t>(out.triangles.size()));
       }
@@ -93,28 +93,30 @@ class Coarsening {
   }
 
  private:
-  /// Returns, among those where the vertex went to, the one on its side of creases.
-  std::uint32_t stand_in(std::uint32_t v) const {
-    const std::uint32_t place = welded_.place[v], into = collapser_.stand_in(place);
+  /// Returns the vertex that replaces `v`: among the vertices at its merged position, the one with the most
+  /// similar normal, so that it is on the same side of creases.
+  std::uint32_t replacement_of(std::uint32_t v) const {
+    const std::uint32_t place = welded_.place[v], into = collapser_.replacement_of(place);
     if (into == place) return v;
     return *std::ranges::max_element(welded_.vertices[into], {},
                                      [&](std::uint32_t other) { return normals_[v].dot(normals_[other]); });
   }
 
-  /// Walks from the triangles where the vertex went to, to ever better ones.
-  CoarserList::LeftOut left_out(std::uint32_t v, const Triangles& triangles) const {
-    CoarserList::LeftOut best{v, 0, {}, 0};
+  /// Finds the replacement point by a local search from the triangles at the vertex's replacement, moving to
+  /// better triangles.
+  CoarserList::OmittedVertex left_out(std::uint32_t v, const Triangles& triangles) const {
+    CoarserList::OmittedVertex best{v, 0, {}, 0};
     float least = std::numeric_limits<float>::infinity();
-    std::vector<std::uint32_t> to_try = around_[collapser_.stand_in(welded_.place[v])];
+    std::vector<std::uint32_t> to_try = around_[collapser_.replacement_of(welded_.place[v])];
     while (!to_try.empty()) {
       bool is_better = false;
       for (const std::uint32_t t : to_try) {
         const auto& [a, b, c] = triangles[t];
-        const PlaceOnTriangle place = place_near(rest_[v], rest_[a], rest_[b], rest_[c]);
+        const PointOnTriangle place = point_on_triangle_near(rest_[v], rest_[a], rest_[b], rest_[c]);
         const float side =
             std::sqrt(std::min({(rest_[a] - rest_[b]).squaredNorm(), (rest_[b] - rest_[c]).squaredNorm(),
                                 (rest_[c] - rest_[a]).squaredNorm()}));
-        const CoarserList::LeftOut here{v, t, place.weights, std::max(side / 2, width_[v])};
+        const CoarserList::OmittedVertex here{v, t, place.weights, std::max(side / 2, width_[v])};
         const float error = squared_error(here, triangles[t], rest_, normals_);
         if (!(error < least)) continue;
         least = error;
@@ -134,17 +136,18 @@ class Coarsening {
   std::span<const Vec3f> rest_;
   const Triangles& triangles_;
   std::vector<Vec3f> normals_;
-  std::vector<float> width_;  // m: half of that of the largest triangle at each vertex
+  std::vector<float> width_;  // m: half the width of the largest triangle at each vertex
   Welded welded_;
   EdgeCollapser collapser_;
-  std::vector<std::vector<std::uint32_t>> around_;  // by place: triangles of the list that is being made
+  // By merged vertex: triangles of the list under construction.
+  std::vector<std::vector<std::uint32_t>> around_;
 };
 
 }  // namespace
 
 Detail make_detail(std::span<const Vec3f> rest, const Triangles& triangles) {
   Detail out;
-  if (triangles.size() < least_detailed) return out;
+  if (triangles.size() < min_detail_triangles) return out;
   Coarsening coarsening(rest, triangles);
   for (std::size_t wanted = triangles.size() / 2;
        wanted >= least_triangles && out.coarser.size() < most_levels; wanted /= 2) {
@@ -159,7 +162,7 @@ double error_of(const CoarserList& list, std::span<const Vec3f> positions, std::
                 double enough) {
   const auto most = static_cast<float>(enough * enough);
   float largest = 0;
-  for (const CoarserList::LeftOut& out : list.left_out) {
+  for (const CoarserList::OmittedVertex& out : list.left_out) {
     largest = std::max(largest, squared_error(out, list.triangles[out.triangle], positions, normals));
     if (largest > most) break;
   }

@@ -6,11 +6,11 @@ namespace prosector {
 namespace {
 
 constexpr double spacing = 0.006;      // m
-constexpr double height = 0.02;        // m, over the surface: rays begin there
-constexpr double deepest = 0.04;       // m: what is farther from there is another place
+constexpr double height = 0.02;        // m, over the surface: origin of the rays
+constexpr double deepest = 0.04;       // m: largest distance from a ray's origin to the same surface
 constexpr double off_surface = 0.001;  // m
 
-/// Adds places from the point on, as far as the surface goes.
+/// Adds points from `point` on along the surface, up to `length` or the surface's end.
 void add_places(const FindSurface& find, const Picked& point, const Vec3& way, double length,
                 std::vector<Vec3>& out) {
   Vec3 at = point.at, normal = point.normal;

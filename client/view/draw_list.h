@@ -1,5 +1,5 @@
 #pragma once
-// What to draw, without any GL: made by the view from the replica, consumed only by the renderer.
+// The list of items to draw, without any GL. The view makes it from the replica; only the renderer reads it.
 
 #include <cstdint>
 #include <memory>
@@ -9,13 +9,13 @@
 
 #include "client/language/catalogue.h"
 #include "client/view/detail.h"
+#include "common/appearance.h"
 #include "common/image.h"
 #include "common/math.h"
-#include "common/messages.h"
 
 namespace prosector {
 
-/// Geometry that the renderer keeps on the GPU under `id`; a higher `revision` replaces its content.
+/// Geometry that the renderer caches on the GPU under `id`. A higher `revision` replaces its content.
 struct DrawMesh {
   std::uint64_t id = 0;
   std::uint64_t revision = 0;            // topology: triangles changed
@@ -24,25 +24,25 @@ struct DrawMesh {
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> rest_positions;  // for textures that stick to tissue; empty: positions
   Triangles triangles;
-  Vec3 slender = Vec3::Zero();  // of what is long and thin, as instruments: its long axis; else zero
+  Vec3 slender = Vec3::Zero();  // long axis of a long thin mesh, such as an instrument; otherwise zero
 };
 
-/// A plane that opens bodies: what its normal points to is taken away.
+/// A clipping plane that opens bodies: the side that its normal points to is removed.
 struct SectionPlane {
   Vec3 normal = Vec3::UnitZ();  // unit
-  double offset = 0;            // of its points along the normal, m
+  double offset = 0;            // m, signed distance of the plane from the origin along the normal
 
-  /// Returns how far the place is on the side that is taken away, m.
+  /// Returns the signed height of a point over the plane, m; positive on the removed side.
   double height(const Vec3& place) const { return normal.dot(place) - offset; }
   bool operator==(const SectionPlane&) const = default;
 };
 
-/// How an item shows in a picture.
-enum class Showing : std::uint8_t {
+/// How an item appears in the view.
+enum class ItemRole : std::uint8_t {
   itself,
-  around,  // only in what mirrors it, and by the light that it sends
-  ground,  // a camera's picture has it, below other things: it hides what is behind, and takes shadows
-  real  // a camera's picture has it, before other things: it hides what is behind, and shades what is drawn
+  around,  // visible only in reflections and by the light that it emits
+  ground,  // a real surface in the camera image, below other items: it occludes and receives shadows
+  real     // a real object in the camera image, in front of other items: it occludes and casts shadows
 };
 
 struct DrawItem {
@@ -50,109 +50,113 @@ struct DrawItem {
   Pose pose;
   Appearance appearance;
   bool casts_shadow = true;
-  Affine shape = {};              // applied after `pose`: what scales and shears it
-  double opacity = 1;             // below 1: what is behind shows through
-  bool seen_from_inside = false;  // its faces have a back, as of a shell; those of tissue have one anyway
-  double brightness = 1;          // times what light makes of it
-  /// Light in air: adds the appearance's colour to what is behind, softly at its rims. The mesh's rest
-  /// positions hold in x how far along the light they are: 0 where it begins, 1 where it is gone.
+  Affine shape = {};   // applied after `pose`: scale and shear
+  double opacity = 1;  // below 1: transparent
+  // Its faces have a back side, such as those of a shell; tissue always has one.
+  bool seen_from_inside = false;
+  double brightness = 1;  // factor of the reflected light
+  /// A light shaft: adds the appearance's colour to the background, with soft borders. The mesh's rest
+  /// positions hold in x the fraction of the shaft's length: 0 where it begins, 1 where it ends.
   bool shaft = false;
-  /// The mesh's rest positions hold colours (linear), which no light changes but by the eye's direction.
+  /// The mesh's rest positions hold linear colours, which are shaded by the view direction only, not by
+  /// lights.
   bool painted = false;
   std::shared_ptr<const Detail> detail = {};  // coarser lists of the mesh's triangles; null: none
-  std::size_t level = 0;                      // of them, for every camera and the shadow; 0: the mesh's own
-  std::uint32_t solid = 0;  // items of one number bound one solid, which a section opens; 0: stays whole
-  Showing showing = Showing::itself;
+  std::size_t level = 0;  // level of detail, for every camera and shadow; 0: the mesh's own triangles
+  // Items with the same number bound one solid, which a section opens; 0: never opened.
+  std::uint32_t solid = 0;
+  ItemRole showing = ItemRole::itself;
 };
 
-/// Returns the triangles that the item is drawn with.
+/// Returns the triangles of the item's level of detail.
 inline const Triangles& triangles_of(const DrawItem& item) {
   return item.level == 0 || !item.detail ? item.mesh->triangles
                                          : item.detail->coarser.at(item.level - 1).triangles;
 }
 
-/// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.
+/// Screen-space line, for axes and overlays. Drawn after everything else, with or without a depth test.
 struct DrawLine {
-  Vec3 a, b;  // world frame, or for `overlay` normalised device coordinates (x, y in −1…1)
+  Vec3 a, b;  // world frame; for `overlay`: normalised device coordinates (x, y in −1…1)
   Vec3 color = Vec3::Ones();
   double width = 2;  // points
   bool overlay = false;
-  bool over = false;            // in the room, but drawn over what is before it
-  bool shines_through = false;  // faintly seen through what hides it
+  bool over = false;                 // in the room, but drawn without a depth test
+  bool faint_when_occluded = false;  // drawn faintly where occluded
 };
 
-/// A plate in the overlay, below its texts.
+/// A filled rectangle in the overlay, below the overlay's texts.
 struct DrawPlate {
   Eigen::Vector2d low, high;  // points from the top left
   Vec3 color = Vec3::Zero();
   double opacity = 1;
-  double radius = 0, rim_width = 0;  // points: of its corners, of a rim
+  double radius = 0, rim_width = 0;  // points: of the corners, of the border line
   Vec3 rim_color = Vec3::Ones();
 };
 
-/// What a text over a picture stands on.
+/// Background of a text over the view.
 enum class TextGround : std::uint8_t {
-  plate,   // dark, half transparent, with round corners: legible on any picture
-  framed,  // a plate with a rim of the text's colour
+  plate,   // dark, half transparent, with round corners: legible on any background
+  framed,  // a plate with a border in the text's colour
   none
 };
 
-/// Says how far the ground of a text reaches beyond it, in points, and how far apart the grounds of two texts
-/// in the room are kept.
+/// Margins of a text's background around the text, horizontally and vertically, and minimum distance between
+/// the backgrounds of two texts in the room; points.
 inline constexpr double ground_beside = 5, ground_above = 0.8, text_margin = 2;
 
-/// Text in the overlay, at a place in the room (names above heads), or on a surface in the room. UTF-8 in any
-/// script. Lines end at '\n'; a '\t' begins the next column, the same for all lines.
+/// Text in the overlay, at a point of the room (names above heads), or on a surface in the room. UTF-8 in any
+/// script. Lines end at '\n'; a '\t' begins the next column, aligned in all lines.
 struct DrawText {
   std::string text;
-  Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else world frame
+  Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else world frame, m
   bool overlay = true;
-  double height = 14;  // of the em, points; on a surface: m
+  double height = 14;  // em height in points; on a surface: m
   Vec3 color = Vec3::Ones();
   std::optional<Pose> surface =
-      {};           // written on it: from its origin along +x, lines along −y; `at` is unused
-  double wrap = 0;  // in the unit of `height`: lines are broken at this width; 0: not
-  /// In the unit of `height`: what a text that does not fit below `tallest` shrinks to at most; still too
-  /// long, it ends with an ellipsis. 0: it does not shrink; any height.
+      {};           // written on this surface: from its origin along +x, lines along −y; `at` is unused
+  double wrap = 0;  // maximum line width, in the unit of `height`; 0: unlimited
+  /// Minimum em height and maximum text height, in the unit of `height`. A text higher than `tallest` shrinks
+  /// down to `least_height`; if still too high, it ends with an ellipsis. 0: it does not shrink; any height.
   double least_height = 0, tallest = 0;
-  bool centred = false;  // its middle stands at its place, each line in the middle
+  bool centred = false;  // centred at its position, each line centred
   TextGround ground = TextGround::plate;
 };
 
 /// One eye's camera. Off-axis frustum: tangents of the four half angles.
 struct DrawCamera {
-  Pose pose;                                                    // −z looks ahead, +y up
+  Pose pose;                                                    // looks along −z, +y up
   double left = -0.6, right = 0.6, bottom = -0.45, top = 0.45;  // tangents
   double near = 0.02, far = 30;                                 // m
   int x = 0, y = 0, width = 800, height = 600;                  // viewport, pixels, from the lower left
-  bool inset = false;  // drawn over the others: surfaces alone, without lines, texts and light shafts
+  bool inset = false;  // drawn over the other cameras: surfaces only, without lines, texts and light shafts
 };
 
-/// A camera's picture behind everything that is drawn.
+/// A camera image behind everything that is drawn.
 struct DrawBackdrop {
   std::shared_ptr<const Image> image;
-  std::uint64_t number = 0;            // another image has another one
-  double left = 0, top = 0, step = 1;  // pixels of the image: of the drawn picture's corner, and of its pixel
+  std::uint64_t number = 0;  // changes with the image
+  // Pixels of the image: position of the view's corner, size of a pixel of the view.
+  double left = 0, top = 0, step = 1;
 };
 
 struct DrawList {
-  std::vector<DrawCamera> cameras;  // one, or two for stereo side by side; then insets
+  std::vector<DrawCamera> cameras;  // one, or two for side-by-side stereo; then insets
   std::vector<DrawItem> items;
   std::vector<LightInfo> lights;
   std::vector<DrawLine> lines;
   std::vector<DrawPlate> plates;
   std::vector<DrawText> texts;
-  std::optional<SectionPlane> section;  // that opens all solids
+  std::optional<SectionPlane> section;  // opens all solids
   std::optional<DrawBackdrop> backdrop = {};
-  Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling beside its light panels
+  Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling between its light panels
   Vec3 background = {0.05, 0.06, 0.07};
-  /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
+  /// Pixels per point. Lines, texts and overlays are measured in points. 1 on a display of standard density.
   double scale = 1;
-  double strip = 0;      // points at the lower border that other overlays leave free
-  Catalogue words = {};  // language of the texts that overlays add
+  double strip = 0;      // points at the lower border that other overlays keep clear
+  Catalogue words = {};  // language of the texts added by overlays
 };
 
-/// Tells whether the list's section takes a part of the item away, if it reaches it.
+/// Returns whether the list's section can open the item.
 inline bool is_opened(const DrawItem& item, const DrawList& list) {
   return list.section && item.solid != 0;
 }

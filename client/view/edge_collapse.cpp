@@ -5,16 +5,17 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "client/view/place_on_triangle.h"
+#include "client/view/triangle_point.h"
 
 namespace prosector {
 namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-// Keeps triangles of like size where the surface is flat: it may be bent later.
-constexpr float share_of_length = 1e-3F;  // squares of the edge's length, and of how far the surface moves
-constexpr float least_cosine = 0.2F;      // between a triangle's normal before and after: 78°
+// Favours triangles of similar size where the surface is flat, because it may be bent later.
+// Weight of the edge's squared length against the squared displacement.
+constexpr float share_of_length = 1e-3F;
+constexpr float least_cosine = 0.2F;  // between a triangle's normal before and after: 78°
 
 Vec3f twice_area(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   return (b - a).cross(c - a);
@@ -56,7 +57,7 @@ void EdgeCollapser::keep_borders() {
   });
 }
 
-/// Returns the vertices around one, ascending, each once.
+/// Returns the neighbours of a vertex, ascending, each once.
 std::vector<std::uint32_t> EdgeCollapser::neighbours(std::uint32_t v) const {
   std::vector<std::uint32_t> out;
   for (const std::uint32_t t : around_[v])
@@ -68,7 +69,7 @@ std::vector<std::uint32_t> EdgeCollapser::neighbours(std::uint32_t v) const {
   return out;
 }
 
-/// Queues the cheapest way for this vertex to go, where there is one.
+/// Queues the cheapest valid collapse of this vertex, if any.
 void EdgeCollapser::enqueue(std::uint32_t from) {
   changed_[from] = false;
   if (stays_[from]) return;
@@ -88,15 +89,15 @@ EdgeCollapser::Candidate EdgeCollapser::candidate(std::uint32_t from, std::uint3
     if (gone_[t] || has(triangles_[t], into)) continue;
     std::array<Vec3f, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = at_[triangles_[t][k] == from ? into : triangles_[t][k]];
-    const Vec3f at = place_near(at_[from], corners[0], corners[1], corners[2]).at;
+    const Vec3f at = point_on_triangle_near(at_[from], corners[0], corners[1], corners[2]).at;
     nearest = std::min(nearest, (at_[from] - at).squaredNorm());
   }
   const float moved = moved_[from] + std::sqrt(nearest);
   return {moved * moved + share_of_length * length, moved, from, into};
 }
 
-/// Tells whether the surface stays what it is: the two share exactly the two neighbours of their edge, and no
-/// triangle turns over or loses its area.
+/// Returns whether the collapse preserves the topology: the two vertices share exactly two neighbours, and no
+/// triangle flips or loses its area.
 bool EdgeCollapser::may_collapse(std::uint32_t from, std::uint32_t into) const {
   const auto near_from = neighbours(from), near_into = neighbours(into);
   std::vector<std::uint32_t> common;
@@ -148,7 +149,7 @@ bool EdgeCollapser::reduce_to(std::size_t triangles) {
   return true;
 }
 
-std::uint32_t EdgeCollapser::stand_in(std::uint32_t v) const {
+std::uint32_t EdgeCollapser::replacement_of(std::uint32_t v) const {
   while (into_[v] != v) v = into_[v];
   return v;
 }

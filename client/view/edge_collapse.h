@@ -1,7 +1,8 @@
 #pragma once
-// Fewer triangles over the same vertices: edges collapse into one of their ends, first where that moves the
-// surface least. Each vertex adds up how far what it stands for has moved. So do Klein, Liebich, Straßer,
-// Mesh reduction with error control, IEEE Visualization 1996; here it is by distances at vertices alone.
+// Mesh simplification over the same vertices: edges collapse into one of their ends, in order of the least
+// surface displacement. Each vertex accumulates the displacement of the surface that it represents. Method:
+// Klein, Liebich, Straßer, Mesh reduction with error control, IEEE Visualization 1996, but with distances at
+// vertices only.
 
 #include <array>
 #include <cstdint>
@@ -15,24 +16,24 @@ namespace prosector {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// A surface while its edges collapse. Vertices on open edges, and where more than two triangles meet in an
-/// edge, stay. The result depends on nothing but what it was given.
+/// A surface under simplification by edge collapses. Vertices on open edges and on non-manifold edges (more
+/// than two triangles) stay. The result depends only on the arguments.
 class EdgeCollapser {
  public:
-  /// Takes `positions` that outlive it.
+  /// Stores a reference to `positions`, which must outlive this object.
   EdgeCollapser(std::span<const Eigen::Vector3f> positions, const Triangles& triangles);
 
-  /// Collapses edges until that many triangles are left. Returns false where no more edges can collapse
-  /// without a triangle turning over or the surface changing its topology.
+  /// Collapses edges until `triangles` are left. Returns false if no further edge can collapse without
+  /// flipping a triangle or changing the surface's topology.
   bool reduce_to(std::size_t triangles);
   bool is_gone(std::size_t triangle) const { return gone_[triangle]; }
-  /// Returns the vertex that `v` collapsed into, and that in turn; itself while it is there.
-  std::uint32_t stand_in(std::uint32_t v) const;
+  /// Returns the vertex that `v` collapsed into, followed to the end of the chain; `v` itself if it remains.
+  std::uint32_t replacement_of(std::uint32_t v) const;
 
  private:
   struct Candidate {
     float cost;   // m²
-    float moved;  // m, that the surface at `from` will have, altogether
+    float moved;  // m: accumulated displacement of the surface at `from` after the collapse
     std::uint32_t from, into;
     bool operator>(const Candidate& o) const { return cost != o.cost ? cost > o.cost : from > o.from; }
   };
@@ -41,10 +42,11 @@ class EdgeCollapser {
   Triangles triangles_;
   std::vector<bool> gone_;  // by triangle
   std::size_t left_;
-  std::vector<std::vector<std::uint32_t>> around_;  // triangles at each vertex; some may be gone
-  std::vector<bool> stays_, changed_;  // by vertex; changed_: near it, since its candidate was queued
-  std::vector<std::uint32_t> into_;    // by vertex; itself: it is there
-  std::vector<float> moved_;           // m, by vertex: how far the surface that it stands for did
+  std::vector<std::vector<std::uint32_t>> around_;  // triangles at each vertex; some may be removed
+  // By vertex; changed_: its surroundings changed since its candidate was queued.
+  std::vector<bool> stays_, changed_;
+  std::vector<std::uint32_t> into_;  // by vertex; its own index if it remains
+  std::vector<float> moved_;  // m, by vertex: accumulated displacement of the surface that it represents
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 
   void keep_borders();

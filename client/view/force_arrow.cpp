@@ -8,8 +8,9 @@ namespace {
 
 constexpr double per_newton = 0.02, longest = 0.15;  // m/N, m
 constexpr double least_force = 0.05;                 // N
-constexpr double head = 0.25, spread = 0.12;         // of its length: how long its head is, how wide
-constexpr double head_width = 3, shaft_width = 4;    // points
+// Length and half-width of its head, per length.
+constexpr double head = 0.25, spread = 0.12;
+constexpr double head_width = 3, shaft_width = 4;  // points
 const Vec3 arrow_color{1.0, 0.62, 0.12};
 
 }  // namespace

@@ -1,12 +1,12 @@
 #pragma once
-// The force that a hand would feel, drawn for who has no arm to feel it with.
+// Arrow of the contact force on a hand, for users without a haptic device.
 
 #include "client/view/draw_list.h"
 
 namespace prosector {
 
-/// Adds an arrow from where the hand touches (m, world frame) along the force on it, N. It is as long as the
-/// force is large, up to a length that still fits the picture; a force that hardly is gets none.
+/// Adds an arrow from the contact point (m, world frame) along the force on the hand, N. Its length is
+/// proportional to the force up to a maximum. Very small forces have no arrow.
 void add_force_arrow(DrawList& list, const Vec3& point, const Vec3& force);
 
 }  // namespace prosector

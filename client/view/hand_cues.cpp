@@ -9,14 +9,16 @@ namespace {
 
 constexpr std::size_t sides = 24;
 constexpr double shadow_radius = 0.03, ring_radius = 0.012;  // m
-constexpr double farthest = 1;                               // m: below that nothing is told
-constexpr double from_above = 0.03;     // m: rays begin there, for fingertips may be in the surface
-constexpr double steepest_step = 0.03;  // m: a surface that drops by more beside the hand is another place
-constexpr double lift = 0.0015;         // m, off the surface
-constexpr double darkest = 0.55, fades_over = 0.12;  // opacity at a touch; m over which it fades to a tenth
+constexpr double farthest = 1;                               // m: no cues for surfaces farther below
+// m: height of the rays' origins, because fingertips may be below the surface.
+constexpr double from_above = 0.03;
+constexpr double steepest_step = 0.03;               // m: largest height difference within the shadow
+constexpr double lift = 0.0015;                      // m, off the surface
+constexpr double darkest = 0.55, fades_over = 0.12;  // opacity at contact; m over which it falls to a tenth
 const Vec3 line_color{0.85, 0.9, 0.95};
 
-/// Returns the place on the body below or above a place beside its middle.
+/// Returns the point on the body below or above a point at `radius` from the centre, at an angle given by
+/// `side`.
 Vec3 draped(const Vec3& middle, double radius, std::size_t side, const FindSurface& find, BodyId body) {
   const double angle = 2 * std::numbers::pi * static_cast<double>(side) / sides;
   const Vec3 beside = middle + radius * Vec3(std::cos(angle), 0, -std::sin(angle));
@@ -61,7 +63,8 @@ void HandCues::add(DrawList& list, const Vec3& fingertips, const FindSurface& fi
       mesh.positions[sides + k] = outer[k].cast<float>();
     }
     ++mesh.positions_revision;
-    const double out = (static_cast<double>(band) + 0.5) / bands;  // of the way to the rim
+    // Fraction of the distance from the centre to the rim.
+    const double out = (static_cast<double>(band) + 0.5) / bands;
     list.items.push_back(
         {.mesh = shadow_[band],
          .pose = {},

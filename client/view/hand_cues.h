@@ -1,6 +1,6 @@
 #pragma once
-// What tells how far a hand is from what lies below it. A line leads down from the fingertips to a ring. A
-// shadow there grows darker as they come near.
+// Depth cues of a hand: a line from the fingertips down to a ring on the surface below, and a shadow there
+// that darkens as they approach.
 
 #include <array>
 #include <memory>
@@ -13,12 +13,12 @@ namespace prosector {
 
 class HandCues {
  public:
-  /// Adds the cues of a hand whose fingertips are there (m, world frame); over nothing there are none.
-  /// Meshes get ids from `next_mesh_id` on.
+  /// Adds the cues of a hand with fingertips at `fingertips` (m, world frame); none if no surface is below.
+  /// Takes mesh ids from `next_mesh_id`.
   void add(DrawList& list, const Vec3& fingertips, const FindSurface& find, std::uint64_t& next_mesh_id);
 
  private:
-  static constexpr std::size_t bands = 7;  // of the shadow, from its middle outwards
+  static constexpr std::size_t bands = 7;  // of the shadow, from its centre outwards
   std::array<std::shared_ptr<DrawMesh>, bands> shadow_;
 
   void make_meshes(std::uint64_t& next_mesh_id);

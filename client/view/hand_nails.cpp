@@ -7,17 +7,19 @@
 namespace prosector {
 namespace {
 
-// A nail is a thin plate around the back of the fingertip. Lengths are in radii of its bone.
-constexpr double half_angle = 0.68;              // rad around the bone, from the middle to each side
-constexpr double root = 1.2, free_edge = -0.08;  // from the bone's end, towards the hand
-constexpr double thickness = 0.05, sunk = 0.06;  // over the skin in the middle; its rim, below the plate
-constexpr double tip_radius = 0.83;              // of the flesh at the bone's end, a ball
-constexpr double tip_middle = 0.5;               // of that ball, from the bone's end
-constexpr double growth = 0.085;                 // of the flesh's radius, along a radius towards the hand
-constexpr double overhang = 0.88;                // of the tip's radius: the plate doesn't bend down further
-constexpr double corner = 0.65;                  // 1: an ellipse; nearer to 0: a rectangle
+// A nail is a thin plate around the back of the fingertip. Lengths are in units of its bone's radius.
+constexpr double half_angle = 0.68;              // rad around the bone, from the centre line to each side
+constexpr double root = 1.2, free_edge = -0.08;  // from the bone's end, positive towards the hand
+// Height of the centre over the skin; depth of the rim below the plate.
+constexpr double thickness = 0.05, sunk = 0.06;
+constexpr double tip_radius = 0.83;  // of the flesh at the bone's end, a sphere
+constexpr double tip_middle = 0.5;   // centre of that sphere, from the bone's end
+constexpr double growth = 0.085;     // increase of the flesh's radius per unit of length towards the hand
+// In units of the tip's radius: smallest radius to which the plate curves down.
+constexpr double overhang = 0.88;
+constexpr double corner = 0.65;  // exponent: 1: an ellipse; nearer to 0: a rectangle
 constexpr std::uint32_t nail_around = 24, nail_rings = 6;            // the last ring is the rim, in the skin
-constexpr std::uint32_t nail_points = nail_around * nail_rings + 1;  // of a nail
+constexpr std::uint32_t nail_points = nail_around * nail_rings + 1;  // per nail
 
 /// Returns the outermost joint of a finger.
 constexpr std::size_t last_joint(std::size_t finger) {
@@ -29,14 +31,14 @@ struct NailPoint {
   Vec3 at, normal;
 };
 
-/// Returns how far the plate's lower side is from the bone's axis.
+/// Returns the distance of the plate's lower side from the bone's axis.
 double plate_radius(double z) {
-  const double ahead = tip_middle - z;  // of the ball's middle
+  const double ahead = tip_middle - z;  // of the sphere's centre
   if (ahead < 0) return tip_radius - growth * ahead;
   return std::max(std::sqrt(std::max(tip_radius * tip_radius - ahead * ahead, 0.0)), overhang * tip_radius);
 }
 
-/// Returns point k of a nail: its middle, then ring after ring, the rim last.
+/// Returns point k of a nail: its centre, then ring after ring, the rim last.
 NailPoint nail_point(std::uint32_t k) {
   const std::uint32_t ring = k == 0 ? 0 : (k - 1) / nail_around + 1;
   const bool rim = ring == nail_rings;

@@ -5,7 +5,7 @@ namespace {
 
 const Vec3 edge_color{1, 0.88, 0.4};
 constexpr double edge_width = 2, guide_width = 1.6;  // points
-constexpr double reach = 0.08;                       // m ahead of the tip
+constexpr double reach = 0.08;                       // m: largest distance of tissue ahead of the tip
 constexpr double behind = 0.015, ahead = 0.025;      // m
 
 }  // namespace
@@ -23,7 +23,7 @@ void add_edges(DrawList& list, const std::vector<CuttingEdge>& edges, const Pose
                           .b = pose * edge.to,
                           .color = edge_color,
                           .width = edge_width,
-                          .shines_through = true});
+                          .faint_when_occluded = true});
 }
 
 std::vector<Vec3> next_cut(const Replica& replica, const BladeFrame& blade, const FindSurface& find) {
@@ -31,7 +31,8 @@ std::vector<Vec3> next_cut(const Replica& replica, const BladeFrame& blade, cons
   if (!point || point->distance > blade.length + reach) return {};
   if (replica.scene()->bodies[point->body].kind != BodyKind::soft) return {};
   const Vec3 along = blade.ahead - blade.ahead.dot(point->normal) * point->normal;
-  constexpr double aslant = 0.2;  // an edge that looks straight down draws nowhere
+  // An edge that faces almost straight into the surface has no cutting direction.
+  constexpr double aslant = 0.2;
   if (along.norm() < aslant) return {};
   return draped_line(find, *point, along.normalized(), behind, ahead);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Blades in people's hands: bright edges, and lines on tissue where they would cut.
+// Hand-held blades: highlighted edges, and predicted cut lines on tissue.
 
 #include <vector>
 
@@ -10,17 +10,17 @@
 
 namespace prosector {
 
-/// Tells whether the body is a blade in somebody's hand.
+/// Returns whether the body is a blade in a user's hand.
 bool is_held_blade(const Replica& replica, BodyId body);
 
-/// Adds the edges, which shine through what hides them. `pose`: of the body.
+/// Adds the edges as lines that stay faintly visible where occluded. `pose`: of the body.
 void add_edges(DrawList& list, const std::vector<CuttingEdge>& edges, const Pose& pose);
 
-/// Returns the line on the tissue that a blade over it or in it would cut next, when its tip goes on along
-/// the edge; empty: there is none near. `find` leaves the blade out, `blade` is in the world frame.
+/// Returns the predicted line of the next cut on the tissue below or around the blade, if its tip moves on
+/// along the edge; empty: no tissue near. `find` must ignore the blade; `blade` is in the world frame.
 std::vector<Vec3> next_cut(const Replica& replica, const BladeFrame& blade, const FindSurface& find);
 
-/// Adds a line on tissue where a blade would cut.
+/// Adds the line of a predicted cut on tissue.
 void add_guide(DrawList& list, const std::vector<Vec3>& line);
 
 }  // namespace prosector

@@ -11,9 +11,9 @@ namespace prosector {
 namespace {
 
 constexpr double board_margin = 8, board_gap = 8;                // points
-constexpr double board_letters = 13, least_board_letters = 3.5;  // points, of the em
+constexpr double board_letters = 13, least_board_letters = 3.5;  // points, em heights
 
-/// Returns the line that the second block begins with: the heading nearest to the middle, if that is near.
+/// Returns the first line of the second block: the heading nearest to the middle, if one is near.
 std::size_t middle_of(const std::vector<std::string>& lines) {
   const double half = 0.5 * static_cast<double>(lines.size());
   const auto off = [&](std::size_t k) { return std::abs(static_cast<double>(k) - half); };

@@ -1,5 +1,5 @@
 #pragma once
-// The help as a board of its own over the picture.
+// The help text as a separate board over the view.
 
 #include <string>
 
@@ -7,8 +7,9 @@
 
 namespace prosector {
 
-/// Adds the help (client/app/controls.h, columns divided by tabs) in two blocks beside each other, from a
-/// device's heading on where that halves it well. Both shrink until all of it is in the picture.
+/// Adds the help (client/app/terminal/controls.h, columns separated by tabs) as two blocks side by side. The
+/// second block begins at a device's heading if one is near the middle. Both blocks shrink until they fit
+/// into the view.
 void add_help(DrawList& list, const std::string& help);
 
 }  // namespace prosector

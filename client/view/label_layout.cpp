@@ -7,10 +7,11 @@
 namespace prosector {
 namespace {
 
-constexpr double bonus_of_shown = 1.5;  // times the weight
-constexpr double side_band = 0.08;  // of the columns' distance: so far past the middle a label keeps its side
+constexpr double bonus_of_shown = 1.5;  // factor of the weight
+constexpr double side_band = 0.08;      // fraction of the columns' distance: a label keeps its side until its
+                                        // anchor is this far past the middle
 
-using Side = std::vector<const LabelWanted*>;  // of a column, from the top
+using Side = std::vector<const LabelWanted*>;  // labels of a column, from the top
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -34,7 +35,7 @@ std::size_t capacity_of(const LabelColumns& columns) {
   return room < 0 ? 0 : static_cast<std::size_t>(room / columns.spacing) + 1;
 }
 
-/// Keeps the heaviest that there is room for.
+/// Keeps the labels with the largest weights, at most `most`.
 void choose(std::vector<LabelWanted>& wanted, std::size_t most, const LabelOrder& before) {
   const auto rank = [&](const LabelWanted& label) {
     const bool shown = has(before.left, label.id) || has(before.right, label.id);
@@ -44,8 +45,8 @@ void choose(std::vector<LabelWanted>& wanted, std::size_t most, const LabelOrder
   if (wanted.size() > most) wanted.resize(most);
 }
 
-/// Returns the tops of boxes that stand as near to the wanted heights (ascending) as they can without
-/// covering each other: isotonic regression by pooling neighbours.
+/// Returns the tops of boxes as near to the wanted heights (ascending) as possible without overlap: isotonic
+/// regression by pooling adjacent violators.
 std::vector<double> tops_for(const std::vector<double>& wanted, const LabelColumns& columns) {
   if (wanted.empty()) return {};
   struct Pool {
@@ -74,7 +75,7 @@ std::vector<double> tops_for(const std::vector<double>& wanted, const LabelColum
   return out;
 }
 
-/// Returns where a column's leaders begin, from the top.
+/// Returns the ports of a column's leaders, from the top.
 std::vector<Eigen::Vector2d> ports_of(const Side& side, bool at_left, const LabelColumns& columns) {
   std::vector<double> heights;
   for (const LabelWanted* label : side) heights.push_back(label->anchor.y() - columns.height / 2);
@@ -92,8 +93,8 @@ bool is_free_of_crossings(const Side& side, const std::vector<Eigen::Vector2d>& 
   return true;
 }
 
-/// Orders a column so that no leaders cross. The port at the top takes the anchor that has all others below
-/// the line to it; so what is left, ports and anchors, lies below that leader, too.
+/// Orders a column so that no leaders cross. The top port takes the anchor for which all other anchors are
+/// below the leader. The remaining ports and anchors are then below that leader, too.
 void match(Side& side, const std::vector<Eigen::Vector2d>& ports) {
   for (std::size_t k = 0; k < side.size(); ++k) {
     const auto direction = [&](const LabelWanted* label) {
@@ -106,7 +107,7 @@ void match(Side& side, const std::vector<Eigen::Vector2d>& ports) {
   }
 }
 
-/// Puts a column's labels into the order that they had, and new ones between them by their anchors' heights.
+/// Restores the previous order of a column's labels, and inserts new ones by their anchors' heights.
 void keep_order(Side& side, const std::vector<std::uint32_t>& before) {
   const auto place = [&](const LabelWanted* label) { return std::ranges::find(before, label->id); };
   const auto fresh = std::stable_partition(side.begin(), side.end(),
@@ -124,8 +125,8 @@ struct Sides {
   Side left, right;
 };
 
-/// Shares the labels out between the columns, by their anchors' side of the middle. With `before`, a label
-/// stays on its side until its anchor is far past the middle.
+/// Distributes the labels between the columns by the side of their anchors. With `before`, a label stays on
+/// its side until its anchor is far past the middle.
 Sides share_out(const std::vector<LabelWanted>& labels, const LabelColumns& columns,
                 const LabelOrder* before) {
   const double middle = (columns.left + columns.right) / 2, band = side_band * (columns.right - columns.left);

@@ -1,6 +1,6 @@
 #pragma once
-// Labels in two columns beside what they name, with leader lines that do not cross (boundary labelling). In
-// points of a picture, y downwards.
+// Boundary labelling: labels in two columns next to the objects that they name, with leader lines that do not
+// cross. In points of a view, y downwards.
 
 #include <cstdint>
 #include <vector>
@@ -9,31 +9,31 @@
 
 namespace prosector {
 
-/// A label that would be shown if there is room.
+/// A label to show if there is room.
 struct LabelWanted {
   std::uint32_t id = 0;
-  Eigen::Vector2d anchor;  // that its leader ends at, between the columns
-  double width = 0;        // of its box, no more than a column
-  double weight = 0;       // the heavier it is, the sooner it is shown
+  Eigen::Vector2d anchor;  // end of its leader, between the columns
+  double width = 0;        // of its box, at most the column's width
+  double weight = 0;       // labels with larger weights are shown first
 };
 
 struct LabelColumns {
-  double top = 0, bottom = 0;  // that boxes stay between
-  double left = 0, right = 0;  // inner ends of the left and the right column
-  double spacing = 0;          // from one box's top to the next one's, above a box's height
+  double top = 0, bottom = 0;  // vertical range of the boxes
+  double left = 0, right = 0;  // inner borders of the left and the right column
+  double spacing = 0;          // from one box's top to the next one's, more than the boxes' height
   double height = 0;           // of a box
-  std::size_t most = 0;        // labels
+  std::size_t most = 0;        // maximum number of labels
 };
 
 struct PlacedLabel {
   std::uint32_t id = 0;
   bool at_left = false;
-  Eigen::Vector2d anchor, port;  // of its leader: from the port, at the box, to the anchor
+  Eigen::Vector2d anchor, port;  // leader from the port, at the box, to the anchor
   Eigen::AlignedBox2d box = {};
   double weight = 0;
 };
 
-/// Which labels were shown where, from the top: what keeps the next layout like the last one.
+/// Ids of the shown labels of each column, from the top. It keeps the next layout similar to the last one.
 struct LabelOrder {
   std::vector<std::uint32_t> left, right;
 };
@@ -43,13 +43,13 @@ struct LabelLayout {
   LabelOrder order;
 };
 
-/// Places labels so that no two boxes overlap and no two leaders cross. The heaviest are shown; those that
-/// were there before count half as much again. A label stays on its side, and in its place of the order, as
-/// long as no leaders cross. Boxes stand as near to the heights of their anchors as the others let them.
+/// Places labels so that no two boxes overlap and no two leaders cross. Shows the labels with the largest
+/// weights; labels in `before` count 1.5 times. A label keeps its side and its position in the order as long
+/// as no leaders cross. Boxes are as near to their anchors' heights as the other boxes allow.
 LabelLayout lay_out_labels(std::vector<LabelWanted> wanted, const LabelColumns& columns,
                            const LabelOrder& before);
 
-/// Tells whether two leaders have a point in common.
+/// Returns whether two leaders have a point in common.
 bool leaders_cross(const PlacedLabel& a, const PlacedLabel& b);
 
 }  // namespace prosector

@@ -7,21 +7,24 @@
 namespace prosector {
 namespace {
 
-constexpr double reserve = 0.7;             // of what a level may be off, below which it is taken up
-constexpr int pictures_until_settled = 20;  // unchanged, before a mesh's detail is made
-constexpr std::uint64_t pictures_kept = 300;
+// Hysteresis: fraction of the allowed error below which a coarser level is chosen.
+constexpr double reserve = 0.7;
+constexpr int frames_until_settled = 20;  // frames without change before a mesh's levels are made
+constexpr std::uint64_t frames_cached = 300;
 
-/// Colours of vertices are shown as they are, light in air has no surface.
-bool has_levels(const DrawItem& item) {
-  return item.mesh && !item.painted && !item.shaft && item.mesh->triangles.size() >= least_detailed;
+/// Returns whether the item can have levels of detail. Painted items show the colours of all vertices; light
+/// shafts have no surface.
+bool can_have_levels(const DrawItem& item) {
+  return item.mesh && !item.painted && !item.shaft && item.mesh->triangles.size() >= min_detail_triangles;
 }
 
 const std::vector<Eigen::Vector3f>& rest_of(const DrawMesh& mesh) {
   return mesh.rest_positions.empty() ? mesh.positions : mesh.rest_positions;
 }
 
-/// Returns the metres that a pixel shows where the ball is nearest to an eye; 0: an eye is in it.
-double finest_pixel(const std::vector<DrawCamera>& cameras, const Sphere& bounds) {
+/// Returns the size in metres of a pixel at the sphere's point nearest to an eye; 0: an eye is inside the
+/// sphere.
+double smallest_pixel_size(const std::vector<DrawCamera>& cameras, const Sphere& bounds) {
   double finest = std::numeric_limits<double>::infinity();
   for (const DrawCamera& camera : cameras) {
     const double distance = (bounds.center - camera.pose.p).norm() - bounds.radius;
@@ -33,9 +36,9 @@ double finest_pixel(const std::vector<DrawCamera>& cameras, const Sphere& bounds
 }  // namespace
 
 void add_detail(DrawList& list) {
-  std::map<std::uint64_t, std::shared_ptr<const Detail>> made;  // by the mesh's id
+  std::map<std::uint64_t, std::shared_ptr<const Detail>> made;  // by mesh id
   for (DrawItem& item : list.items) {
-    if (!has_levels(item) || item.detail) continue;
+    if (!can_have_levels(item) || item.detail) continue;
     std::shared_ptr<const Detail>& detail = made[item.mesh->id];
     if (!detail)
       detail = std::make_shared<const Detail>(make_detail(rest_of(*item.mesh), item.mesh->triangles));
@@ -52,14 +55,15 @@ void LevelOfDetail::choose(DrawList& list, double pixels) {
   take_made();
   for (DrawItem& item : list.items) {
     item.level = 0;
-    if (!has_levels(item)) continue;
+    if (!can_have_levels(item)) continue;
     Known& known = know(item);
     item.detail = known.detail;
-    const double error = pixels * finest_pixel(list.cameras, placed(known.bounds, item)) / stretch_of(item);
+    const double error =
+        pixels * smallest_pixel_size(list.cameras, placed(known.bounds, item)) / stretch_of(item);
     item.level = known.level = level_of(known, *item.mesh, error);
   }
   std::erase_if(known_,
-                [&](const auto& entry) { return entry.second.last_picture + pictures_kept < picture_; });
+                [&](const auto& entry) { return entry.second.last_picture + frames_cached < picture_; });
 }
 
 void LevelOfDetail::take_made() {
@@ -91,7 +95,7 @@ LevelOfDetail::Known& LevelOfDetail::know(const DrawItem& item) {
   known.positions_revision = mesh.positions_revision;
   known.last_picture = picture_;
   if (item.detail) known.detail = item.detail;
-  if (!known.detail && ++known.pictures_unchanged == pictures_until_settled)
+  if (!known.detail && ++known.frames_unchanged == frames_until_settled)
     wanted_.push_back({mesh.id, mesh.revision, rest_of(mesh), mesh.triangles});
   return known;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which of a mesh's triangles are worth drawing: the coarsest level that nobody can tell from the mesh.
+// Level-of-detail selection: the coarsest level that is visually indistinguishable from the mesh.
 
 #include <cstdint>
 #include <deque>
@@ -12,28 +12,28 @@
 
 namespace prosector {
 
-/// Makes the detail of every item that is worth it and has none.
+/// Makes the levels of detail of every eligible item that has none.
 void add_detail(DrawList& list);
 
-/// A choice of level for each mesh. It remembers what it chose, so that a level doesn't come and go with
-/// every small step of the eye. It makes what detail is missing in the background, one mesh after the other.
-/// Until then a mesh is drawn in full, and so is one whose triangles keep changing because it is being cut.
+/// Level selection for each mesh, with hysteresis, so that small motions of the eye don't switch levels back
+/// and forth. Missing levels are made in the background, one mesh after the other. Until then a mesh is drawn
+/// in full, as is one whose triangles keep changing because it is being cut.
 class LevelOfDetail {
  public:
-  /// Gives each item the coarsest level that is off by no more than `pixels` for any of the list's cameras,
-  /// measured in the middle of its picture. 0: all are drawn in full. Both eyes, insets and shadows share a
+  /// Sets each item's level to the coarsest one with an error of at most `pixels` in any of the list's
+  /// cameras, at the scale of the view's centre. 0: all are drawn in full. Eyes, insets and shadows share a
   /// level.
   void choose(DrawList& list, double pixels);
 
  private:
-  /// What is known of a mesh.
+  /// Cached data of a mesh.
   struct Known {
     std::uint64_t revision = 0, positions_revision = 0;
     Sphere bounds;
     std::shared_ptr<const Detail> detail;
-    std::vector<double> errors, measured_to;  // by level − 1: error_of(), and its `enough`
+    std::vector<double> errors, measured_to;  // by level − 1: error_of(), and the `enough` it was called with
     std::size_t level = 0;
-    int pictures_unchanged = 0;
+    int frames_unchanged = 0;
     std::uint64_t last_picture = 0;
   };
   struct Wanted {

@@ -9,9 +9,9 @@ namespace prosector {
 namespace {
 
 constexpr int sides = 48, rings = 6;
-constexpr double lamp_share = 0.18;  // of the base's radius: the shaft's radius at the lamp
-constexpr double strength = 0.34;    // of the lamp's colour that the dust sends on
-constexpr double beyond = 1.15;      // the shaft is a little wider than the part
+constexpr double lamp_share = 0.18;  // radius at the lamp, as a fraction of the base's radius
+constexpr double strength = 0.34;    // fraction of the lamp's colour that the dust scatters
+constexpr double beyond = 1.15;      // ratio of the shaft's width to the part's
 
 }  // namespace
 

@@ -51,8 +51,8 @@ void MessageLines::Lane::say(std::string text, double now) {
   }
 }
 
-/// Takes away what has been read, and puts what waits in its place. Where the room became less, the oldest
-/// line waits again unless it was there for long enough.
+/// Removes messages past their time and shows waiting ones. If the room has shrunk, the oldest line waits
+/// again unless it was shown long enough.
 void MessageLines::Lane::fill(double now, std::size_t room, const Catalogue& words) {
   std::erase_if(shown, [&](const Line& line) { return line.until <= now; });
   for (; shown.size() > room; shown.erase(shown.begin()))
@@ -62,7 +62,7 @@ void MessageLines::Lane::fill(double now, std::size_t room, const Catalogue& wor
     if (shown.size() == room) shown.erase(shown.begin());
     std::string text = std::move(waiting.front());
     waiting.pop_front();
-    if (left_out > 0) text = words.tr("{} (and {} before it)", text, std::exchange(left_out, 0));
+    if (left_out > 0) text = words.tr("{} (and {} earlier)", text, std::exchange(left_out, 0));
     shown.push_back({text, 1, now, now + reading_time(text)});
   }
 }

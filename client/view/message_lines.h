@@ -1,5 +1,5 @@
 #pragma once
-// The lines of messages in a picture: what happened a moment ago, in words, for as long as reading takes.
+// Message lines in a view: recent events as text, shown as long as reading them takes.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,25 +12,26 @@
 
 namespace prosector {
 
-/// Whether a message answers what the user did, or is news of others and of the simulation.
+/// Whether a message responds to the user's own action, or is news about others and the simulation.
 enum class MessageKind : std::uint8_t { own, news };
 
-/// Shows at most two messages at a time. What answers the user's own deeds has a line of its own, the lowest,
-/// which no news push out. Further messages wait until one was there for as long as reading it takes, or for
-/// 1.5 s if that is shorter. More than eight do not wait: the oldest waiting ones are counted instead. Time
-/// is in seconds of any clock that never goes back.
+/// Shows at most two messages at a time. Responses to the user's own actions have the lowest line, which news
+/// never displace. Further messages wait until a shown one has stayed for its reading time, or for 1.5 s if
+/// that is shorter. At most eight wait: beyond that the oldest waiting messages are counted instead. Times
+/// are in seconds of any monotonic clock.
 class MessageLines {
  public:
   explicit MessageLines(Catalogue words = {}) : words_(std::move(words)) {}
 
-  /// Takes a message. One that is shown already is counted there, and stays for longer.
+  /// Adds a message. If the same message is shown already, increments its count and extends its time.
   void say(std::string text, double now, MessageKind kind = MessageKind::news);
-  /// Returns the lines to draw, news first, of each kind the oldest first: "hand: tracked again (3 times)".
+  /// Returns the lines to draw: news first, and the oldest first within each kind. Example: "hand: tracked
+  /// again (3 times)".
   std::vector<std::string> shown(double now);
 
   static constexpr std::size_t lines = 2, most_waiting = 8;
-  static constexpr double least_stay = 1.5;  // s, of a message that others wait for
-  /// Returns how long (s) a message stays, by its length: as reading aloud would take, within bounds.
+  static constexpr double least_stay = 1.5;  // s, of a message while others wait
+  /// Returns how long (s) a message stays: the time to read it aloud, within bounds.
   static double reading_time(const std::string& text);
 
  private:

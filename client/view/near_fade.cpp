@@ -7,9 +7,9 @@ namespace prosector {
 namespace {
 
 constexpr double gone_at = 0.05;      // m ahead of the eye; more than any camera's near plane
-constexpr double fade_margin = 0.09;  // m outside the picture: as long as an edge of what fades
+constexpr double fade_margin = 0.09;  // m outside the view frustum: edge length of the fading items
 
-/// Returns how far ahead of the eye the item's nearest vertex is that is in the picture or just beside it, m.
+/// Returns the distance ahead of the eye, m, of the item's nearest vertex within the view or its margin.
 double nearest_in(const DrawItem& item, const DrawCamera& camera) {
   const Pose eye = camera.pose.inverse();
   double out = std::numeric_limits<double>::infinity();

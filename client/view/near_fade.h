@@ -1,5 +1,5 @@
 #pragma once
-// Items of a list that go out before the near plane of an eye cuts them open.
+// Fade-out of items before an eye's near plane clips them.
 
 #include <span>
 
@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Fades items that come nearer to an eye of the list than `near_fade_begins`, within its picture. Before the
-/// near plane they are gone.
+/// Fades items within the view that are nearer to an eye of the list than `near_fade_begins`. They are
+/// invisible before they reach the near plane.
 void fade_near_eyes(DrawList& list, std::span<const std::size_t> items);
 
 inline constexpr double near_fade_begins = 0.12;  // m ahead of the eye

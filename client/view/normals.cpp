@@ -10,7 +10,7 @@ namespace {
 
 using TriangleSpan = std::span<const std::array<std::uint32_t, 3>>;
 
-/// Disjoint sets over triangle corners 3·t + k.
+/// Union-find over triangle corners 3·t + k.
 class CornerSets {
  public:
   explicit CornerSets(std::size_t corners) : parent_(corners) {
@@ -30,7 +30,7 @@ struct EdgeCorners {
   std::uint32_t triangle, low, high;  // corners at the edge's lower and higher vertex
 };
 
-/// Unites corners of one vertex that belong together: their triangles meet in a flat enough edge.
+/// Unites the corners of a vertex across edges with a small crease angle.
 CornerSets smooth_corners(TriangleSpan triangles, const std::vector<Vec3>& face_normals, double cos_angle) {
   CornerSets sets(3 * triangles.size());
   std::unordered_map<std::uint64_t, EdgeCorners> first_at_edge;
@@ -66,7 +66,7 @@ CreasedMesh split_creases(const TriangleMesh& mesh, double angle) {
 
   CreasedMesh out;
   constexpr std::uint32_t none = 0xffffffff;
-  std::vector<std::uint32_t> vertex_of(3 * mesh.triangles.size(), none);  // by a set's representative
+  std::vector<std::uint32_t> vertex_of(3 * mesh.triangles.size(), none);  // by the set's representative
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> triangle{};
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -1,25 +1,25 @@
 #pragma once
-// Where things stand that lie over a picture. They are laid out in points (DrawList::scale).
+// Coordinates of overlays over a view, in points (DrawList::scale).
 
 #include "client/view/draw_list.h"
 
 namespace prosector {
 
-/// Points at the lower border that messages have for themselves.
+/// Height in points of the band at the lower border that is reserved for messages.
 inline constexpr double message_band = 48;
 
 struct OverlayFrame {
-  double width, height;  // of the picture, points
-  double lowest;         // that overlays reach down to, points from the top: below is the time bar's
+  double width, height;  // of the view, points
+  double lowest;         // lower limit of overlays, points from the top; the time bar is below it
 
   OverlayFrame(const DrawCamera& camera, double scale)
       : width(camera.width / scale), height(camera.height / scale), lowest(height) {}
-  /// Takes the frame of the list's first camera.
+  /// Takes the size from the list's first camera.
   explicit OverlayFrame(const DrawList& list) : OverlayFrame(list.cameras.front(), list.scale) {
     lowest -= list.strip;
   }
 
-  /// Returns the end of an overlay line: normalised device coordinates of points from the top left.
+  /// Converts points from the top left to the normalised device coordinates of an overlay line.
   Vec3 at(double x, double y) const { return {2 * x / width - 1, 1 - 2 * y / height, 0}; }
 };
 

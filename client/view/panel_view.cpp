@@ -8,18 +8,18 @@
 #include "client/text/text_block.h"
 #include "client/view/body_mesh.h"
 #include "client/view/price_strip.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {
 
-constexpr double cap_depth = 0.014;      // m, of the caps as drawn: they end within the board
+constexpr double cap_depth = 0.014;      // m, drawn depth of the caps: they end within the board
 constexpr double label_height = 0.0135;  // m
 constexpr double mark_height = 0.010;    // m, of the slider's marks
 constexpr double rim = 0.004;            // m, of the board
-constexpr double over_surface = 0.0004;  // m: writing over what it stands on
-constexpr double label_margin = 0.004;   // m, beside and above a label on its cap
-constexpr double least_name = 0.010;     // m: down to which a name shrinks to fit
+constexpr double over_surface = 0.0004;  // m: height of text over its surface
+constexpr double label_margin = 0.004;   // m, around a label on its cap
+constexpr double least_name = 0.010;     // m: minimum em height of a name that shrinks to fit
 
 constexpr double info_width = panel_info.right - panel_info.left;                              // m
 constexpr double description_height = panel_info.top - panel_info.bottom - panel_head_height;  // m
@@ -35,9 +35,9 @@ std::shared_ptr<const DrawMesh> box(const Vec3& size, double rounding, std::uint
   return rigid_mesh(mesh_of(part), id);
 }
 
-/// Where writing stands on the panel, in its frame, and what it has to fit into, m.
+/// Position of a text on the panel, in the panel's frame, and the size that it must fit into, m.
 struct Place {
-  Vec3 at;  // its top left; of what is centred its middle
+  Vec3 at;  // its top left; of centred text its centre
   double width = 0, height = 0;
 };
 
@@ -59,12 +59,12 @@ DrawText write_centred(const Pose& panel, const Place& place, std::string text, 
   return out;
 }
 
-/// Tells whether the button is on before anybody pressed it: parts are in their places, the room is bright.
+/// Returns whether the button is on in the initial state: parts are attached, the room is bright.
 bool is_on_at_first(PanelControl control) {
   return control == PanelControl::attach || control == PanelControl::room_lights;
 }
 
-/// Returns the place on a cap for its label.
+/// Returns the area for the label on a cap.
 Place label_place(const ControlDesc& control, const Vec3& face) {
   return {face, 2 * (control.half_width - label_margin), 2 * (control.half_height - label_margin)};
 }
@@ -114,7 +114,7 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
   put(knob_, effort_notch(effort.steps_down) + Vec3(0, 0, 0.003), cap_color);
   const double beside = notches_width / 2 + 0.012 + word_width / 2;
   for (const auto& [x, word] :
-       {std::pair{-beside, list.words.tr("exact")}, std::pair{beside, list.words.tr("coarse")}})
+       {std::pair{-beside, list.words.tr("accurate")}, std::pair{beside, list.words.tr("coarse")}})
     list.texts.push_back(
         write_centred(panel, {{x, notches_y, 0}, word_width, strip_height}, word, mark_height, dim_writing));
   list.texts.push_back(write_centred(
@@ -122,7 +122,7 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
       in_words(effort, list.words), mark_height, writing));
 }
 
-/// Adds what the part can have, or the question for it where nobody asked.
+/// Adds the available prices, or the question for them if they were not requested yet.
 void PanelView::add_prices(DrawList& list, const Pose& panel, const std::vector<Price>& prices) const {
   constexpr double words_below = 0.012, in_front = 0.001;
   list.items.push_back({.mesh = price_strip_,
@@ -138,7 +138,7 @@ void PanelView::add_prices(DrawList& list, const Pose& panel, const std::vector<
   const double cell =
       (panel_width - 2 * panel_margin) / static_cast<double>(std::max<std::size_t>(1, prices.size()));
   for (std::size_t k = 0; k < prices.size(); ++k) {
-    const Vec3 at = price_cell(k, prices.size()) - Vec3(0, words_below, 0);
+    const Vec3 at = price_cell_centre(k, prices.size()) - Vec3(0, words_below, 0);
     list.texts.push_back(write_centred(panel, {at, cell - label_margin, price_strip_height / 2},
                                        in_words(prices[k]), mark_height, writing));
     const Vec3 from = curve[std::max<std::size_t>(k, 1) - 1] + Vec3(0, 0, in_front),
@@ -161,7 +161,7 @@ std::size_t PanelView::hidden_lines(const SceneBody& part) {
   return all.block->lines.size() - std::min(fit, all.block->lines.size());
 }
 
-/// Returns the description from a line on, as far as that brings lines to sight that do not fit.
+/// Returns the description from a line on. `first_line` is clamped so that the last lines fill the board.
 std::string PanelView::description_from(const SceneBody& part, std::size_t first_line) {
   const std::size_t first = std::min(first_line, hidden_lines(part));
   if (first == 0) return part.description;

@@ -1,6 +1,5 @@
 #pragma once
-// A panel as something to see: board, buttons as far in as they are pressed, knob, labels, and what the part
-// is.
+// Rendering of a panel: board, buttons at their pressed depth, knob, labels, and the part's description.
 
 #include <array>
 #include <memory>
@@ -10,22 +9,26 @@
 #include "client/text/typesetter.h"
 #include "client/view/draw_list.h"
 #include "client/view/effort_strip.h"
+#include "common/error_estimate.h"
 #include "common/panel.h"
+#include "common/part_messages.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 
-inline constexpr double least_panel_writing = 0.0085;  // m: down to which writing shrinks to fit
-inline constexpr double scrolled_line = line_spacing * least_panel_writing;  // m, of what scrolls
+inline constexpr double least_panel_writing = 0.0085;  // m: minimum em height to which text shrinks to fit
+// m, line height of scrolled text.
+inline constexpr double scrolled_line = line_spacing * least_panel_writing;
 
 class PanelView {
  public:
-  /// Uses mesh ids from `first_mesh_id` on: `meshes` of them.
+  /// Uses the `meshes` mesh ids from `first_mesh_id` on.
   explicit PanelView(std::uint64_t first_mesh_id);
   static constexpr std::size_t meshes = 8;
 
-  /// Adds the panel; touched controls are green. Buttons glow whose effect is on: the part is
-  /// detached, others are hidden, it is transparent or lit, the room is dim. `effort`: of a part that is
-  /// soft. `first_line`: of the description that is seen, where not all fit.
+  /// Adds the panel. Touched controls are green. Buttons glow while their effect is on: the part is detached,
+  /// others are hidden, it is transparent or lit, the room is dim. `effort`: of a soft part. `first_line`:
+  /// first visible line of the description, if not all lines fit.
   void add(DrawList& list, const Panel& panel, const SceneBody& part,
            const std::optional<ShownEffort>& effort = std::nullopt, std::size_t first_line = 0);
   /// Returns how many lines of the part's description do not fit on the board.

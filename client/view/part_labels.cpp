@@ -9,15 +9,15 @@
 namespace prosector {
 namespace {
 
-constexpr double cell_points = 4;                                             // of a cell of the map
-constexpr int most_cells_across = 240;                                        // of the map
+constexpr double cell_points = 4;                                             // of a cell of the item map
+constexpr int most_cells_across = 240;                                        // of the item map
 constexpr double name_height = 12, least_name_height = 9, widest_name = 190;  // points
-constexpr double widest_name_share = 0.28;                                    // of the free width
+constexpr double widest_name_share = 0.28;                                    // fraction of the free width
 constexpr double column_gap = 22;       // points from the anatomy's outline to a column
 constexpr double anchor_gap = 8;        // points from a column to an anchor
-constexpr double column_slack = 14;     // points by which columns may be off before they move
-constexpr double depth_slack = 0.15;    // of the depth
-constexpr double near_surface = 0.004;  // m that an anchor may lie behind what is seen there
+constexpr double column_slack = 14;     // points: hysteresis of the columns' positions
+constexpr double depth_slack = 0.15;    // hysteresis, as a fraction of the depth
+constexpr double near_surface = 0.004;  // m that an anchor may be behind the visible surface
 constexpr std::size_t least_cells = 10, least_cells_of_shown = 4;
 constexpr double leader_width = 1.2, casing_width = 3, dot_width = 4.5, dot_casing = 6.5;  // points
 const Vec3 leader_color{0.80, 0.84, 0.88}, casing_color{0.004, 0.004, 0.004};
@@ -32,18 +32,18 @@ DrawText label_text(std::string_view name, double wrap) {
 }
 
 constexpr double name_box_height = height_of_lines(1) * name_height + 2 * ground_above;
-// Texts in the room stand on whole pixels, so two boxes may come a pixel closer.
+// Texts in the room are aligned to whole pixels, so two boxes may come a pixel closer.
 constexpr double name_box_spacing = name_box_height + text_margin + 2.5;
 
 }  // namespace
 
-/// What a picture's labels are made with.
+/// The data for one frame's labels.
 struct PartLabels::Frame {
   const DrawList& list;
   const DrawCamera& camera;
   Eigen::AlignedBox2d free;  // points
-  SeenMap map;
-  std::vector<std::int32_t> part_of_item;  // −1: not named
+  ItemIdBuffer map;
+  std::vector<std::int32_t> part_of_item;  // −1: not labelled
 
   Eigen::Vector2d points() const { return Eigen::Vector2d(camera.width, camera.height) / list.scale; }
   Eigen::Vector2d point_of_cell(const Eigen::Vector2i& cell) const {
@@ -54,8 +54,8 @@ struct PartLabels::Frame {
     const std::int32_t item = map.at(x, y).item;
     return item < 0 ? -1 : part_of_item[static_cast<std::size_t>(item)];
   }
-  /// Tells whether the part is seen at a place of the map, and about it: at all four nearest middles of
-  /// cells, or at one that is very near.
+  /// Returns whether the part is visible at and around a position of the map: in the four nearest cells, or
+  /// in one that is very near.
   bool is_clearly_of(std::uint32_t part, const Eigen::Vector2d& at) const;
   Vec3 room_place(const DrawCamera& eye, const Eigen::Vector2d& point, double depth) const;
   Vec3 room_place(const Eigen::Vector2d& point, double depth) const {
@@ -65,8 +65,8 @@ struct PartLabels::Frame {
 
 namespace {
 
-/// Returns where a camera sees a place: points from its picture's top left, and depth; behind it the depth is
-/// not above 0.
+/// Returns the projection of a point: points from the viewport's top left in x, y, and depth in z. The depth
+/// is 0 or less behind the near plane.
 Vec3 seen_place(const DrawCamera& camera, double scale, const Vec3& at) {
   const Vec3 x = camera.pose.inverse() * at;
   const double depth = -x.z();
@@ -85,7 +85,8 @@ Vec3 room_place_of(const DrawItem& item, std::uint32_t vertex) {
   return item.shape * (item.pose * item.mesh->positions[vertex].cast<double>().eval());
 }
 
-/// Returns how many cells, at most, each cell of `part` is from one that is not, over the box of `cells`.
+/// City-block distance transform, capped at `most`: the distance, in cells, from each cell of `part` to the
+/// nearest cell outside, over the bounding box of `cells`.
 class Depths {
  public:
   template <class Inside>
@@ -149,13 +150,13 @@ void PartLabels::add(DrawList& list, std::span<const NamedItem> named, const Eig
       std::clamp(static_cast<int>(camera.width / list.scale / cell_points), 1, most_cells_across);
   const int height =
       std::max(static_cast<int>(std::lround(static_cast<double>(width) * camera.height / camera.width)), 1);
-  Frame frame{list, camera, free, map_seen(list, camera, width, height), {}};
+  Frame frame{list, camera, free, rasterize_items(list, camera, width, height), {}};
   frame.part_of_item.assign(list.items.size(), -1);
   for (const NamedItem& item : named) frame.part_of_item[item.item] = static_cast<std::int32_t>(item.part);
   std::map<std::uint32_t, Seen> seen = seen_parts(frame, named);
   keep_depth(seen, frame);
   if (!depth_) return;
-  keep_in_all_eyes(frame);
+  clip_to_all_eyes(frame);
   const LabelColumns columns = columns_for(seen, frame);
   for (auto& [part, one] : seen) anchor(part, one, frame);
   std::erase_if(seen, [&](const auto& entry) { return !anchors_.contains(entry.first); });
@@ -168,7 +169,7 @@ void PartLabels::add(DrawList& list, std::span<const NamedItem> named, const Eig
   draw(list, frame, layout, seen);
 }
 
-/// Returns the parts of which enough is seen, with their cells row by row.
+/// Returns the parts with enough visible cells, with their cells row by row.
 std::map<std::uint32_t, PartLabels::Seen> PartLabels::seen_parts(const Frame& frame,
                                                                  std::span<const NamedItem> named) {
   std::map<std::uint32_t, Seen> out;
@@ -186,7 +187,7 @@ std::map<std::uint32_t, PartLabels::Seen> PartLabels::seen_parts(const Frame& fr
   return out;
 }
 
-/// Measures a name's label, ground included. A name longer than `most` (points) is to fit into that.
+/// Measures a name's label, background included. A name longer than `most` (points) is wrapped to that width.
 void PartLabels::measure(Seen& seen, double most) {
   if (!typesetter_) typesetter_.emplace();
   const double natural = set_text(*typesetter_, label_text(seen.name, 0), 1).width();
@@ -194,8 +195,8 @@ void PartLabels::measure(Seen& seen, double most) {
   seen.width = 2 * ground_beside + set_text(*typesetter_, label_text(seen.name, seen.wrap), 1).width();
 }
 
-/// Puts the columns beside the outline of what is named, or, where that fills the picture, at its borders.
-/// They stay where they were until they are off by more than a slack, and then follow.
+/// Places the columns next to the outline of the labelled parts, or at the view's borders if the outline
+/// fills the view. The columns move only when they are off by more than a tolerance.
 LabelColumns PartLabels::columns_for(const std::map<std::uint32_t, Seen>& seen, const Frame& frame) {
   double left = frame.free.max().x(), right = frame.free.min().x(), widest_label = 0;
   for (const auto& [part, one] : seen) {
@@ -216,7 +217,8 @@ LabelColumns PartLabels::columns_for(const std::map<std::uint32_t, Seen>& seen, 
           name_box_spacing,     name_box_height,      most_labels};
 }
 
-/// Gives the part its anchor, the one that it had if that is still seen; none where it can have none.
+/// Sets the part's anchor: the previous one if it is still visible, otherwise a new one; none if there is no
+/// suitable position.
 void PartLabels::anchor(std::uint32_t part, Seen& seen, const Frame& frame) {
   std::optional<Placed> place;
   if (const auto known = anchors_.find(part); known != anchors_.end())
@@ -248,15 +250,15 @@ std::optional<PartLabels::Placed> PartLabels::still_there(const Anchor& anchor, 
   const Eigen::Vector2d in_map =
       placed->point.cwiseQuotient(frame.points()).array() * Eigen::Array2d(frame.map.width, frame.map.height);
   if (!frame.is_clearly_of(part, in_map)) return std::nullopt;
-  const SeenMap::Cell& cell = frame.map.at(static_cast<int>(in_map.x()), static_cast<int>(in_map.y()));
-  // Aslant, a cell holds a range of depths.
+  const ItemIdBuffer::Cell& cell = frame.map.at(static_cast<int>(in_map.x()), static_cast<int>(in_map.y()));
+  // On a slanted surface, a cell covers a range of depths.
   const double slack =
       near_surface + 2 * placed->depth * (frame.camera.right - frame.camera.left) / frame.map.width;
   return std::abs(placed->depth - 1 / static_cast<double>(cell.nearness)) < slack ? placed : std::nullopt;
 }
 
-/// Returns the place that is deepest within what is seen of the part; of several the one nearest to its
-/// middle.
+/// Returns the point deepest inside the visible area of the part. Of several, returns the one nearest to the
+/// area's centre.
 std::optional<PartLabels::Anchor> PartLabels::choose_anchor(const Seen& seen, const Frame& frame) const {
   const auto is_between = [&](const Eigen::Vector2i& cell) {
     const double x = frame.point_of_cell(cell).x();
@@ -275,7 +277,7 @@ std::optional<PartLabels::Anchor> PartLabels::choose_anchor(const Seen& seen, co
       best_rank = rank;
     }
   if (best == nullptr) return std::nullopt;
-  const SeenMap::Cell& cell = frame.map.at(best->x(), best->y());
+  const ItemIdBuffer::Cell& cell = frame.map.at(best->x(), best->y());
   const DrawItem& item = frame.list.items[static_cast<std::size_t>(cell.item)];
   Anchor out{item.mesh->id, item.mesh->revision, {}, {}};
   const auto& triangle = triangles_of(item)[cell.triangle];
@@ -286,13 +288,13 @@ std::optional<PartLabels::Anchor> PartLabels::choose_anchor(const Seen& seen, co
     corners.col(k) = room_place_of(item, vertex);
   }
   const Vec3 seen_at = frame.room_place(frame.point_of_cell(*best), 1 / static_cast<double>(cell.nearness));
-  Eigen::Matrix4d system;  // shares that make up the place, and one
+  Eigen::Matrix4d system;  // barycentric coordinates: their weighted sum is the point, their sum is 1
   system << corners, Vec3::Zero(), 1, 1, 1, 0;
   out.shares = system.leftCols<3>().colPivHouseholderQr().solve(seen_at.homogeneous().eval()).cast<float>();
   return out;
 }
 
-/// Labels stand at the depth of what they name, in its middle; small changes leave them there.
+/// Updates the labels' depth: the median depth of the labelled parts. Small changes are ignored.
 void PartLabels::keep_depth(const std::map<std::uint32_t, Seen>& seen, const Frame& frame) {
   std::vector<float> nearness;
   for (const auto& [part, one] : seen)
@@ -305,13 +307,14 @@ void PartLabels::keep_depth(const std::map<std::uint32_t, Seen>& seen, const Fra
   depth_ = std::clamp(depth_.value_or(depth), (1 - depth_slack) * depth, (1 + depth_slack) * depth);
 }
 
-/// Leaves of the free place what all eyes see at the labels' depth.
-void PartLabels::keep_in_all_eyes(Frame& frame) const {
+/// Restricts the free area to the region that all eyes see at the labels' depth.
+void PartLabels::clip_to_all_eyes(Frame& frame) const {
   for (const DrawCamera& eye : frame.list.cameras) {
     if (eye.inset || &eye == &frame.camera) continue;
     const Eigen::Vector2d size = Eigen::Vector2d(eye.width, eye.height) / frame.list.scale;
     Eigen::AlignedBox2d seen;
-    const Eigen::Vector2d pixel = Eigen::Vector2d::Ones() / frame.list.scale;  // texts stand on whole ones
+    // Texts are aligned to whole pixels.
+    const Eigen::Vector2d pixel = Eigen::Vector2d::Ones() / frame.list.scale;
     for (const Eigen::Vector2d& corner : {pixel, Eigen::Vector2d(size - pixel)})
       seen.extend(seen_place(frame.camera, frame.list.scale, frame.room_place(eye, corner, *depth_))
                       .head<2>()
@@ -320,7 +323,8 @@ void PartLabels::keep_in_all_eyes(Frame& frame) const {
   }
 }
 
-/// Leaders end at different depths, so they may cross for another eye: there the lighter label is left out.
+/// Removes crossings of leaders. They end at different depths, so they may cross for another eye; the label
+/// with the smaller weight is then omitted.
 void PartLabels::drop_crossings(LabelLayout& layout, const Frame& frame,
                                 const std::map<std::uint32_t, Seen>& seen) const {
   std::ranges::sort(layout.labels, std::ranges::greater(), &PlacedLabel::weight);

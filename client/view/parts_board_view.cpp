@@ -9,11 +9,11 @@
 namespace prosector {
 namespace {
 
-constexpr double plate_step = 2e-5;       // m, that each plate stands before the one below it
-constexpr double board_thickness = 3e-3;  // m
-constexpr double writing_before = 4e-4;   // m, of letters before all plates
-constexpr double least_seen = 0.02;       // opacity
-constexpr int arc_steps = 5;              // edges of a round corner
+constexpr double plate_step = 2e-5;           // m, distance of each plate from the one below it
+constexpr double board_thickness = 3e-3;      // m
+constexpr double writing_before = 4e-4;       // m, distance of letters from the plates
+constexpr double min_visible_opacity = 0.02;  // minimum drawn opacity
+constexpr int arc_steps = 5;                  // segments per round corner
 
 Vec3 place(const Eigen::Vector2d& point, double z) {
   const Eigen::Vector2d off = board_metres_per_point * (point - parts_board_picture / 2);
@@ -22,7 +22,8 @@ Vec3 place(const Eigen::Vector2d& point, double z) {
 
 using Outline = std::vector<Eigen::Vector2d>;  // points, counterclockwise as the reader sees it
 
-/// Returns a rectangle with round corners. All outlines have equally many points, so that two make a ring.
+/// Returns a rectangle with round corners. All outlines have the same number of points, so that two form a
+/// ring.
 Outline rounded(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double radius) {
   constexpr double least_radius = 0.01;  // points
   const double r = std::min(std::max(radius, least_radius), (high - low).minCoeff() / 2);
@@ -40,7 +41,7 @@ Outline rounded(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double 
   return out;
 }
 
-/// The plates of an overlay as one mesh in the board's frame. The first one is the board, which has a back.
+/// The plates of an overlay as one mesh in the board's frame. The first plate is the board, which has a back.
 class PlatesMesh {
  public:
   explicit PlatesMesh(const DrawPlate& board) : ground_(board.color) {
@@ -54,7 +55,7 @@ class PlatesMesh {
 
   void add(const DrawPlate& plate) {
     front_ += plate_step;
-    if (plate.opacity > least_seen)
+    if (plate.opacity > min_visible_opacity)
       fill(rounded(plate.low, plate.high, plate.radius), front_, Vec3::UnitZ(),
            ground_ + plate.opacity * (plate.color - ground_));
     add_rim(plate);
@@ -62,7 +63,7 @@ class PlatesMesh {
 
   double front() const { return front_; }
 
-  /// Gives the mesh its new shape and colours, if they are others.
+  /// Updates the mesh's shape and colours, if they changed.
   void put_into(DrawMesh& mesh) && {
     if (mesh.positions == positions_ && mesh.rest_positions == colors_) return;
     mesh.positions = std::move(positions_);
@@ -74,7 +75,7 @@ class PlatesMesh {
 
  private:
   Vec3 ground_;
-  double front_ = 0;  // m, of the newest plate
+  double front_ = 0;  // m, front of the newest plate
   std::vector<Eigen::Vector3f> positions_, normals_, colors_;
   Triangles triangles_;
 
@@ -92,7 +93,7 @@ class PlatesMesh {
       triangles_.push_back({first, first + k - 1, first + k});
   }
 
-  /// Closes the band between two outlines, of which the second is the inner or the nearer one.
+  /// Connects two outlines; the second is the inner or the nearer one.
   void join(std::uint32_t outer, std::uint32_t inner) {
     const auto count = static_cast<std::uint32_t>(4 * (arc_steps + 1));
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -113,7 +114,7 @@ class PlatesMesh {
   }
 };
 
-/// Returns the text as it stands on the board, before its plates.
+/// Returns the text positioned on the board, in front of its plates.
 DrawText on_board(DrawText text, const Pose& board, double front) {
   text.overlay = false;
   text.surface = board * Pose{place({text.at.x(), text.at.y()}, front + writing_before), Quat::Identity()};

@@ -7,23 +7,24 @@
 
 namespace prosector {
 
-/// The list, and the board's pose: its middle, +x to the reader's right, +y up, +z towards the reader; m.
+/// The list and the board's pose: origin at its centre, +x to the reader's right, +y up, +z towards the
+/// reader; m.
 struct PlacedPartsList {
   const PartsList* list;
   Pose pose;
 };
 
 inline constexpr double board_metres_per_point = 0.0008;
-// The picture (points) that a board's list is laid out in; its middle is the board's.
+// Size (points) of the area that a board's list is laid out in. Its centre is the board's centre.
 inline const Eigen::Vector2d parts_board_picture(parts_list_width + 2 * parts_list_gap, 470);
 
-/// Returns where a place before the board (its frame, m) is on the list, in points.
+/// Converts a position in the board's frame (m) to points of the list.
 Eigen::Vector2d board_point(const Vec3& place);
 
-/// Draws the board: all its plates are one mesh in their own colours, with texts on it.
+/// Draws the board: all its plates are one mesh with vertex colours, with texts on it.
 class PartsBoardView {
  public:
-  static constexpr std::uint64_t meshes = 1;  // ids from the first one on
+  static constexpr std::uint64_t meshes = 1;  // ids, from the first one on
   explicit PartsBoardView(std::uint64_t mesh_id) { mesh_->id = mesh_id; }
   void add(DrawList& out, const PlacedPartsList& placed);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What one viewer chose to see of the parts of a scene: nobody else is concerned.
+// One viewer's choice of which parts are visible and how. It affects no other viewer.
 
 #include <map>
 #include <optional>
@@ -7,32 +7,35 @@
 #include <string>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 
-/// How a viewer wants to see a part.
+/// How a viewer sees a part.
 struct PartLook {
   bool hidden = false;
-  double opacity = 1;         // 0 … 1, times what everybody sees
-  std::optional<Vec3> color;  // linear red, green, blue; nullopt: its own
+  double opacity = 1;         // 0 … 1, factor of the shared opacity
+  std::optional<Vec3> color;  // linear red, green, blue; nullopt: the part's own
   bool operator==(const PartLook&) const = default;
 };
 
-/// A change of what a viewer sees. Parts are named as the scene's author does (authors_name()).
+/// A command that changes one viewer's view of parts. Parts are named as in the scene file (authors_name()).
 struct PartsOrder {
   enum class Kind : std::uint8_t { show, hide, isolate, isolate_next, opacity, color, reset_all, labels };
-  /// `isolate_next`: of these parts, the others become faint; then hidden, then back.
+  /// `isolate_next` cycles through three states: the other parts faint; the other parts hidden; all parts
+  /// back.
   Kind kind = Kind::show;
-  std::vector<std::string> parts = {};  // of `isolate` none: the others are back
-  double opacity = 1;                   // of `opacity`; of `isolate`, of the other parts: 0 hides them
-  std::optional<Vec3> color = {};       // of `color`; nullopt: its own
+  std::vector<std::string> parts = {};  // for `isolate`, empty: ends the isolation
+  double opacity = 1;                   // for `opacity`; for `isolate`, that of the other parts: 0 hides them
+  std::optional<Vec3> color = {};       // for `color`; nullopt: the part's own
 };
 
 inline constexpr double least_opacity = 0.05;  // of a part that is not hidden
-inline constexpr double faint_opacity = 0.12;  // of what is beside an isolated part
+inline constexpr double faint_opacity = 0.12;  // of the parts next to an isolated part
 
-/// The colours to choose from: told apart by people of any colour vision (Okabe and Ito 2008).
+/// A colour to choose from. The colours are distinguishable with any colour vision (Okabe and Ito 2008).
 struct NamedColor {
   std::string_view name;
   Vec3 color;  // linear red, green, blue
@@ -45,15 +48,15 @@ class PartsChoice {
 
   /// Returns how the part is seen. `in_anatomy`: it is hidden or faint while others are isolated.
   PartLook look_of(const std::string& part, bool in_anatomy) const;
-  /// Returns what was chosen for the part alone, whatever is isolated.
+  /// Returns what was chosen for the part itself, without regard to isolation.
   PartLook own_look(const std::string& part) const;
   bool is_isolated(const std::string& part) const { return isolated_.contains(part); }
   bool isolates() const { return !isolated_.empty(); }
-  /// Tells whether names stand beside the anatomy.
+  /// Returns whether the anatomy is labelled.
   bool labels() const { return labels_; }
 
  private:
-  std::map<std::string, PartLook> looks_;  // of those that are not as the scene has them
+  std::map<std::string, PartLook> looks_;  // only of parts that differ from the scene
   std::set<std::string> isolated_;
   double others_ = 0;
   bool labels_ = false;
@@ -62,14 +65,14 @@ class PartsChoice {
   void change(const std::string& part, const PartsOrder& order);
 };
 
-/// Returns the bodies that bodies were cut off, by their ids: each one's organ, or itself. `piece_of` returns
-/// what a body was cut off; −1: nothing.
+/// Returns the original organ of each body, by body id: the body it was cut from, or itself. `piece_of`
+/// returns the body that a body was cut from; −1: none.
 template <class PieceOf>
 std::vector<BodyId> organs_of(const SceneInfo& scene, const PieceOf& piece_of) {
   std::vector<BodyId> out(scene.bodies.size());
   for (BodyId body = 0; body < out.size(); ++body) {
     out[body] = body;
-    // A piece has a higher id than what it was cut off.
+    // A piece has a higher id than the body it was cut from.
     if (const std::int32_t from = piece_of(body); from >= 0 && static_cast<BodyId>(from) < body)
       out[body] = out[static_cast<BodyId>(from)];
   }

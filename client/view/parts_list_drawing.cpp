@@ -2,7 +2,7 @@
 
 #include "client/text/text_block.h"
 #include "client/view/parts_list.h"
-#include "client/view/parts_list_measures.h"
+#include "client/view/parts_list_dimensions.h"
 
 namespace prosector {
 namespace parts_list_measures {
@@ -33,8 +33,8 @@ class PartsListDrawing {
       line.is_palette ? add_palette(line) : add_row(line, list_.rows[line.row]);
     add_scroll_mark();
     if (list_.state.hovered)
-      write(told_spot(list_, *list_.state.hovered, out_.words), left() + pad, list_.lines_area.max().y() + 4,
-            list_.board.sizes().x() - 2 * pad, dim_writing);
+      write(describe_spot(list_, *list_.state.hovered, out_.words), left() + pad,
+            list_.lines_area.max().y() + 4, list_.board.sizes().x() - 2 * pad, dim_writing);
   }
 
  private:
@@ -126,7 +126,7 @@ class PartsListDrawing {
     add_slider(row, y + line_height / 2);
   }
 
-  /// Adds a mark of each holder's colour, and their names.
+  /// Adds a mark in each holder's colour, and their names.
   void add_holders(const PartRow& row, double x, double y, double text_y) {
     constexpr double mark = 8, gap = 3;
     std::string names;
@@ -144,7 +144,7 @@ class PartsListDrawing {
     return bright ? writing : dim_writing;
   }
 
-  /// Adds an eye; without its pupil it is shut.
+  /// Adds an eye symbol; without its pupil it is closed.
   void add_eye(const PartsList::Line& line, const PartRow& row, double y) {
     const double x = right() - (eye_from_right + isolate_from_right) / 2;
     const Vec3 color = mark_color(line, Kind::eye, !row.look.hidden);

@@ -13,10 +13,10 @@ namespace {
 
 enum class Group : std::uint8_t { anatomy, bones, things, room };
 constexpr std::array<const char*, 4> group_names = {msg("Anatomy"), msg("Bones"),
-                                                    msg("Instruments and things"), msg("Room")};
+                                                    msg("Instruments and objects"), msg("Room")};
 
 Group group_of(const SceneBody& body) {
-  if (body.appearance.surface == Surface::bone) return Group::bones;  // also those that lie about, unattached
+  if (body.appearance.surface == Surface::bone) return Group::bones;  // including unattached ones
   if (body.part) return Group::anatomy;
   return body.moves || body.kind == BodyKind::soft ? Group::things : Group::room;
 }
@@ -39,8 +39,8 @@ std::vector<PartHolder> holders_of(const Replica& replica, BodyId body) {
   return out;
 }
 
-/// Returns the row of an organ with all that was cut off it.
-PartRow row_of(const PartsKnown& known, const PartsChoice& choice, BodyId organ) {
+/// Returns the row of an organ and the pieces cut from it.
+PartRow row_of(const PartsData& known, const PartsChoice& choice, BodyId organ) {
   const SceneBody& body = known.scene.bodies[organ];
   PartRow row{.text = body.name, .parts = {authors_name(body)}, .color = body.appearance.color};
   row.look = choice.look_of(row.parts.front(), body.part);
@@ -55,7 +55,7 @@ PartRow row_of(const PartsKnown& known, const PartsChoice& choice, BodyId organ)
   return row;
 }
 
-/// Returns a head that does to all rows what each one's controls do to it.
+/// Returns a group's heading, whose controls act on all rows of the group.
 PartRow head_of(Group group, const std::vector<PartRow>& rows, const Catalogue& words) {
   PartRow head{
       .is_head = true,
@@ -89,8 +89,8 @@ std::vector<PartLook> looks_of(const Replica& replica, const PartsChoice& choice
   return out;
 }
 
-PartsKnown parts_known(const Replica& replica) {
-  PartsKnown known;
+PartsData parts_data(const Replica& replica) {
+  PartsData known;
   if (!replica.scene()) return known;
   known.scene = *replica.scene();
   known.organs = organs_known(replica);
@@ -99,7 +99,7 @@ PartsKnown parts_known(const Replica& replica) {
   return known;
 }
 
-std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search,
+std::vector<PartRow> part_rows(const PartsData& known, const PartsChoice& choice, std::string_view search,
                                const Catalogue& words) {
   const std::u32string searched = search_key(search);
   std::array<std::vector<PartRow>, group_names.size()> groups;
@@ -116,7 +116,7 @@ std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choic
   return out;
 }
 
-std::vector<std::string> parts_called(const PartsKnown& known, std::string_view name) {
+std::vector<std::string> parts_called(const PartsData& known, std::string_view name) {
   std::vector<std::string> out;
   for (const SceneBody& body : known.scene.bodies)
     if (is_called(body, name)) return {authors_name(body)};
@@ -128,7 +128,7 @@ std::vector<std::string> parts_called(const PartsKnown& known, std::string_view 
   return out;
 }
 
-std::string told_rows(const std::vector<PartRow>& rows) {
+std::string rows_as_text(const std::vector<PartRow>& rows) {
   std::string out;
   for (const PartRow& row : rows) {
     out += fmt::format("{}{}{}", out.empty() ? "" : "\n", row.is_head ? "" : "  ", row.text);

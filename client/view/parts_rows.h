@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a list of parts: what a scene has, in groups, as a viewer sees it, and who holds it.
+// Rows of a list of parts: the scene's parts in groups, their look for one viewer, and their holders.
 
 #include <functional>
 #include <string>
@@ -18,38 +18,38 @@ struct PartHolder {
   bool operator==(const PartHolder&) const = default;
 };
 
-/// What a list of parts is made of.
-struct PartsKnown {
+/// The data that a list of parts is made from.
+struct PartsData {
   SceneInfo scene;
-  std::vector<BodyId> organs;                    // what each body was cut off (organs_of())
-  std::vector<std::vector<PartHolder>> holders;  // of each body
+  std::vector<BodyId> organs;                    // the body that each body was cut from (organs_of())
+  std::vector<std::vector<PartHolder>> holders;  // by body
 };
-PartsKnown parts_known(const Replica& replica);
+PartsData parts_data(const Replica& replica);
 
-/// Returns how each body is seen; pieces as what they were cut off.
+/// Returns how each body is seen; pieces look like the organ that they were cut from.
 std::vector<PartLook> looks_of(const Replica& replica, const PartsChoice& choice);
 
 struct PartRow {
-  bool is_head = false;                 // of a group
+  bool is_head = false;                 // a group's heading
   std::string text = {};                // in the viewer's language
-  std::vector<std::string> parts = {};  // the author's names: one; of a head, of all rows below it
-  std::vector<BodyId> bodies = {};      // the part and its pieces; of a head none
+  std::vector<std::string> parts = {};  // names in the scene file: one; of a heading, those of all its rows
+  std::vector<BodyId> bodies = {};      // the part and its pieces; of a heading none
   std::vector<PartHolder> holders = {};
-  PartLook look = {};         // as it is seen; of a head, hidden: all are; opacity: the least
-  Vec3 color = Vec3::Zero();  // that it has now, linear
-  bool isolated = false;      // of a head: all are
+  PartLook look = {};         // effective look; of a heading: hidden if all are, the least opacity
+  Vec3 color = Vec3::Zero();  // current colour, linear
+  bool isolated = false;      // of a heading: all are
 };
 
-/// Returns the rows that the search finds: by name in any language, and by id of Terminologia Anatomica.
-/// Letters match as search_key() says. Groups without rows are left out.
-std::vector<PartRow> part_rows(const PartsKnown& known, const PartsChoice& choice, std::string_view search,
+/// Returns the rows that match the search: by name in any language, or by id of Terminologia Anatomica.
+/// Letters match by search_key(). Omits groups without rows.
+std::vector<PartRow> part_rows(const PartsData& known, const PartsChoice& choice, std::string_view search,
                                const Catalogue& words = {});
 
-/// Returns the author's names of parts that `name` means: the one that is called so, or else all that the
-/// search finds.
-std::vector<std::string> parts_called(const PartsKnown& known, std::string_view name);
+/// Returns the scene-file names of the parts that `name` means: the part with exactly that name, otherwise
+/// all search results.
+std::vector<std::string> parts_called(const PartsData& known, std::string_view name);
 
-/// Returns rows as lines for a terminal.
-std::string told_rows(const std::vector<PartRow>& rows);
+/// Returns the rows as lines for a terminal.
+std::string rows_as_text(const std::vector<PartRow>& rows);
 
 }  // namespace prosector

@@ -28,7 +28,7 @@ std::optional<PanelPoint> meet(const Ray& ray, const Panel& panel) {
   const Vec3 from = into * ray.from, along = into.q * ray.along;
   if (from.z() <= 0 || along.z() > -1e-6) return std::nullopt;
   PanelPoint out;
-  // Caps stand before the board; at a slant the eye sees them where their faces are.
+  // Caps protrude from the board, so at a slant they are hit at the height of their faces.
   for (const ControlDesc& control : panel_controls) {
     const double distance = -(from.z() - control.height) / along.z();
     const Vec3 at = from + distance * along;

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double curve_y = price_strip_y + 0.014, curve_height = 0.018;  // of its middle; in all
+constexpr double curve_y = price_strip_y + 0.014, curve_height = 0.018;  // centre; total height
 constexpr double rounding_up = 1.001;
 
 }  // namespace
@@ -22,15 +22,15 @@ std::vector<Vec3> price_curve(const std::vector<Price>& prices) {
   const auto [least, most] = std::ranges::minmax(prices, {}, height);
   const double low = height(least), range = std::max(1e-9, height(most) - low);
   for (std::size_t k = 0; k < prices.size(); ++k) {
-    Vec3 at = price_cell(k, prices.size());
+    Vec3 at = price_cell_centre(k, prices.size());
     at.y() = curve_y + curve_height * ((height(prices[k]) - low) / range - 0.5);
     out.push_back(at);
   }
   return out;
 }
 
-std::optional<std::size_t> meet_price(const Ray& ray, const Panel& panel, std::size_t cells) {
-  const auto at = meet_front(ray, panel);
+std::optional<std::size_t> picked_price_cell(const Ray& ray, const Panel& panel, std::size_t cells) {
+  const auto at = intersect_panel_plane(ray, panel);
   if (!at || std::abs(at->x()) > panel_width / 2 ||
       std::abs(at->y() - price_strip_y) > price_strip_height / 2)
     return std::nullopt;
@@ -43,7 +43,7 @@ std::string in_words(const Price& price) {
 }
 
 double accuracy_of(const Price& price) {
-  return std::clamp(100 * price.error * rounding_up, least_accuracy, most_accuracy);
+  return std::clamp(100 * price.error * rounding_up, min_accuracy, max_accuracy);
 }
 
 }  // namespace prosector

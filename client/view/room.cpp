@@ -30,7 +30,7 @@ std::vector<DrawItem> room_items(std::uint64_t first_mesh_id, const RoomShape& s
   const auto add = [&](const std::array<Vec3, 4>& corners, const Appearance& look) {
     out.push_back(quad(first_mesh_id + out.size(), corners, look));
   };
-  constexpr int tiles = 5;  // each way
+  constexpr int tiles = 5;  // per side
   for (int i = 0; i < tiles; ++i)
     for (int k = 0; k < tiles; ++k) {
       const double x0 = -x + 2 * x * i / tiles, x1 = -x + 2 * x * (i + 1) / tiles;

@@ -1,5 +1,5 @@
 #pragma once
-// Walls, floor and ceiling around the scene, for a sense of place.
+// Walls, floor and ceiling around the scene.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 namespace prosector {
 
 /// Makes floor, walls and ceiling, all facing inwards, so that none hides the room from outside. The floor
-/// comes in squares, so that the renderer can tell those that the lamp reaches. Uses a mesh id an item, from
-/// `first_mesh_id`.
+/// consists of square tiles, so that the renderer can find those that the lamp reaches. Uses one mesh id per
+/// item, from `first_mesh_id` on.
 std::vector<DrawItem> room_items(std::uint64_t first_mesh_id, const RoomShape& shape = {});
 
 }  // namespace prosector

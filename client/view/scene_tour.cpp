@@ -9,15 +9,16 @@
 #include "client/view/hand_nails.h"
 #include "client/view/light_shaft.h"
 #include "client/view/section.h"
+#include "common/ids.h"
 #include "common/rotation_between.h"
 
 namespace prosector {
 namespace {
 
 constexpr double orbit_elevation = 0.5;  // rad above the subject
-constexpr double steep = 1.25;           // rad: past lamps that hang above
-constexpr double margin = 1.15;          // of the picture's height that the subject's ball takes, inverse
-constexpr double dimmed = 0.25;          // of its lights, in a room where a shaft is looked at
+constexpr double steep = 1.25;           // rad: above lamps that hang over the scene
+constexpr double margin = 1.15;          // ratio of the view's height to the diameter of the subject's sphere
+constexpr double dimmed = 0.25;          // brightness of the room in views with a light shaft
 constexpr std::uint64_t first_own_mesh = 1U << 20;
 const Appearance skin_look{
     .color = {0.50, 0.30, 0.22}, .roughness = 0.5, .wetness = 0.1, .surface = Surface::skin};
@@ -29,12 +30,12 @@ Eigen::AlignedBox3d box_of(const DrawItem& item) {
   return box;
 }
 
-/// Returns a body's item: still_scene()'s items end with the rigid bodies, then the soft ones.
+/// Returns a body's item. The items of still_scene() end with the rigid bodies, then the soft ones.
 const DrawItem& body_item(const SceneDesc& scene, const DrawList& list, std::size_t body) {
   return list.items[list.items.size() - scene.rigid.size() - scene.soft.size() + body];
 }
 
-/// Returns the box around all that is of glass; empty: nothing is.
+/// Returns the bounding box of all glass items; empty: none.
 Eigen::AlignedBox3d box_of_glass(const DrawList& list) {
   Eigen::AlignedBox3d box;
   for (const DrawItem& item : list.items)
@@ -55,10 +56,10 @@ DrawCamera camera_around(const Subject& subject, double yaw, double elevation, d
   return mono_camera(look_at(subject.middle + distance * back, subject.middle), fov, width, height);
 }
 
-/// Returns a place below the skin where that is nearest to the body's middle, which in a bent body lies
-/// outside.
+/// Returns a point below the skin where the skin is nearest to the body's centre. The centre itself may be
+/// outside a bent body.
 Vec3 inside_of(const DrawItem& body) {
-  constexpr double depth = 0.03;  // m: more than a camera's near plane is ahead
+  constexpr double depth = 0.03;  // m: more than the distance of a camera's near plane
   const DrawMesh& mesh = *body.mesh;
   const Eigen::Vector3f middle = (body.pose.inverse() * box_of(body).center()).cast<float>();
   std::size_t nearest = 0;
@@ -89,7 +90,7 @@ void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   }
 }
 
-/// Lights the part up from the first spot light, else from above.
+/// Lights the part from the first spot light, or from above if there is none.
 void light_up(DrawList& list, const DrawItem& part) {
   const Eigen::AlignedBox3d box = box_of(part);
   Vec3 lamp = box.center() + Vec3(0, 1.5, 0), color = Vec3::Ones();
@@ -104,7 +105,7 @@ void light_up(DrawList& list, const DrawItem& part) {
   add_light_shaft(list, shaft_mesh(first_own_mesh + 2), lamp, color, box.center(), box.sizes().norm() / 2);
 }
 
-/// Returns the box around all that a section opens; empty: nothing is.
+/// Returns the bounding box of all items that a section opens; empty: none.
 Eigen::AlignedBox3d box_of_openable(const DrawList& list) {
   Eigen::AlignedBox3d box;
   for (const DrawItem& item : list.items)
@@ -112,8 +113,8 @@ Eigen::AlignedBox3d box_of_openable(const DrawList& list) {
   return box;
 }
 
-/// Opens what is of tissue at an upright plane through its middle that faces the scene's camera. Returns
-/// false where there is no tissue.
+/// Opens the tissue at a vertical plane through its centre that faces the scene's camera. Returns false if
+/// there is no tissue.
 bool open_at_middle(const SceneDesc& scene, DrawList& list) {
   const Eigen::AlignedBox3d box = box_of_openable(list);
   if (box.isEmpty()) return false;
@@ -155,8 +156,8 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
   };
   const Pose scene_eye = look_at(scene.camera.eye, scene.camera.target);
   stop("scene", "from the scene's own camera", mono_camera(scene_eye, scene.camera.fov, width, height));
-  stop("left", "from a quarter turn to the left", orbit_camera(scene, subject, -M_PI / 2, width, height));
-  stop("right", "from a quarter turn to the right", orbit_camera(scene, subject, M_PI / 2, width, height));
+  stop("left", "from the left, 90°", orbit_camera(scene, subject, -M_PI / 2, width, height));
+  stop("right", "from the right, 90°", orbit_camera(scene, subject, M_PI / 2, width, height));
   stop("above", "from above", camera_around(subject, 0, steep, scene.camera.fov, width, height));
   Subject close = subject;
   if (soft != nullptr) {
@@ -165,7 +166,7 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
   } else {
     close.radius *= 0.4;
   }
-  stop("close", "from close by", orbit_camera(scene, close, 0, width, height));
+  stop("close", "close-up", orbit_camera(scene, close, 0, width, height));
   if (soft != nullptr) {
     stop("inside", "from inside the first soft body",
          mono_camera({inside_of(*soft), scene_eye.q}, scene.camera.fov, width, height));
@@ -174,11 +175,11 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
         *soft);
   }
   if (const Eigen::AlignedBox3d glass = box_of_glass(list); !glass.isEmpty())
-    stop("glass", "at what is of glass",
+    stop("glass", "at the glass bodies",
          orbit_camera(scene, {glass.center(), 0.42 * glass.sizes().norm()}, 0, width, height));
   if (DrawList opened = list; open_at_middle(scene, opened)) {
     const Eigen::AlignedBox3d box = box_of_openable(list);
-    out.push_back({"section", "opened at a plane through the middle", std::move(opened)});
+    out.push_back({"section", "section through the centre", std::move(opened)});
     out.back().list.cameras = {
         orbit_camera(scene, {box.center(), 0.5 * box.sizes().norm()}, 0, width, height)};
   }

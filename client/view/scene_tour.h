@@ -1,5 +1,5 @@
 #pragma once
-// Where to stand to see a still scene: named views, and a way around it.
+// Camera positions for a static scene: named views, and an orbit around it.
 
 #include <string>
 #include <vector>
@@ -11,23 +11,23 @@ namespace prosector {
 
 struct TourStop {
   std::string name;
-  std::string about;  // for people
+  std::string about;  // description for the reader
   DrawList list;      // with its camera
 };
 
-/// The ball around what can move or give way, else around everything but the room, m. `list` is
-/// still_scene()'s.
+/// Bounding sphere, m, of the bodies that can move or deform; without any, of everything but the room. `list`
+/// is from still_scene().
 struct Subject {
   Vec3 middle = Vec3::Zero();
   double radius = 1;
 };
 Subject subject_of(const SceneDesc& scene, const DrawList& list);
 
-/// Makes stops at the scene's own camera, on three sides, close by, and inside the first soft body. More
-/// stops are with two hands, with a shaft of light on that body, and at what is of glass, where there is any.
+/// Makes views from the scene's camera, from three sides, close up, and inside the first soft body. Further
+/// views show two hands, a light shaft on that body, and glass items, if any.
 std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int width, int height);
 
-/// Returns a camera `turn` radians around the subject from where the scene's camera stands.
+/// Returns a camera rotated by `turn` radians around the subject from the scene's camera.
 DrawCamera orbit_camera(const SceneDesc& scene, const Subject& subject, double turn, int width, int height);
 
 }  // namespace prosector

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
+#include "client/view/body_statistics.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
 #include "client/view/force_arrow.h"
+#include "client/view/headset_text.h"
 #include "client/view/held_blades.h"
-#include "client/view/held_things.h"
+#include "client/view/held_bodies.h"
 #include "client/view/help_board.h"
 #include "client/view/light_shaft.h"
 #include "client/view/near_fade.h"
@@ -21,26 +22,46 @@
 #include "client/view/room.h"
 #include "client/view/session_overlay.h"
 #include "client/view/shown_effort.h"
-#include "client/view/words_ahead.h"
 #include "common/hand.h"
 
 namespace prosector {
 namespace {
 
-constexpr double held_brightness = 1.5;  // of blades: their sides are to be seen
+constexpr double blade_brightness = 1.5;  // of blades, so that their sides are visible
 constexpr double lit_brightness = 1.6, least_room_light = 0.05, highlighted_brightness = 1.7;
 constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
-constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
-constexpr double eye_fov = 0.95;  // rad, vertical, of eyes whose field of view is not known
+constexpr int inset_share = 4;                     // ratio of the view's width and height to an inset's
+constexpr double eye_fov = 0.95;                   // rad, vertical, of eyes with an unknown field of view
 
-/// Returns the vertical field of view (rad) of a user's eyes. Whoever has no devices sits at a desk, which
-/// shows the scene as its camera does.
+/// Returns the vertical field of view (rad) of a user's eyes. A user without devices is at a desk, which
+/// shows the scene with its own camera.
 double fov_of(const RosterEntry& user, const CameraInfo& camera) {
   return user.devices.empty() ? camera.fov : eye_fov;
 }
 
-// Opacity of one's own hand and sleeve at a desk while they cover anatomy or hold something; most change a
-// picture.
+/// Returns the camera for a frame of this size (pixels).
+DrawCamera resized(DrawCamera camera, int width, int height) {
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+/// Adds lines below those of the session; empty: none.
+void add_notes(DrawList& list, const std::string& notes) {
+  if (notes.empty()) return;
+  list.texts.push_back({.text = notes,
+                        .at = {notes_left, notes_top, 0},
+                        .height = 13,
+                        .wrap = OverlayFrame(list).width - 2 * notes_left});
+}
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+// Opacity of the local user's hand and sleeve at a desk while they cover anatomy or hold something; largest
+// change per frame.
 constexpr double covering_hand = 0.3, covering_sleeve = 0.3, opacity_step = 0.15;
 
 }  // namespace
@@ -58,17 +79,19 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.words = settings.words;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
-  if (!settings.stereo && !settings.eyes && !settings.through) add_insets(replica, tick, settings);
-  add_room(settings.through ? Showing::around : Showing::itself);
+  const Overlays fitting = overlays_of(settings.projection);
+  const CameraOverlay* through = settings.through();
+  if (fitting.insets) add_insets(replica, tick, settings);
+  add_room(fitting.virtual_room ? ItemRole::itself : ItemRole::around);
   list_.section = settings.section;
-  if (settings.through && !settings.through->is_placed) {
+  if (through != nullptr && !through->is_placed) {
     if (settings.overlay) add_session_overlay(list_, replica, self, settings);
-    add_words_over(list_, settings.through->words);
+    add_centred_text(list_, through->words);
     return list_;
   }
   add_bodies(replica, tick, settings);
   if (settings.shown != Shown::none) paint_bodies(replica, settings.shown);
-  if (settings.through) lay_on_table(replica, *settings.through);
+  if (through != nullptr) replace_table(replica, *through);
   close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica, self.participant, settings.panel);
@@ -80,7 +103,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     parts_board_->add(list_, *settings.parts_board);
   }
   people_.add(list_, replica, tick, self, settings, next_mesh_id_);
-  if (self.present) fade_own_hands(replica, self, tick);
+  if (self.present) update_own_hand_opacity(replica, self, tick);
   if (self.at_desk) add_hand_cues(replica, self, tick);
   cut_lines_.add(list_);
   add_blades(replica, self, tick);
@@ -88,21 +111,17 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   strokes_.look(replica, tick * replica.tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_);
-  if (!settings.notes.empty() && settings.help.empty())
-    list_.texts.push_back({.text = settings.notes,
-                           .at = {notes_left, notes_top, 0},
-                           .height = 13,
-                           .wrap = OverlayFrame(list_).width - 2 * notes_left});
+  if (settings.help.empty()) add_notes(list_, settings.notes);
   if (settings.overlay) add_body_figures(replica);
   const bool overlay =
-      settings.overlay && settings.help.empty() && !settings.eyes;  // which the help would lie over
+      settings.overlay && settings.help.empty() && fitting.over_frame;  // the help would cover the overlay
   if (overlay) add_session_overlay(list_, replica, self, settings);
   if (overlay && self.present) add_stroke_figures(replica, self, tick, settings);
-  if (settings.eyes) add_words_ahead(list_, fmt::format("{}", fmt::join(settings.messages, "\n")));
+  if (!fitting.over_frame) add_headset_text(list_, fmt::format("{}", fmt::join(settings.messages, "\n")));
   if (settings.parts.labels() && settings.help.empty()) add_part_labels(replica, settings);
   if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
   if (!settings.help.empty()) add_help(list_, settings.help);
-  if (settings.through) add_words_over(list_, settings.through->words);
+  if (through != nullptr) add_centred_text(list_, through->words);
   return list_;
 }
 
@@ -127,34 +146,30 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
   }
   list_.cameras.clear();
   list_.backdrop.reset();
-  if (settings.through) {
-    DrawCamera seen = settings.through->camera;
-    list_.backdrop = settings.through->backdrop;
-    if (list_.backdrop) list_.backdrop->step *= static_cast<double>(seen.width) / settings.width;
-    seen.width = settings.width;
-    seen.height = settings.height;
-    list_.cameras.push_back(seen);
-    return;
-  }
-  if (settings.eyes) {
-    list_.cameras.assign(settings.eyes->begin(), settings.eyes->end());
-    return;
-  }
-  if (settings.window && own) {
-    DrawCamera& seen = list_.cameras.emplace_back(*settings.window);
-    seen.width = settings.width;
-    seen.height = settings.height;
-    return;
-  }
-  if (!settings.stereo) {
-    list_.cameras.push_back(mono_camera(eye, fov, settings.width, settings.height));
-    return;
-  }
-  for (const DrawCamera& c : stereo_cameras(eye, *settings.stereo, settings.width, settings.height))
-    list_.cameras.push_back(c);
+  const auto mono = [&] { list_.cameras = {mono_camera(eye, fov, settings.width, settings.height)}; };
+  std::visit(
+      Overloaded{
+          [&](const Mono&) { mono(); },
+          [&](const StereoProfile& profile) {
+            for (const DrawCamera& c : stereo_cameras(eye, profile, settings.width, settings.height))
+              list_.cameras.push_back(c);
+          },
+          [&](const HeadsetEyes& eyes) { list_.cameras.assign(eyes.cameras.begin(), eyes.cameras.end()); },
+          [&](const WindowCamera& window) {
+            if (!own) return mono();
+            list_.cameras = {resized(window.camera, settings.width, settings.height)};
+          },
+          [&](const CameraOverlay& through) {
+            list_.backdrop = through.backdrop;
+            if (list_.backdrop)
+              list_.backdrop->step *= static_cast<double>(through.camera.width) / settings.width;
+            list_.cameras = {resized(through.camera, settings.width, settings.height)};
+          },
+      },
+      settings.projection);
 }
 
-/// Adds insets one below the other at the upper right, each with its user's name.
+/// Adds insets below each other at the upper right, each with its user's name.
 void SceneView::add_insets(const Replica& replica, double tick, const ViewSettings& settings) {
   constexpr int gap = 6;  // pixels
   const int width = settings.width / inset_share, height = settings.height / inset_share;
@@ -166,7 +181,7 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
     const auto user = entry != nullptr ? replica.user(entry->participant, tick) : std::nullopt;
     const bool seen = user && user->head_tracked;
     const int left = settings.width - width - gap, top = settings.height - below - height;
-    list_.texts.push_back({.text = seen ? name : settings.words.tr("{} is not here", name),
+    list_.texts.push_back({.text = seen ? name : settings.words.tr("{} is not in the session", name),
                            .at = Vec3(left + gap, top + gap, 0) / settings.scale,
                            .height = 11});
     if (!seen) continue;
@@ -178,7 +193,7 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
   }
 }
 
-void SceneView::add_room(Showing showing) {
+void SceneView::add_room(ItemRole showing) {
   if (room_.empty()) {
     room_ = room_items(next_mesh_id_);
     next_mesh_id_ += room_.size();
@@ -189,29 +204,29 @@ void SceneView::add_room(Showing showing) {
   }
 }
 
-/// Puts the real table, as the camera sees it, in the place of the scene's, which is what is fixed below the
-/// board. All bodies are lit as it is, and phantoms hide what is behind them.
-void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) {
-  constexpr double below = 0.005;  // m, of the board
+/// Replaces the scene's table, which is the fixed body below the board, by the real table in the camera
+/// image. All bodies are lit like it, and phantoms occlude.
+void SceneView::replace_table(const Replica& replica, const CameraOverlay& through) {
+  constexpr double below = 0.005;  // m, below the board
   const Pose& board = through.room_board;
   const Vec3 up = board.q * Vec3::UnitZ();
-  const Vec3 shown = shown_paper(list_, board.p, up);
+  const Vec3 shown = rendered_paper_color(list_, board.p, up);
   for (const auto& [body, index, inner] : body_items_) {
     const SceneBody& one = replica.scene()->bodies[body];
     DrawItem& item = list_.items[index];
     if (through.found && one.name == through.found->body) {
-      item.showing = Showing::real;
+      item.showing = ItemRole::real;
       item.pose = through.found->place.value_or(item.pose);
       continue;
     }
     if (std::ranges::find(through.phantoms, one.name) != through.phantoms.end()) {
-      item.showing = Showing::real;
+      item.showing = ItemRole::real;
       continue;
     }
-    if (through.paper) light_as(item, shown, *through.paper);
+    if (through.paper) match_lighting(item, shown, *through.paper);
     if (one.kind != BodyKind::rigid || one.moves || one.part || !box_of(body).contains(board.p - below * up))
       continue;
-    item.showing = Showing::around;
+    item.showing = ItemRole::around;
     item.casts_shadow = false;
   }
   DrawItem plane = table_plane(board, next_mesh_id_);
@@ -224,7 +239,7 @@ void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) 
   if (!through.found || !through.found->shape || !through.found->place) return;
   if (!phantom_) phantom_ = rigid_mesh(*through.found->shape, next_mesh_id_++);
   list_.items.push_back(
-      {.mesh = phantom_, .pose = *through.found->place, .appearance = {}, .showing = Showing::real});
+      {.mesh = phantom_, .pose = *through.found->place, .appearance = {}, .showing = ItemRole::real});
 }
 
 void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {
@@ -245,10 +260,10 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
       if (!mesh) mesh = rigid_mesh(rigid->mesh, next_mesh_id_++);
       item.mesh = mesh;
       item.pose = replica.rigid_pose(id, tick);
-      if (is_held_blade(replica, id)) item.brightness = held_brightness;
+      if (is_held_blade(replica, id)) item.brightness = blade_brightness;
     } else {
       SoftReplica* soft = replica.soft(id);
-      if (soft == nullptr || !soft->complete()) continue;  // a new piece: still on its way
+      if (soft == nullptr || !soft->complete()) continue;  // a new piece that is not fully received
       const SoftBodyMesh& mesh =
           follow_soft(*soft, id, bodies[id].tube_diameter, tick, replica.tick_seconds());
       item.mesh = mesh.outer();
@@ -261,7 +276,7 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
       if (part->inspected) item.shape = part->shape;
       item.seen_from_inside = part->inspected;
       item.opacity = part->opacity;
-      // As bright as in a bright room, and more.
+      // As bright as in a fully lit room, and more.
       if (part->lit) item.brightness = lit_brightness / std::max(replica.room_lights(), least_room_light);
       if (part->lit) add_light_shaft(item);
     }
@@ -282,13 +297,13 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
   }
 }
 
-/// Closes what the viewer's section opens. One can point at what closes it.
+/// Closes what the viewer's section opens. The caps can be picked.
 void SceneView::close_section() {
   for (const auto& [solid, item] : section_caps_.add(list_, next_mesh_id_))
     body_items_.push_back({solid - 1, item, true});
 }
 
-/// Colours all soft bodies by one scale.
+/// Colours all soft bodies with one scale.
 void SceneView::paint_bodies(const Replica& replica, Shown shown) {
   const auto& bodies = replica.scene()->bodies;
   std::vector<const BodyItem*> soft;
@@ -341,7 +356,7 @@ std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<Bo
   return nearest_item(ray, [&](BodyId body) { return std::ranges::find(without, body) == without.end(); });
 }
 
-/// Returns where the ray first meets what the section leaves of the item.
+/// Returns where the ray first meets the part of the item that the section leaves.
 std::optional<SurfacePoint> SceneView::meet(const Ray& ray, const DrawItem& item) {
   if (!is_opened(item, list_)) return trees_.meet(ray, item);
   const SectionPlane& section = *list_.section;
@@ -375,10 +390,10 @@ FindSurface SceneView::finder_without(std::vector<BodyId> held) {
   };
 }
 
-/// Adds what tells a desk user, who feels nothing, where their hand is.
+/// Adds depth cues for a desk user's hand, because desk users have no haptics.
 void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, double tick) {
   const auto user = replica.user(self.participant, tick);
-  if (people_.own_hands().empty() || !user || !user->hands[right_hand].tracked) return;
+  if (people_.own_hand_items().empty() || !user || !user->hands[right_hand].tracked) return;
   const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
   const HandPose& hand = user->hands[right_hand];
   const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
@@ -387,29 +402,30 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
   if (contact != nullptr && contact->touching) add_force_arrow(list_, contact->point, -contact->force);
 }
 
-/// Lets a desk user see through their own hand and sleeve where these cover what can be worked at, and
-/// through a hand that holds something. Nothing of one's own is cut open by the near plane.
-void SceneView::fade_own_hands(const Replica& replica, const LocalUser& self, double tick) {
-  if (people_.own_hands().empty()) own_solidity_.reset();
-  if (self.at_desk && !people_.own_hands().empty()) {
+/// Fades a desk user's own hand and sleeve while they cover bodies that can be worked on, and a hand that
+/// holds something. Also fades the user's own items before the near plane clips them.
+void SceneView::update_own_hand_opacity(const Replica& replica, const LocalUser& self, double tick) {
+  if (people_.own_hand_items().empty()) own_hand_opacity_.reset();
+  if (self.at_desk && !people_.own_hand_items().empty()) {
     const auto user = replica.user(self.participant, tick);
     const bool is_physical = user && user->hands[right_hand].tracked;
     const HandPose& hand = is_physical ? user->hands[right_hand] : self.input.hands[right_hand];
     const bool holds = !held_by(replica, {self.participant, right_hand}).empty();
-    const double to = holds || covers_anatomy(replica, hand) ? 0 : 1;
-    own_solidity_ =
-        own_solidity_ ? *own_solidity_ + std::clamp(to - *own_solidity_, -opacity_step, opacity_step) : to;
-    for (const std::size_t item : people_.own_hands())
-      list_.items[item].opacity *= covering_hand + (1 - covering_hand) * *own_solidity_;
+    const double to = holds || occludes_anatomy(replica, hand) ? 0 : 1;
+    own_hand_opacity_ = own_hand_opacity_ ? *own_hand_opacity_ + std::clamp(to - *own_hand_opacity_,
+                                                                            -opacity_step, opacity_step)
+                                          : to;
+    for (const std::size_t item : people_.own_hand_items())
+      list_.items[item].opacity *= covering_hand + (1 - covering_hand) * *own_hand_opacity_;
     for (const std::size_t item : people_.own_sleeves())
-      list_.items[item].opacity *= covering_sleeve + (1 - covering_sleeve) * *own_solidity_;
+      list_.items[item].opacity *= covering_sleeve + (1 - covering_sleeve) * *own_hand_opacity_;
   }
-  fade_near_eyes(list_, people_.own_hands());
+  fade_near_eyes(list_, people_.own_hand_items());
   fade_near_eyes(list_, people_.own_sleeves());
 }
 
-/// Adds the edges of blades in hands, and where they would cut. A desk user's is known better from the
-/// pointer.
+/// Adds the edges of held blades, and predicted cut lines. Omits the line of the local desk user, because the
+/// pointer gives a better one.
 void SceneView::add_blades(const Replica& replica, const LocalUser& self, double tick) {
   for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
     if (!is_held_blade(replica, id)) continue;
@@ -427,7 +443,7 @@ void SceneView::add_guide_of(const Replica& replica, const HandRef& hand, double
   add_guide(list_, next_cut(replica, user->hands[hand.hand].pose * *blade, find));
 }
 
-/// Adds the figures of one's own stroke: beside the pointer, or beside the tip of the blade in a hand.
+/// Adds the statistics of the local user's stroke, next to the pointer or next to the tip of the held blade.
 void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,
                                    const ViewSettings& settings) {
   constexpr double right = 16, below = 14, height = 13;  // points from the pointer
@@ -455,8 +471,9 @@ void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self
   }
 }
 
-/// Tells whether the first eye sees a good part of the hand before what can be worked at.
-bool SceneView::covers_anatomy(const Replica& replica, const HandPose& hand) {
+/// Returns whether at least a quarter of the hand's joints are in front of bodies that can be worked on, as
+/// seen by the first eye.
+bool SceneView::occludes_anatomy(const Replica& replica, const HandPose& hand) {
   const auto& bodies = replica.scene()->bodies;
   const auto matters = [&](BodyId id) {
     return id < bodies.size() && (bodies[id].kind == BodyKind::soft || bodies[id].part || bodies[id].moves);
@@ -480,7 +497,7 @@ Eigen::AlignedBox3d SceneView::box_of(BodyId body) const {
   return box;
 }
 
-/// Adds a light shaft from the surgical lamp, the first spot light; without one, light comes from above.
+/// Adds a light shaft from the surgical lamp, the first spot light; without one, from above.
 void SceneView::add_light_shaft(const DrawItem& item) {
   Eigen::AlignedBox3d box;
   for (const auto& x : item.mesh->positions) box.extend(item.shape * (item.pose * x.cast<double>().eval()));
@@ -496,7 +513,7 @@ void SceneView::add_light_shaft(const DrawItem& item) {
   prosector::add_light_shaft(list_, shaft_, lamp, color, box.center(), box.sizes().norm() / 2);
 }
 
-/// Lights that bodies carry go with them; the others are as bright as the room is.
+/// Moves the lights that bodies carry; scales the others by the room's brightness.
 void SceneView::place_lights(const Replica& replica, double tick) {
   list_.lights = replica.scene()->lights;
   const double room = replica.room_lights();
@@ -507,7 +524,7 @@ void SceneView::place_lights(const Replica& replica, double tick) {
       continue;
     }
     const Pose carrier = replica.rigid_pose(static_cast<BodyId>(light.body), tick);
-    light = carried_by(carrier, light);
+    light = light_in_room(carrier, light);
   }
 }
 
@@ -515,7 +532,7 @@ void SceneView::add_wireframes(Replica& replica, double tick) {
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const PartState* part = replica.part(id);
-    if (part != nullptr && (part->hidden || part->inspected)) continue;  // out of touch
+    if (part != nullptr && (part->hidden || part->inspected)) continue;  // not in contact
     if (bodies[id].kind == BodyKind::soft) {
       const SoftReplica* known = replica.soft(id);
       if (known == nullptr || !known->complete()) continue;
@@ -554,7 +571,7 @@ void SceneView::add_panels(const Replica& replica, ParticipantId self, const Pan
   }
 }
 
-/// Adds names beside what can be taken in hand, clear of what else lies over the picture.
+/// Adds labels of the parts that can be grasped, clear of the other overlays.
 void SceneView::add_part_labels(const Replica& replica, const ViewSettings& settings) {
   constexpr double border = 10, below_lines = 74, note_line = 17;  // points
   const OverlayFrame frame(list_);
@@ -572,8 +589,8 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
                    {Eigen::Vector2d(border, top), Eigen::Vector2d(right, frame.height - message_band)});
 }
 
-/// Adds figures above each body that is drawn and whose scene asks for it: above as the first eye sees it, so
-/// that they hide nothing of the body.
+/// Adds statistics above each drawn body for which the scene requests them. They are above it as seen by the
+/// first eye, so that they hide nothing of the body.
 void SceneView::add_body_figures(const Replica& replica) {
   constexpr double clearance = 0.015;  // m
   const Pose eye = list_.cameras.front().pose, into_eye = eye.inverse();
@@ -587,7 +604,7 @@ void SceneView::add_body_figures(const Replica& replica) {
     if (box.isEmpty()) continue;
     const Vec3 middle = into_eye * Vec3(box.center().cast<double>());
     if (!(middle.z() < 0)) continue;          // behind the eye
-    double slope = middle.y() / -middle.z();  // of the sight line to the body's highest point in the picture
+    double slope = middle.y() / -middle.z();  // of the sight line to the body's highest point in the view
     for (const auto& vertex : mesh->second.outer()->positions)
       if (const Vec3 x = into_eye * Vec3(vertex.cast<double>()); x.z() < 0)
         slope = std::max(slope, x.y() / -x.z());

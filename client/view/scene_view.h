@@ -1,5 +1,6 @@
 #pragma once
-// Replica, own hand and camera → DrawList: everything that a person sees, without any GL.
+// Makes the DrawList, all that a user sees, from the replica, the user's own hands and the camera. Without
+// any GL.
 
 #include <map>
 #include <memory>
@@ -18,11 +19,11 @@
 #include "client/view/panel_view.h"
 #include "client/view/part_labels.h"
 #include "client/view/parts_board_view.h"
-#include "client/view/people.h"
 #include "client/view/pick.h"
 #include "client/view/section.h"
 #include "client/view/soft_body_mesh.h"
 #include "client/view/surface_tree.h"
+#include "client/view/user_avatars.h"
 #include "client/view/value_paint.h"
 #include "client/view/view_settings.h"
 #include "client/view/wireframe.h"
@@ -31,46 +32,46 @@ namespace prosector {
 
 class SceneView {
  public:
-  /// Rebuilds the list for the replica's `tick`. Deformed surfaces are refreshed only when they moved.
+  /// Rebuilds the list for the replica's `tick`. Updates deformed surfaces only if they moved.
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
-  /// Returns the part of the anatomy that the ray meets first in the list built last.
+  /// Returns the part of the anatomy that the ray meets first in the latest list.
   std::optional<BodyId> part_at(const Ray& ray);
-  /// Returns where the ray first meets a body in the list built last, other than those of `without`.
+  /// Returns where the ray first meets a body in the latest list, except those of `without`.
   std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {});
-  /// Returns how many lines of the own panel's description do not fit on it.
+  /// Returns how many lines of the local user's panel description do not fit.
   std::size_t hidden_panel_lines() const { return hidden_panel_lines_; }
-  /// Returns the box around a body as it is drawn, m, world frame; empty: it isn't.
+  /// Returns the bounding box of a body as drawn, m, world frame; empty: not drawn.
   Eigen::AlignedBox3d box_of(BodyId body) const;
 
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
   std::map<BodyId, SoftBodyMesh> soft_meshes_;
-  std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
+  std::map<std::uint64_t, PaintedMesh> painted_;  // by the source mesh's id
   AutoRange strain_range_{0.01};
-  ValueScale scale_;  // of the colours of the list built last
-  People people_;
+  ValueScale scale_;  // colour scale of the latest list
+  UserAvatars people_;
   std::vector<DrawItem> room_;
-  std::shared_ptr<const DrawMesh> table_;    // the real one's plane; null: no camera saw it yet
-  std::shared_ptr<const DrawMesh> phantom_;  // of a shape of its own; null: none was seen yet
+  std::shared_ptr<const DrawMesh> table_;    // plane of the real table; null: not seen by a camera yet
+  std::shared_ptr<const DrawMesh> phantom_;  // phantom with a custom shape; null: not seen yet
   std::shared_ptr<const DrawMesh> shaft_;
   HandCues hand_cues_;
   CutLines cut_lines_;
-  StrokeGauge strokes_;
+  StrokeTracker strokes_;
   std::optional<double>
-      own_solidity_;  // of one's own hand at a desk; 0: seen through; nullopt: not drawn yet
+      own_hand_opacity_;  // opacity of the local user's hand at a desk, 0: invisible; nullopt: not drawn yet
   std::optional<PanelView> panel_view_;
-  std::optional<PartsBoardView> parts_board_;  // nullopt: no board was seen yet
+  std::optional<PartsBoardView> parts_board_;  // nullopt: not shown yet
   std::size_t hidden_panel_lines_ = 0;
   std::map<BodyId, Edges> wires_;
-  std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() that wires_ are of
+  std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() for which wires_ was built
   struct BodyItem {
     BodyId body = 0;
-    std::size_t index = 0;  // of list_.items
-    bool inner = false;     // what cuts laid bare
+    std::size_t index = 0;  // index in list_.items
+    bool inner = false;     // a cut surface
   };
   std::vector<BodyItem> body_items_;
-  std::set<BodyId> parts_;  // of the anatomy
+  std::set<BodyId> parts_;  // bodies of the anatomy
   SurfaceTrees trees_;
   SectionCaps section_caps_;
   LevelOfDetail level_of_detail_;
@@ -81,8 +82,8 @@ class SceneView {
   void place_cameras(const Replica& replica, double tick, const LocalUser& self,
                      const ViewSettings& settings);
   void add_insets(const Replica& replica, double tick, const ViewSettings& settings);
-  void add_room(Showing showing);
-  void lay_on_table(const Replica& replica, const SeeThrough& through);
+  void add_room(ItemRole showing);
+  void replace_table(const Replica& replica, const CameraOverlay& through);
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
   void close_section();
@@ -95,8 +96,8 @@ class SceneView {
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
   FindSurface finder_without(std::vector<BodyId> held);
   void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
-  void fade_own_hands(const Replica& replica, const LocalUser& self, double tick);
-  bool covers_anatomy(const Replica& replica, const HandPose& hand);
+  void update_own_hand_opacity(const Replica& replica, const LocalUser& self, double tick);
+  bool occludes_anatomy(const Replica& replica, const HandPose& hand);
   void add_blades(const Replica& replica, const LocalUser& self, double tick);
   void add_guide_of(const Replica& replica, const HandRef& hand, double tick);
   void add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,

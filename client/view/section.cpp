@@ -8,11 +8,11 @@ namespace prosector {
 namespace {
 
 constexpr double close_to_axis = 0.26;  // rad
-// Where solids overlap, as neighbours in an atlas do, their caps lie this far apart and don't flicker.
+// Where solids overlap, such as neighbours in an atlas, their caps are this far apart to avoid z-fighting.
 constexpr double layer = 1e-5;  // m
 constexpr std::uint32_t layers = 16;
 
-/// Lays the cap into the section's plane, in the room.
+/// Transforms the cap into the section's plane in the room.
 void lay(const Cap& cap, const SectionPlane& section, double lift, DrawMesh& mesh) {
   const Pose frame = frame_of(section);
   mesh.positions.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// Opens what a list has of tissue at a plane, and closes it again with caps in the inside's colour.
+// Opens the tissue in a list at a section plane, and closes it with caps in the colour of the inside.
 
 #include <cstdint>
 #include <map>
@@ -13,21 +13,22 @@
 
 namespace prosector {
 
-/// Tells whether a section opens what looks so: tissue, skin and bone, but no instrument, cloth or furniture.
+/// Returns whether a section opens bodies of this appearance: tissue, skin and bone, but no instrument, cloth
+/// or furniture.
 bool is_openable(const Appearance& appearance);
 
-/// Returns the plane through `middle` that takes away what is before it, as seen along `back` (from what is
-/// seen to the eye, unit). It is turned to the room's nearest axis where that is close.
+/// Returns the plane through `middle` that removes the side towards the eye. `back`: unit, from the subject
+/// to the eye. The plane snaps to the nearest axis of the room if that is close.
 SectionPlane section_facing(const Vec3& back, const Vec3& middle);
 
 class SectionCaps {
  public:
-  /// Closes the list's solids where its section opens them: adds an item for each, with meshes of ids from
-  /// `next_mesh_id` on. Returns for each the solid's number and the item's index.
+  /// Closes the list's solids where its section opens them, with one item for each. Takes mesh ids from
+  /// `next_mesh_id`. Returns pairs of solid number and item index.
   std::vector<std::pair<std::uint32_t, std::size_t>> add(DrawList& list, std::uint64_t& next_mesh_id);
 
  private:
-  /// A surface, as far as its section depends on it.
+  /// The state of a surface that its section depends on.
   struct Face {
     std::uint64_t mesh, revision, positions_revision;
     Pose pose;
@@ -39,7 +40,7 @@ class SectionCaps {
     }
   };
   struct Closed {
-    std::vector<Face> faces;  // that the mesh was made of
+    std::vector<Face> faces;  // the faces from which the mesh was made
     std::optional<SectionPlane> section;
     std::shared_ptr<DrawMesh> mesh;
   };

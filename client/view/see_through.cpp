@@ -12,8 +12,8 @@
 namespace prosector {
 namespace {
 
-constexpr double paper_albedo = 0.83;  // of what a board is printed on
-constexpr double ceiling_share = 1.9;  // of ambient light, on what faces the ceiling
+constexpr double paper_albedo = 0.83;  // reflectance of the paper that a board is printed on
+constexpr double ceiling_share = 1.9;  // factor of the ambient light on surfaces that face the ceiling
 constexpr double plane_side = 1.5;     // m
 
 // The curve of tone_map() in shaders/color.glsl.
@@ -47,13 +47,14 @@ Vec3 light_from(const LightInfo& light, const Vec3& place, const Vec3& normal) {
   return share * all;
 }
 
-/// Returns the scene's body of that name. Throws InputError that lists the scene's where it has none.
+/// Returns the scene's body with this name. Throws InputError with the list of the scene's bodies if there is
+/// none.
 const SceneBody& body_called(const SceneInfo& scene, const std::string& name) {
   const auto found = std::ranges::find(scene.bodies, name, &SceneBody::name);
   if (found != scene.bodies.end()) return *found;
   std::vector<std::string> known;
   for (const SceneBody& body : scene.bodies) known.push_back(body.name);
-  throw InputError(fmt::format("phantom \"{}\": the scene \"{}\" has no such body; it has {}", name,
+  throw InputError(fmt::format("phantom \"{}\": the scene \"{}\" has no such body; bodies: {}", name,
                                scene.name, fmt::join(known, ", ")));
 }
 
@@ -62,19 +63,19 @@ const SceneBody& body_called(const SceneInfo& scene, const std::string& name) {
 void check_phantoms(const SceneInfo& scene, std::span<const std::string> names, const std::string& found) {
   for (const std::string& name : names) (void)body_called(scene, name);
   if (!found.empty() && body_called(scene, found).kind != BodyKind::rigid)
-    throw InputError(fmt::format(
-        "phantom.body {}: must be a rigid body; a soft one is where the scene has it (--phantom)", found));
+    throw InputError(
+        fmt::format("phantom.body {}: must be a rigid body; for a soft one use --phantom", found));
 }
 
-Vec3 shown_paper(const DrawList& list, const Vec3& place, const Vec3& normal) {
+Vec3 rendered_paper_color(const DrawList& list, const Vec3& place, const Vec3& normal) {
   Vec3 light = ceiling_share * list.ambient;
   for (const LightInfo& one : list.lights) light += light_from(one, place, normal);
   return (paper_albedo * light).unaryExpr(&tone_mapped);
 }
 
-void light_as(DrawItem& item, const Vec3& shown, const Vec3& paper) {
-  constexpr double least = 0.02, most = 4;             // times as bright
-  constexpr double least_tint = 0.6, most_tint = 1.6;  // of a colour against the others
+void match_lighting(DrawItem& item, const Vec3& shown, const Vec3& paper) {
+  constexpr double least = 0.02, most = 4;             // factor of brightness
+  constexpr double least_tint = 0.6, most_tint = 1.6;  // factor of one colour channel relative to the mean
   const Vec3 ratio =
       paper.unaryExpr(&radiance_of).cwiseQuotient(shown.unaryExpr(&radiance_of).cwiseMax(1e-3));
   const double grey = std::clamp(ratio.mean(), least, most);
@@ -91,10 +92,10 @@ DrawItem table_plane(const Pose& room_board, std::uint64_t mesh_id) {
   mesh->normals.assign(4, Eigen::Vector3f::UnitZ());
   mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
   return {
-      .mesh = mesh, .pose = room_board, .appearance = {}, .casts_shadow = false, .showing = Showing::ground};
+      .mesh = mesh, .pose = room_board, .appearance = {}, .casts_shadow = false, .showing = ItemRole::ground};
 }
 
-void add_words_over(DrawList& list, const std::string& words) {
+void add_centred_text(DrawList& list, const std::string& words) {
   if (words.empty()) return;
   constexpr double height = 16, border = 40;  // points
   const OverlayFrame frame(list);

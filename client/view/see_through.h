@@ -1,6 +1,6 @@
 #pragma once
-// The scene on a real table that a camera sees: what is real isn't drawn, hides what is behind it, takes
-// shadows; virtual things are lit as the table is.
+// The scene on a real table in a camera image. Real objects are not drawn, but occlude and receive shadows.
+// Virtual objects are lit like the table.
 
 #include <memory>
 #include <optional>
@@ -9,47 +9,48 @@
 #include <vector>
 
 #include "client/view/draw_list.h"
+#include "common/math.h"
 #include "common/mesh.h"
-#include "common/messages.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 
-/// A real body whose place was found apart from the scene.
+/// A real object whose pose was detected independently of the scene.
 struct FoundPhantom {
-  std::string body;                                // of the scene, whose shape it has; empty: `shape` says
-  std::shared_ptr<const TriangleMesh> shape = {};  // null: the body's
-  std::optional<Pose> place = {};  // of the shape in the room; nullopt: as the scene has the body
+  std::string body;  // body of the scene with the same shape; empty: see `shape`
+  std::shared_ptr<const TriangleMesh> shape = {};  // null: the body's shape
+  std::optional<Pose> place = {};  // pose of the shape in the room; nullopt: that of the scene's body
 };
 
-/// A camera's picture to be drawn over.
-struct SeeThrough {
-  DrawCamera camera;  // that took it
+/// A camera image to draw over.
+struct CameraOverlay {
+  DrawCamera camera;  // the camera that took the image
   std::optional<DrawBackdrop> backdrop = {};
-  bool is_placed = false;                  // it is known from where it was taken
-  Pose room_board = {};                    // of the board on the table
-  std::optional<Pose> room_tablet = {};    // of the looker's own panel, as the picture shows it
-  std::optional<Vec3> paper = {};          // light of the board's paper, as a screen shows it
-  std::vector<std::string> phantoms = {};  // names of bodies that are really there, as the scene has them
-  std::optional<FoundPhantom> found = {};  // a further one
-  std::string words = {};                  // on the picture; empty: none
+  bool is_placed = false;                  // the camera's pose is known
+  Pose room_board = {};                    // pose of the marker board on the table
+  std::optional<Pose> room_tablet = {};    // pose of the local user's panel in the image
+  std::optional<Vec3> paper = {};          // colour of the board's paper in the image, display values
+  std::vector<std::string> phantoms = {};  // bodies of the scene that really exist, by name
+  std::optional<FoundPhantom> found = {};  // a further phantom
+  std::string words = {};                  // text over the image; empty: none
 };
 
-/// Checks the names of real bodies; `found`: of a FoundPhantom, or empty. Throws InputError that lists the
-/// scene's bodies where it has none of that name, and where what was found is soft.
+/// Checks the names of real bodies; `found`: name of a FoundPhantom, or empty. Throws InputError that lists
+/// the scene's bodies if a name is unknown. Throws if the found phantom is soft.
 void check_phantoms(const SceneInfo& scene, std::span<const std::string> names, const std::string& found);
 
-/// Returns the light (shown by a screen, linear) that our pictures would have of paper at a place that faces
-/// `normal`. Shadows, and what the room's walls send, are left out.
-Vec3 shown_paper(const DrawList& list, const Vec3& place, const Vec3& normal);
+/// Returns the displayed colour (linear) that our renderer would give to paper at a position with the given
+/// `normal`. Shadows and the light from the walls are neglected.
+Vec3 rendered_paper_color(const DrawList& list, const Vec3& place, const Vec3& normal);
 
-/// Changes how bright and of which colour the item is, so that its light is the paper's. Our pictures would
-/// have the paper as `shown`; the camera has it as `paper`.
-void light_as(DrawItem& item, const Vec3& shown, const Vec3& paper);
+/// Adjusts the item's brightness and tint to match the paper's light: `shown` is the rendered paper, `paper`
+/// the paper in the camera image.
+void match_lighting(DrawItem& item, const Vec3& shown, const Vec3& paper);
 
-/// Makes the plane that the board lies in: ground, as large as tables are.
+/// Makes the plane of the board as ground, as large as a table.
 DrawItem table_plane(const Pose& room_board, std::uint64_t mesh_id);
 
-/// Adds the words to the middle of the picture.
-void add_words_over(DrawList& list, const std::string& words);
+/// Adds the words in the middle of the view.
+void add_centred_text(DrawList& list, const std::string& words);
 
 }  // namespace prosector

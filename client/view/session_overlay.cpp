@@ -13,7 +13,7 @@
 namespace prosector {
 namespace {
 
-/// Adds the contact of the hand that touches; of both, that of the one that pushes harder.
+/// Adds the contact of the touching hand; if both touch, that of the hand with the larger impulse.
 void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
   const ContactSample* strongest = nullptr;
   for (const std::size_t hand : {right_hand, left_hand}) {
@@ -27,7 +27,7 @@ void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
                       status != nullptr ? status->press_error : -1);
 }
 
-/// Names what the pointer is at, and who holds it.
+/// Adds the name of the body at the pointer, and its holders.
 void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings& settings) {
   constexpr double right = 16, above = 30, height = 13;  // points from the pointer
   if (!settings.pointed || *settings.pointed >= replica.scene()->bodies.size()) return;
@@ -37,7 +37,7 @@ void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings
                         .height = height});
 }
 
-/// Adds lines at the lower border, beside the axes.
+/// Adds lines at the lower border, to the right of the axes.
 void add_messages(DrawList& list, const std::vector<std::string>& messages) {
   constexpr double left = 118, lowest = 24, spacing = 18, height = 14, least = 11, margin = 6;  // points
   const double bottom = OverlayFrame(list).lowest - lowest;
@@ -90,17 +90,17 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
                      status->observers == 1 ? std::string(words.tr("1 observer"))
                                             : words.tr("{} observers", status->observers)));
   if (replica.server_gone())
-    line(2, words.tr("the server is gone; waiting for it"));
+    line(2, words.tr("the server does not respond; waiting"));
   else if (replica.recording())
     line(2, words.tr("a recording"));
   else if (replica.pace() == 0)
-    line(2, words.tr("time stands still"));
+    line(2, words.tr("time stopped"));
   else if (replica.pace() < 1)
     line(2, words.tr("slow motion, {:g} of real time", replica.pace()));
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr
-                ? words.tr("through the eyes of {}", settings.follow)
-                : words.tr("{} is not here; own view", settings.follow));
+                ? words.tr("view of {}", settings.follow)
+                : words.tr("{} is not in the session; own view", settings.follow));
   add_messages(list, settings.messages);
   add_pointed_name(list, replica, settings);
   if (const RosterEntry* followed = find_by_name(replica, settings.follow))

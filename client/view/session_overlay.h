@@ -1,5 +1,5 @@
 #pragma once
-// What is laid over a picture of a session: its figures, the room's axes, and what the user touches.
+// Overlay of a session: statistics, the room's axes, and the body that the user touches.
 
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
@@ -7,10 +7,10 @@
 
 namespace prosector {
 
-/// Finds the participant of this name, one who takes part before one who watches; null: nobody has it.
+/// Returns the participant with this name, preferring active users to observers; null: none.
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
 
-/// Returns what a body of the scene is called, and who holds it: "scalpel, held by Ann".
+/// Returns a body's name and its holders: "scalpel, held by Ann".
 std::string named_with_holders(const Replica& replica, BodyId body, const Catalogue& words = {});
 
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,

@@ -1,5 +1,5 @@
 #pragma once
-// How a body is solved, as its panel's strips show it.
+// Solver effort of a body, for its panel's strips.
 
 #include <optional>
 
@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// Returns how a body is solved; nullopt: it is rigid, or not told yet. `viewer`: who sees it.
+/// Returns the solver effort of a body; nullopt: it is rigid, or its status was not received yet. `viewer`:
+/// the participant to show it to.
 std::optional<ShownEffort> shown_effort(const Replica& replica, BodyId body, ParticipantId viewer);
 
 }  // namespace prosector

@@ -32,10 +32,10 @@ void SoftBodyMesh::follow(const SoftReplica& soft, bool moved) {
   ++inner_->positions_revision;
 }
 
-/// Makes the triangles anew; those that are gone have their corners equal.
+/// Rebuilds the triangles. Removed triangles have coincident corners.
 void SoftBodyMesh::reshape(const SoftReplica& soft) {
   const TriangleMesh& rest = soft.rest();
-  if (tube_diameter_ > 0 && !rest.positions.empty()) return;  // an axis has no inside
+  if (tube_diameter_ > 0 && !rest.positions.empty()) return;  // a rope's axis has no inside
   constexpr std::uint32_t none = ~0u;
   std::vector<std::uint32_t> inner_of(rest.positions.size(), none);
   outer_->triangles.clear();

@@ -30,7 +30,7 @@ struct NumberField {
   double StereoProfile::*in;
   double least, most;
   const char* unit;
-  double scale = 1;  // file's unit → ours
+  double scale = 1;  // factor from the file's unit to the field's
   bool whole = false;
 };
 
@@ -70,7 +70,7 @@ class ProfileReader {
     } else {
       std::vector<std::string_view> known = {"description", "swap_eyes"};
       for (const NumberField& f : number_fields) known.push_back(f.key);
-      fail(key, node, fmt::format("unknown key; allowed are {}", fmt::join(known, ", ")));
+      fail(key, node, fmt::format("unknown key; allowed: {}", fmt::join(known, ", ")));
     }
   }
 
@@ -119,8 +119,8 @@ StereoProfile load_stereo_profile(const std::string& profile) {
   if (!std::filesystem::exists(profile)) {
     const auto shipped = find_embedded(shipped_stereo_profiles, profile + ".toml");
     if (!shipped)
-      throw InputError(fmt::format("stereo profile {}: no such file, nor one of those shipped: {}", profile,
-                                   fmt::join(shipped_profiles(), ", ")));
+      throw InputError(fmt::format("stereo profile {}: neither a file nor one of the shipped profiles: {}",
+                                   profile, fmt::join(shipped_profiles(), ", ")));
     return parse_stereo_profile(*shipped, profile);
   }
   constexpr std::size_t max_bytes = 1 << 20;

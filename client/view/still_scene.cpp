@@ -30,7 +30,8 @@ DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Pro
     const auto carrier = std::find_if(scene.rigid.begin(), scene.rigid.end(), [&](const RigidDesc& body) {
       return !light.carrier.empty() && body.name == light.carrier;
     });
-    list.lights.push_back(carrier == scene.rigid.end() ? LightInfo(light) : carried_by(carrier->pose, light));
+    list.lights.push_back(carrier == scene.rigid.end() ? LightInfo(light)
+                                                       : light_in_room(carrier->pose, light));
   }
   return list;
 }

@@ -1,13 +1,13 @@
 #pragma once
-// A scene file as a picture, without a session: every body where the scene puts it.
+// A scene file as a draw list, without a session: every body at its initial pose.
 
 #include "client/view/draw_list.h"
 #include "common/anatomy/sources.h"
 
 namespace prosector {
 
-/// Makes room, bodies and lights of a scene; cameras are the caller's to add. Meshing says what it does
-/// through `progress`. Throws InputError where the server would.
+/// Makes room, bodies and lights of a scene; the caller adds cameras. Meshing reports its progress through
+/// `progress`. Throws InputError for the inputs that the server rejects.
 DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Progress& progress);
 
 }  // namespace prosector

@@ -9,7 +9,7 @@ namespace prosector {
 namespace {
 
 constexpr std::uint32_t leaf_triangles = 6;
-constexpr std::size_t most_depth = 64;  // of a tree that halves its triangles
+constexpr std::size_t most_depth = 64;  // for a tree that halves its triangles at each level
 
 std::array<Vec3, 3> corners_of(const DrawMesh& mesh, std::uint32_t triangle) {
   const auto& t = mesh.triangles[triangle];
@@ -17,16 +17,16 @@ std::array<Vec3, 3> corners_of(const DrawMesh& mesh, std::uint32_t triangle) {
           mesh.positions[t[2]].cast<double>()};
 }
 
-/// Tells whether the ray passes through the box nearer than `nearest`.
+/// Returns whether the ray passes through the box nearer than `nearest`.
 bool passes(const Ray& ray, const Vec3& inverse, const Eigen::AlignedBox3f& box, double nearest) {
   const Vec3 a = (box.min().cast<double>() - ray.from).cwiseProduct(inverse);
   const Vec3 b = (box.max().cast<double>() - ray.from).cwiseProduct(inverse);
   const double enters = a.cwiseMin(b).maxCoeff(), leaves = a.cwiseMax(b).minCoeff();
-  constexpr double slack = 1e-6;  // m: boxes of flat things have no thickness
+  constexpr double slack = 1e-6;  // m: boxes of flat meshes have no thickness
   return leaves >= 0 && enters <= leaves + slack && enters < nearest;
 }
 
-/// Returns the direction's inverse, large but finite where it has no part.
+/// Returns the reciprocal of the direction per component, large but finite for zero components.
 Vec3 inverse_of(const Vec3& along) {
   return along.unaryExpr([](double x) { return std::abs(x) > 1e-12 ? 1 / x : std::copysign(1e12, x); });
 }

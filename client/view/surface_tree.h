@@ -1,5 +1,5 @@
 #pragma once
-// Boxes around boxes of a mesh's triangles, so that a ray meets few of them.
+// Bounding volume hierarchy of a mesh's triangles, for ray casting.
 
 #include <cstdint>
 #include <map>
@@ -18,19 +18,20 @@ class SurfaceTree {
     std::uint32_t triangle = 0;
   };
 
-  /// Follows the mesh: sorts its triangles anew where they changed, and only grows or shrinks the boxes where
-  /// its vertices moved.
+  /// Updates the tree for the mesh: rebuilds it if triangles changed, refits the boxes if vertices moved.
   void follow(const DrawMesh& mesh);
-  /// Returns where the ray first meets the outside of the mesh that was followed last, in the mesh's frame.
+  /// Returns where the ray first meets the front side of the mesh, in the mesh's frame. `mesh` must be the
+  /// one passed to the last follow().
   std::optional<Hit> meet(const DrawMesh& mesh, const Ray& ray) const;
 
  private:
-  /// A box around `count` triangles of order_, or, with none, around the next node and the node `other`.
+  /// A leaf with `count` triangles of order_, or, if 0, an inner node with the children "next node" and
+  /// `other`.
   struct Node {
     Eigen::AlignedBox3f box;
     std::uint32_t first = 0, count = 0, other = 0;
   };
-  std::vector<Node> nodes_;  // a node comes before those in it
+  std::vector<Node> nodes_;  // parents come before their children
   std::vector<std::uint32_t> order_;
   std::optional<std::uint64_t> revision_, positions_revision_;
 
@@ -39,10 +40,10 @@ class SurfaceTree {
   void fit(const DrawMesh& mesh);
 };
 
-/// The trees of all meshes that rays were tried on, by the meshes' ids.
+/// The trees of all meshes that were ray-cast, by mesh id.
 class SurfaceTrees {
  public:
-  /// Returns where the ray first meets the item's outside, in the room.
+  /// Returns where the ray first meets the front side of the item, in the world frame.
   std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
 
  private:

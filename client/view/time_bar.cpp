@@ -10,11 +10,12 @@ namespace prosector {
 namespace {
 
 // Points.
-constexpr double left_margin = 118, right_margin = 178;  // beside the axes; for the time in figures
+// Left: right of the axes; right: room for the time as text.
+constexpr double left_margin = 118, right_margin = 178;
 constexpr double above_border = 13;
 constexpr double thickness = 8, mark_width = 2, mark_height = 16, knob_width = 4, time_knob_height = 20;
-constexpr double reach = 9;       // of the pointer above and below the bar's middle, and to a mark beside it
-constexpr double mark_reach = 4;  // of the pointer to a mark beside it
+constexpr double reach = 9;       // of the pointer above and below the bar's centre line
+constexpr double mark_reach = 4;  // horizontal distance of the pointer to a mark
 constexpr double text_height = 13, text_above = 34, beside = 10;
 const Vec3 rail{0.10, 0.12, 0.14}, done{0.20, 0.62, 0.86}, knob{0.92, 0.94, 0.96}, wished{0.95, 0.75, 0.20};
 
@@ -24,7 +25,7 @@ const Vec3& color_of(MarkKind kind) {
   return colors[static_cast<std::size_t>(kind)];
 }
 
-/// Returns the mark at the pointer, the nearest one; null: none.
+/// Returns the mark nearest to the pointer, within reach; null: none.
 const RecordingMark* mark_at(const TimeBar& bar, const WatchedTime& time) {
   const RecordingMark* nearest = nullptr;
   double least = mark_reach;
@@ -86,7 +87,7 @@ std::string clock_time(double tick, double tick_rate) {
 }
 
 std::string in_words(const RecordingMark& mark, const Catalogue& words) {
-  const std::string who = mark.who.empty() ? words.tr("somebody") : mark.who;
+  const std::string who = mark.who.empty() ? words.tr("someone") : mark.who;
   switch (mark.kind) {
     case MarkKind::joined:
       return words.tr("{} joined", who);
@@ -95,7 +96,7 @@ std::string in_words(const RecordingMark& mark, const Catalogue& words) {
     case MarkKind::cut:
       return words.tr("{} cut", who);
     case MarkKind::taken_back:
-      return words.tr("{} took back a cut", who);
+      return words.tr("{} undid a cut", who);
     case MarkKind::reset:
       return words.tr("{} reset something", who);
   }

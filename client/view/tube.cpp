@@ -10,14 +10,14 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 
 constexpr std::uint32_t sides = 12;
-constexpr std::uint32_t cap_rings = 4;  // of each end, from its pole to just before the first or last point
+constexpr std::uint32_t cap_rings = 4;  // per end, from its pole to just before the first or last point
 
 std::size_t ring_count(std::size_t points) {
   return points + 2 * cap_rings;
 }
 
-/// Returns the unit direction of the line at its point `i`: the mean of the pieces before and after. Zero
-/// where both have no length.
+/// Returns the unit tangent of the line at point `i`: the normalised sum of the directions before and after.
+/// Zero if both have no length.
 Vec3f tangent_at(std::span<const Vec3f> axis, std::size_t i) {
   Vec3f sum = Vec3f::Zero();
   if (i > 0) sum += (axis[i] - axis[i - 1]).normalized();
@@ -25,8 +25,8 @@ Vec3f tangent_at(std::span<const Vec3f> axis, std::size_t i) {
   return sum.norm() > 1e-6F ? sum.normalized() : Vec3f(Vec3f::Zero());
 }
 
-/// Lays one ring of vertices. `across` and `along` are the share of the radius that it lies off the axis and
-/// ahead of `centre`; on a unit ball both are its normal's.
+/// Adds one ring of vertices. `across` and `along`: offsets from `centre` perpendicular to and along the
+/// tangent, in units of the radius. On a unit sphere they are the components of the normal.
 void lay_ring(const Vec3f& centre, const Vec3f& tangent, const Vec3f& side, float radius, float across,
               float along, std::size_t ring, DrawMesh& tube) {
   const Vec3f other = tangent.cross(side);
@@ -60,7 +60,7 @@ std::shared_ptr<DrawMesh> tube_mesh(std::span<const Vec3f> axis, float diameter,
 
 void sweep_tube(std::span<const Vec3f> axis, float diameter, DrawMesh& tube) {
   const float radius = diameter / 2;
-  Vec3f tangent = Vec3f::UnitX();  // ropes are made along x: the first frame turns from there
+  Vec3f tangent = Vec3f::UnitX();  // ropes are made along x, so the first frame is rotated from x
   Vec3f side = Vec3f::UnitY();
   const auto turn_to = [&](const Vec3f& next) {
     if (next.isZero()) return;

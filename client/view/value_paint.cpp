@@ -11,12 +11,12 @@
 namespace prosector {
 namespace {
 
-// The scale's colours from cold to hot, rising in lightness up to the middle and of different hues after it.
+// The scale's colours from cold to hot: lightness rises up to the middle, after which the hue changes.
 const std::array<Vec3, 5> stops = {
     {{0.02, 0.04, 0.30}, {0.01, 0.30, 0.40}, {0.60, 0.70, 0.10}, {0.90, 0.26, 0.01}, {0.52, 0.01, 0.01}}};
 const Vec3 gray(0.25, 0.25, 0.25);
 
-/// Returns the place on the scale, 0 … 1; not a number when the value is none.
+/// Returns the position on the scale, 0 … 1; NaN for NaN.
 double share_of(const ValueScale& scale, double value) {
   if (std::isnan(value)) return value;
   if (!scale.logarithmic) return std::clamp((value - scale.least) / (scale.most - scale.least), 0.0, 1.0);
@@ -37,7 +37,7 @@ double value_at(const ValueScale& scale, double share) {
                            : scale.least + share * (scale.most - scale.least);
 }
 
-/// Columns are a triangle's edges from its first corner.
+/// Returns a triangle's edges from its first corner, as columns.
 Eigen::Matrix<double, 3, 2> edges(const std::vector<Eigen::Vector3f>& at,
                                   const std::array<std::uint32_t, 3>& corners) {
   Eigen::Matrix<double, 3, 2> out;
@@ -55,9 +55,9 @@ Vec3 value_color(const ValueScale& scale, double value) {
 std::vector<double> surface_strains(const DrawMesh& mesh) {
   std::vector<double> sum(mesh.positions.size(), 0.0), weight(mesh.positions.size(), 0.0);
   if (mesh.rest_positions.size() != mesh.positions.size()) return sum;
-  constexpr double least_share = 1e-6;  // of the squared area that edges so long could have
+  constexpr double least_share = 1e-6;  // minimum ratio of det G to the product of the squared edge lengths
   for (const auto& corners : mesh.triangles) {
-    // With G and g the edges' dot products at rest and now, C = G⁻¹g has the squared principal stretches as
+    // With G and g the edges' Gram matrices at rest and now, C = G⁻¹g has the squared principal stretches as
     // eigenvalues (Bonet and Wood 2008, ch. 4).
     const Eigen::Matrix<double, 3, 2> rest = edges(mesh.rest_positions, corners);
     const Eigen::Matrix<double, 3, 2> now = edges(mesh.positions, corners);
@@ -128,7 +128,7 @@ void add_legend(DrawList& list, const ValueScale& scale) {
     const double share = static_cast<double>(k) / numbers;
     const double number = scale.factor * value_at(scale, share);
     list.texts.push_back(
-        {.text = k == numbers ? list.words.tr("{:.3g} and more", number) : fmt::format("{:.3g}", number),
+        {.text = k == numbers ? list.words.tr("{:.3g} or more", number) : fmt::format("{:.3g}", number),
          .at = {left + bar + 8, top + (1 - share) * height - text_height / 2, 0},
          .height = text_height});
   }

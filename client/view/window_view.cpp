@@ -8,7 +8,8 @@ namespace {
 
 constexpr double nearest_eye = 0.02;  // m before the screen
 
-/// Turns the view as the face is off the middle: who moves to the right sees what is farther right.
+/// Rotates the view by the eye's angle off the centre: an eye that moves to the right sees what is farther
+/// right.
 DrawCamera pan(DrawCamera rest, const Vec3& eye) {
   const double right = std::atan2(eye.x(), std::max(eye.z(), nearest_eye));
   const double up = std::atan2(eye.y(), std::hypot(eye.x(), std::max(eye.z(), nearest_eye)));

@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-constexpr double flat = 0.9998;  // cosine between normals of faces in one plane: 1.1°
+constexpr double flat = 0.9998;  // cosine of the largest angle between normals of coplanar faces: 1.1°
 
 std::array<std::uint32_t, 2> edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};

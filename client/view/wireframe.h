@@ -1,5 +1,5 @@
 #pragma once
-// Collision models as white lines.
+// Collision shapes as white lines.
 
 #include <array>
 #include <vector>
@@ -11,10 +11,10 @@ namespace prosector {
 
 using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Returns every edge once, but those between faces of one plane.
+/// Returns every edge once, except edges between coplanar faces.
 Edges visible_edges(const TriangleMesh& mesh);
 
-/// Returns every edge once; triangles whose corners are equal have none.
+/// Returns every edge once; triangles with coincident corners have none.
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 /// Adds the edges as lines; `place(vertex)` returns m, world frame.

@@ -6,7 +6,7 @@
 namespace prosector {
 
 bool is_usable(const EyeView& eye) {
-  const auto ahead = [](double angle) { return std::abs(angle) < std::numbers::pi / 2; };  // not NaN
+  const auto ahead = [](double angle) { return std::abs(angle) < std::numbers::pi / 2; };  // false for NaN
   return is_finite(eye.pose) && ahead(eye.left) && ahead(eye.right) && ahead(eye.up) && ahead(eye.down) &&
          eye.left < eye.right && eye.down < eye.up;
 }

@@ -14,7 +14,7 @@ void FramePacing::take(std::int64_t begun_ns, std::int64_t seen_ns, std::int64_t
     sum_ns_ += interval;
     longest_ns_ = std::max(longest_ns_, interval);
     if (4 * std::abs(interval - period_ns) < period_ns) ++in_time_;
-    // Rounded: runtimes predict anew each time, and are off by a little.
+    // Rounded: predicted times vary slightly.
     const std::int64_t periods = period_ns > 0 ? (seen_ns - seen_ns_ + period_ns / 2) / period_ns : 1;
     if (periods > 1) missed_ += static_cast<std::uint64_t>(periods - 1);
   }

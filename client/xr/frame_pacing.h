@@ -1,5 +1,5 @@
 #pragma once
-// The rhythm in which a headset's runtime wants pictures, and how well it was kept.
+// Statistics of a headset's frame timing.
 
 #include <cstdint>
 
@@ -7,22 +7,23 @@ namespace prosector {
 
 class FramePacing {
  public:
-  /// Takes a frame: when its wait was over, when it is seen, each of a clock of its own; and the period that
-  /// the runtime tells. All in ns.
+  /// Adds a frame: end of its wait, predicted display time (each in its own clock), and the display period
+  /// reported by the runtime. All in ns.
   void take(std::int64_t begun_ns, std::int64_t seen_ns, std::int64_t period_ns);
-  /// Lets the next frame follow none: there was no rhythm meanwhile.
+  /// Makes the next frame the first of a new sequence, after an interruption.
   void pause() { follows_ = false; }
 
   std::uint64_t frames() const { return frames_; }
-  /// Returns how many times of the runtime's went by without a frame.
+  /// Returns the number of display periods without a frame.
   std::uint64_t missed() const { return missed_; }
-  /// Returns how many frames began a period after the one before, but for a quarter of it.
+  /// Returns the number of frames whose interval from the previous one deviated from the period by less than
+  /// a quarter of it.
   std::uint64_t in_time() const { return in_time_; }
-  /// Returns the period as last told, ms; 0: not told.
+  /// Returns the last reported period, ms; 0: none.
   double period_ms() const { return 1e-6 * static_cast<double>(period_ns_); }
-  /// Returns the mean time from frame to frame, ms; 0: none followed another.
+  /// Returns the mean interval between frames, ms; 0: no interval yet.
   double interval_ms() const;
-  /// Returns the longest time from frame to frame, ms.
+  /// Returns the longest interval between frames, ms.
   double longest_ms() const { return 1e-6 * static_cast<double>(longest_ns_); }
 
  private:

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/hand.h"
+#include "common/ids.h"
 
 namespace prosector {
 namespace {
@@ -12,13 +13,13 @@ namespace {
 constexpr std::size_t wrist_joint = 1, first_thumb_joint = 2, first_finger_joint = 6, joints_of_finger = 5;
 constexpr double quarter_turn = std::numbers::pi / 2;
 
-/// Returns by how much the next bone bends towards the palm, rad.
+/// Returns the angle by which the next bone is bent towards the palm, rad.
 double bend(const Pose& bone, const Pose& next) {
   const Vec3 ahead = bone.q.conjugate() * (next.q * -Vec3::UnitZ());
   return std::atan2(-ahead.y(), -ahead.z());
 }
 
-/// Returns the flexion of bones that begin at that joint.
+/// Returns the flexion of the bones that begin at joint `first`, 0 … 1.
 double flexion(const HeadsetJoints& joints, std::size_t first, std::span<const double> weights) {
   double sum = 0, squares = 0;
   for (std::size_t k = 0; k < weights.size(); ++k) {
@@ -28,11 +29,11 @@ double flexion(const HeadsetJoints& joints, std::size_t first, std::span<const d
   return std::clamp(sum / (quarter_turn * squares), 0.0, 1.0);
 }
 
-/// Returns a controller's grip in the wrist's frame.
+/// Returns a controller's grip pose in the wrist frame.
 Pose grip_in_wrist(std::size_t hand) {
   const Palm palm = hand_palm(hand);
   const double side = hand == right_hand ? 1 : -1;
-  Mat3 axes;  // of the grip
+  Mat3 axes;  // axes of the grip
   axes << side * Vec3::UnitY(), Vec3::UnitZ(), side * Vec3::UnitX();
   return {palm.center - palm.half_extents.y() * Vec3::UnitY(), Quat(axes)};
 }

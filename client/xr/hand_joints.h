@@ -1,10 +1,10 @@
 #pragma once
-// What a headset says of a hand as our hand of one wrist and five flexions.
+// Converts a headset's hand tracking to a wrist pose and five flexions.
 //
 // XR_EXT_hand_tracking gives 26 joints: palm, wrist, four of the thumb, five of each finger. A joint's −z is
-// along its bone to the tip, its +y out of the back of the hand. Its wrist is our wrist. Our finger bends by
-// MCP = PIP = 90° · x and DIP = 2/3 · PIP (common/hand.h). So x is fitted by least squares to three angles a:
-// x = Σ w a / (90° Σ w²), w = (1, 1, 2/3). The thumb has two, w = (1, 1).
+// along its bone to the tip, its +y out of the back of the hand. Its wrist is this program's wrist. This
+// program's finger bends by MCP = PIP = 90° · x and DIP = 2/3 · PIP (common/hand.h). Hence x is fitted by
+// least squares to three angles a: x = Σ w a / (90° Σ w²), w = (1, 1, 2/3). The thumb has two, w = (1, 1).
 
 #include "client/xr/tracked_user.h"
 
@@ -13,18 +13,18 @@ namespace prosector {
 inline constexpr std::size_t headset_joints = 26;  // in the order of XrHandJointEXT
 using HeadsetJoints = std::array<Pose, headset_joints>;
 
-/// Returns the hand that comes closest to the joints, which are in the room. nullopt: they are no numbers.
+/// Returns the hand fitted to the joints, which are in the room frame. Returns nullopt for non-finite poses.
 std::optional<TrackedHand> hand_of_joints(const HeadsetJoints& joints);
 
-/// A controller. Its grip pose is OpenXR's, at the palm's surface: +x goes into the right palm and out of the
-/// left one, −z from the little finger to the thumb.
+/// A controller's state. Its grip pose is OpenXR's, at the palm's surface: +x goes into the right palm and
+/// out of the left one, −z from the little finger to the thumb.
 struct ControllerState {
   Pose grip;
   double trigger = 0, squeeze = 0;  // 0 … 1
 };
 
-/// Returns the hand around a controller. The trigger closes all fingers, so that it grasps; squeezing closes
-/// all but the index finger, which then points. nullopt: the state holds no numbers.
+/// Returns the hand around a controller. The trigger closes all fingers, for grasping; the squeeze control
+/// closes all but the index finger, which then points. Returns nullopt for non-finite values.
 std::optional<TrackedHand> hand_of_controller(std::size_t hand, const ControllerState& state);
 
 }  // namespace prosector

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t retry_ns = 500'000'000;
 constexpr std::chrono::milliseconds follow_interval(8);
 
-/// Returns the context, where a headset's runtime can draw with it.
+/// Returns the context if an OpenXR runtime can render with it, else throws InputError.
 const GlContext& shared(const GlContext& context) {
   if (!std::holds_alternative<std::monostate>(context.handles())) return context;
   throw InputError("--display openxr: needs OpenGL by EGL; install libegl1");
@@ -37,7 +37,7 @@ struct Headset::Parts {
       : system(std::holds_alternative<EglHandles>(context.handles())),
         run(system, context, std::move(tell)) {}
   XrSystem system;
-  XrRun run;
+  HeadsetSession run;
 };
 
 Headset::Headset(const GlContext& context, const Pose& room_stage,
@@ -48,7 +48,7 @@ Headset::Headset(const GlContext& context, const Pose& room_stage,
   } catch (const XrFailure& failure) {
     if (failure.result != XR_ERROR_FORM_FACTOR_UNAVAILABLE)
       throw InputError(
-          fmt::format("--display openxr: {}; start the headset's runtime, and see that it is the active one "
+          fmt::format("--display openxr: {}; start the headset's runtime, and make it the active one "
                       "(XR_RUNTIME_JSON, or active_runtime.json in ~/.config/openxr/1 or /etc/xdg/openxr/1)",
                       failure.what()));
     lose(failure.what());
@@ -63,7 +63,7 @@ Headset::~Headset() {
   follower_.join();
 }
 
-/// Tells where the user is now. A runtime that fails is the drawing thread's matter.
+/// Reports the user's current poses. Failures of the runtime are handled by the render thread.
 void Headset::follow_user() {
   TrackedUser user;
   {
@@ -99,7 +99,7 @@ void Headset::lose(const std::string& why) {
   }
   keeps_time_ = false;
   pacing_.pause();
-  if (why != reason_) news_.push_back({fmt::format("headset: {}; waiting for it to come back", why)});
+  if (why != reason_) news_.push_back({fmt::format("headset: {}; waiting for it", why)});
   reason_ = why;
 }
 
@@ -117,7 +117,7 @@ std::optional<HeadsetFrame> Headset::next_frame() {
 }
 
 std::optional<HeadsetFrame> Headset::frame() {
-  XrRun& run = parts_->run;
+  HeadsetSession& run = parts_->run;
   {
     const std::lock_guard lock(mutex_);
     run.follow_events();
@@ -136,10 +136,10 @@ std::optional<HeadsetFrame> Headset::frame() {
   }
   const auto eyes = seen ? run.eyes() : std::nullopt;
   if (!eyes) {
-    run.end_empty();
+    run.end_without_image();
     return std::nullopt;
   }
-  HeadsetFrame out{*eyes, run.eye_width(), run.eye_height(), in_room(run.user_then())};
+  HeadsetFrame out{*eyes, run.eye_width(), run.eye_height(), in_room(run.user_at_display())};
   for (EyeView& eye : out.eyes) eye.pose = room_stage_ * eye.pose;
   return out;
 }

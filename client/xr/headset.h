@@ -1,5 +1,5 @@
 #pragma once
-// A headset by OpenXR: what its user sees and where they are. Lost, it comes back by itself.
+// OpenXR headset: display and tracking. A lost connection is restored automatically.
 
 #include <functional>
 #include <memory>
@@ -17,62 +17,61 @@
 
 namespace prosector {
 
-/// A picture that is wanted: of both eyes side by side, each of that size.
+/// Request for a frame of both eyes side by side, each of this size.
 struct HeadsetFrame {
-  std::array<EyeView, 2> eyes;  // left, right, in the room, when the picture is seen
+  std::array<EyeView, 2> eyes;  // left, right, room frame, at the display time
   int width = 0, height = 0;    // pixels, each eye
-  TrackedUser user;             // when the picture is seen
+  TrackedUser user;             // at the display time
 
-  /// Returns both eyes as cameras of one picture.
+  /// Returns the cameras of both eyes in one image.
   std::array<DrawCamera, 2> cameras() const {
     return {camera_of(eyes[0], 0, width, height), camera_of(eyes[1], width, width, height)};
   }
 };
 
-/// A line about what happened: shown to the wearer, too, or for who reads the terminal alone.
+/// Message about the headset, for the terminal and, if for_wearer, also for the headset's display.
 struct HeadsetNews {
   std::string line;
   bool for_wearer = false;
 };
 
-/// Tells whether the runtime takes pictures by EGL, and not by GLX alone; true where none answers. Throws
-/// InputError where there is no loader.
+/// Reports whether the runtime supports EGL, not only GLX; true if no runtime answers. Throws InputError if
+/// the OpenXR loader is missing.
 bool headset_takes_egl();
 
 class Headset {
  public:
-  /// Looks for the headset. `context` draws, and outlives this; `room_stage` is the pose of the headset's
-  /// stage in the room. Throws InputError where there is no loader, no runtime, or none that fits; a headset
-  /// that isn't connected is waited for. A thread of its own calls `take_user` with the user as they are, in
-  /// the room, however long pictures take.
+  /// Connects to the headset. `context` renders and must outlive this; `room_stage`: pose of the headset's
+  /// stage in the room frame. Throws InputError if loader or runtime are missing or unsuitable; a headset
+  /// that isn't connected is awaited. An own thread calls `take_user` with the user's current poses in the
+  /// room frame, independently of the frame rate.
   Headset(const GlContext& context, const Pose& room_stage,
           std::function<void(const TrackedUser& user)> take_user);
   ~Headset();
 
-  /// Goes on to the next frame, for which it waits. Returns it where a picture is wanted: then show() must
-  /// follow.
+  /// Waits for the next frame and begins it. Returns it if it must be rendered: then show() must follow.
   std::optional<HeadsetFrame> next_frame();
-  /// Shows the picture that `draw` copies into the texture, of both eyes side by side.
+  /// Submits the image of both eyes side by side that `draw` copies into the texture.
   void show(const std::function<void(unsigned texture)>& draw);
-  /// Tells whether next_frame() kept the headset's rhythm: false where it has none now.
+  /// Reports whether next_frame() waited for the headset's frame timing; false while it has none.
   bool keeps_time() const { return keeps_time_; }
-  /// Returns the rhythm of all frames until now.
+  /// Returns the timing of all frames.
   const FramePacing& pacing() const { return pacing_; }
-  /// Tells whether the headset's own menu ended the program.
+  /// Reports whether the program was ended in the headset's own menu.
   bool closed() const { return closed_; }
-  /// Returns what happened since the last call.
+  /// Returns the messages since the last call.
   std::vector<HeadsetNews> take_news() { return std::exchange(news_, {}); }
 
  private:
-  struct Parts;  // what knows OpenXR
+  struct Parts;  // OpenXR objects
 
   const GlContext& context_;
   Pose room_stage_;
   std::function<void(const TrackedUser& user)> take_user_;
-  std::mutex mutex_;              // of the parts' being there, and of what the runtime says of hands
-  std::unique_ptr<Parts> parts_;  // null: lost, or not yet there
+  std::mutex mutex_;              // guards parts_ and calls into its hand tracking
+  std::unique_ptr<Parts> parts_;  // null: lost, or not connected yet
   std::int64_t tried_ns_ = 0;
-  std::string reason_;  // for which it isn't there, as last told
+  std::string reason_;  // last reported reason of the lost connection
   bool keeps_time_ = false, closed_ = false;
   FramePacing pacing_;
   std::vector<HeadsetNews> news_;

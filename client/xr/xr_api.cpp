@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "common/error.h"
-#include "drivers/shared_library.h"
+#include "drivers/ports/shared_library.h"
 
 namespace prosector {
 namespace {
@@ -17,7 +17,7 @@ SharedLibrary open_loader() {
     return SharedLibrary(loader_name);
   } catch (const InputError&) {
     throw InputError(fmt::format(
-        "--display openxr: OpenXR's loader {} isn't there; install libopenxr-loader1", loader_name));
+        "--display openxr: the OpenXR loader {} is not installed; install libopenxr-loader1", loader_name));
   }
 }
 
@@ -39,9 +39,9 @@ std::string name_of(XrResult result) {
     case XR_ERROR_RUNTIME_FAILURE:
       return "the runtime failed";
     case XR_ERROR_RUNTIME_UNAVAILABLE:
-      return "no runtime answers";
+      return "no runtime responds";
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
-      return "the headset isn't connected";
+      return "the headset is not connected";
     default:
       return fmt::format("error {}", static_cast<int>(result));
   }

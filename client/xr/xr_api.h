@@ -1,11 +1,11 @@
 #pragma once
-// OpenXR's functions, found in its loader when a headset is asked for. Private to client/xr.
+// Functions of OpenXR, loaded at runtime when a headset is requested. Private to client/xr.
 
 #define EGL_NO_PLATFORM_SPECIFIC_TYPES
 #include <EGL/egl.h>
 #include <time.h>
 
-// X11's types by name, so that none of its headers is needed.
+// Forward declarations of X11's types, so that its headers are not needed.
 using Display = struct _XDisplay;
 using GLXFBConfig = struct __GLXFBConfigRec*;
 using GLXContext = struct __GLXcontextRec*;
@@ -41,8 +41,8 @@ using GLXDrawable = unsigned long;
 
 namespace prosector {
 
-/// The functions: xr.WaitFrame(…) is xrWaitFrame(…). Those of an extension are null where the runtime lacks
-/// it.
+/// OpenXR functions: xr.WaitFrame(…) is xrWaitFrame(…). Functions of an extension are null if the runtime
+/// lacks it.
 struct XrFunctions {
   PFN_xrGetInstanceProcAddr GetInstanceProcAddr = nullptr;
   PFN_xrCreateInstance CreateInstance = nullptr;
@@ -55,25 +55,26 @@ struct XrFunctions {
 #undef PROSECTOR_XR_MEMBER
 };
 
-/// What a runtime refused: session, instance or runtime are gone, or it can't be worked with.
+/// Failure of an OpenXR call: session, instance or runtime are lost or unusable.
 struct XrFailure : std::runtime_error {
   XrFailure(const char* function, XrResult why);
   XrResult result;
 };
 
-/// Returns the result, for people.
+/// Returns a text for a result.
 std::string name_of(XrResult result);
 
-/// Throws XrFailure where the result is an error, or says that the session will be lost.
+/// Throws XrFailure if the result is an error or announces the loss of the session.
 void check_xr(const char* function, XrResult result);
 #define PROSECTOR_XR_CHECK(XR, NAME, ...) check_xr("xr" #NAME, (XR).NAME(__VA_ARGS__))
 
-/// Opens the loader, and finds what needs no instance. Throws InputError saying what to install.
+/// Opens the loader and gets the functions that need no instance. Throws InputError with the package to
+/// install.
 XrFunctions load_openxr();
-/// Finds the functions of an instance.
+/// Gets the functions of an instance.
 void load_functions(XrInstance instance, XrFunctions& xr, bool hands, bool time);
 
-/// Returns a structure of that type, which is zero but for it.
+/// Returns a zero-initialised OpenXR structure of this type.
 template <class T>
 T typed(XrStructureType type) {
   T out{};

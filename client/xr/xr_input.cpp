@@ -1,4 +1,5 @@
 #include "client/xr/xr_input.h"
+#include "common/ids.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +8,7 @@
 namespace prosector {
 namespace {
 
-/// What an action of ours is bound to on a kind of controller; empty: nothing.
+/// Bindings of the actions on one type of controller; empty: unbound.
 struct Profile {
   const char *name, *trigger, *squeeze, *left_menu, *right_menu;
 };
@@ -64,7 +65,7 @@ XrInput::XrInput(const XrSystem& system, XrSession session)
   }
 }
 
-// What belongs to the session, hands' trackers too, goes with it.
+// Destroying the session also destroys its objects, including hand trackers.
 XrInput::~XrInput() {
   if (set_ != XR_NULL_HANDLE) xr_.DestroyActionSet(set_);
 }
@@ -104,7 +105,7 @@ void XrInput::suggest_bindings() const {
     info.interactionProfile = path(fmt::format("/interaction_profiles/{}", profile.name).c_str());
     info.countSuggestedBindings = static_cast<std::uint32_t>(bindings.size());
     info.suggestedBindings = bindings.data();
-    // A runtime may not know a kind of controller: then nobody has one there.
+    // A runtime may not support a controller type: then it has no such controllers.
     const XrResult result = xr_.SuggestInteractionProfileBindings(system_.instance(), &info);
     if (result != XR_ERROR_PATH_UNSUPPORTED) check_xr("xrSuggestInteractionProfileBindings", result);
   }
@@ -168,7 +169,7 @@ double XrInput::value(XrAction action, std::size_t hand) const {
   return state.isActive == XR_TRUE ? state.currentState : 0;
 }
 
-// Also of hands that are seen by joints: some runtimes make those up from the controller that the hand holds.
+// Also applies to hands with joints: some runtimes synthesise the joints from the controller in the hand.
 bool XrInput::presses_menu(std::size_t hand) const {
   auto wish = typed<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
   wish.action = menu_;

@@ -1,6 +1,5 @@
 #pragma once
-// Where a headset's user has head and hands: bare hands where they are seen, else controllers. Private to
-// client/xr.
+// Tracks head and hands of a headset's user: bare hands if detected, else controllers. Private to client/xr.
 
 #include "client/xr/hand_joints.h"
 #include "client/xr/xr_system.h"
@@ -14,9 +13,9 @@ class XrInput {
   XrInput(const XrInput&) = delete;
   XrInput& operator=(const XrInput&) = delete;
 
-  /// Reads controllers' keys; `focused`: the user's input is ours.
+  /// Reads the controllers' inputs; `focused`: this program has the input focus.
   void sync(bool focused);
-  /// Returns the user at that time in `base`; hands only while the input is ours.
+  /// Returns the user at `time` in the space `base`; hands only while this program has the input focus.
   TrackedUser locate(XrSpace base, XrTime time) const;
 
  private:

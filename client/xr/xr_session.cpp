@@ -9,13 +9,14 @@
 namespace prosector {
 namespace {
 
-// Renderer's pictures are encoded as sRGB already; GL's numbers, so that no OpenGL header is needed here.
+// The renderer's output is encoded as sRGB. The values are OpenGL's constants, so that its header is not
+// needed.
 constexpr std::int64_t gl_srgb8_alpha8 = 0x8C43, gl_rgba8 = 0x8058;
-constexpr float standing_eyes = 1.6F;  // m above the floor, where the runtime doesn't know the floor
+constexpr float standing_eyes = 1.6F;  // m, assumed eye height if the runtime doesn't know the floor
 
 }  // namespace
 
-XrSession XrRun::begin_session(const XrSystem& system, const GlContext& context) {
+XrSession HeadsetSession::begin_session(const XrSystem& system, const GlContext& context) {
   auto by_egl = typed<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
   auto by_glx = typed<XrGraphicsBindingOpenGLXlibKHR>(XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
   auto info = typed<XrSessionCreateInfo>(XR_TYPE_SESSION_CREATE_INFO);
@@ -40,7 +41,8 @@ XrSession XrRun::begin_session(const XrSystem& system, const GlContext& context)
   return out;
 }
 
-XrRun::XrRun(const XrSystem& system, const GlContext& context, std::function<void(const std::string&)> tell)
+HeadsetSession::HeadsetSession(const XrSystem& system, const GlContext& context,
+                               std::function<void(const std::string&)> tell)
     : system_(system),
       xr_(system.xr()),
       context_(context),
@@ -55,14 +57,14 @@ XrRun::XrRun(const XrSystem& system, const GlContext& context, std::function<voi
   make_pictures();
 }
 
-// Spaces, pictures and what else belongs to the session go with it. So nothing may be drawn into them any
-// more, and a lost runtime doesn't wait for that.
-XrRun::~XrRun() {
+// Destroying the session also destroys its spaces and textures. The render commands must be complete before
+// that, and a lost runtime does not wait for them.
+HeadsetSession::~HeadsetSession() {
   reinterpret_cast<void (*)()>(context_.proc("glFinish"))();
   xr_.DestroySession(session_);
 }
 
-void XrRun::make_stage() {
+void HeadsetSession::make_stage() {
   std::uint32_t count = 0;
   PROSECTOR_XR_CHECK(xr_, EnumerateReferenceSpaces, session_, 0, &count, nullptr);
   std::vector<XrReferenceSpaceType> kinds(count);
@@ -73,13 +75,13 @@ void XrRun::make_stage() {
   if (std::ranges::find(kinds, XR_REFERENCE_SPACE_TYPE_STAGE) == kinds.end()) {
     info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
     info.poseInReferenceSpace.position.y = -standing_eyes;
-    tell_(msg("headset: it doesn't know its room's floor; you are taken to stand"));
+    tell_(msg("headset: floor height unknown; standing height is assumed"));
   }
   PROSECTOR_XR_CHECK(xr_, CreateReferenceSpace, session_, &info, &stage_);
 }
 
-/// Makes textures with both eyes side by side.
-void XrRun::make_pictures() {
+/// Creates the swapchain with both eyes side by side.
+void HeadsetSession::make_pictures() {
   std::uint32_t count = 0;
   PROSECTOR_XR_CHECK(xr_, EnumerateSwapchainFormats, session_, 0, &count, nullptr);
   std::vector<std::int64_t> formats(count);
@@ -88,7 +90,7 @@ void XrRun::make_pictures() {
     return std::ranges::find(formats, format) != formats.end();
   };
   if (!offers(gl_srgb8_alpha8) && !offers(gl_rgba8))
-    throw InputError("--display openxr: the runtime takes pictures neither as SRGB8_ALPHA8 nor as RGBA8");
+    throw InputError("--display openxr: the runtime supports neither SRGB8_ALPHA8 nor RGBA8 images");
   auto info = typed<XrSwapchainCreateInfo>(XR_TYPE_SWAPCHAIN_CREATE_INFO);
   info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
   info.format = offers(gl_srgb8_alpha8) ? gl_srgb8_alpha8 : gl_rgba8;
@@ -103,7 +105,7 @@ void XrRun::make_pictures() {
                      reinterpret_cast<XrSwapchainImageBaseHeader*>(images_.data()));
 }
 
-void XrRun::follow_events() {
+void HeadsetSession::follow_events() {
   while (true) {
     auto event = typed<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
     const XrResult result = xr_.PollEvent(system_.instance(), &event);
@@ -114,11 +116,11 @@ void XrRun::follow_events() {
     else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       throw XrFailure("event", XR_ERROR_INSTANCE_LOST);
     else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
-      tell_(msg("headset: its room was centred anew"));
+      tell_(msg("headset: the room was re-centred"));
   }
 }
 
-void XrRun::enter(XrSessionState state) {
+void HeadsetSession::enter(XrSessionState state) {
   state_ = state;
   switch (state) {
     case XR_SESSION_STATE_READY: {
@@ -131,7 +133,7 @@ void XrRun::enter(XrSessionState state) {
     case XR_SESSION_STATE_STOPPING:
       PROSECTOR_XR_CHECK(xr_, EndSession, session_);
       running_ = false;
-      tell_(msg("headset: it is put away"));
+      tell_(msg("headset: taken off"));
       break;
     case XR_SESSION_STATE_EXITING:
       over_ = true;
@@ -144,15 +146,15 @@ void XrRun::enter(XrSessionState state) {
   follow_focus(state == XR_SESSION_STATE_FOCUSED);
 }
 
-void XrRun::follow_focus(bool focused) {
+void HeadsetSession::follow_focus(bool focused) {
   if (focused_ && !focused && state_ == XR_SESSION_STATE_VISIBLE)
-    tell_(msg("headset: another program has your hands"));
-  if (!focused_ && focused && had_focus_) tell_(msg("headset: your hands are back"));
+    tell_(msg("headset: another program controls your hands"));
+  if (!focused_ && focused && had_focus_) tell_(msg("headset: hand tracking restored"));
   focused_ = focused;
   had_focus_ = had_focus_ || focused;
 }
 
-bool XrRun::wait() {
+bool HeadsetSession::wait() {
   frame_ = typed<XrFrameState>(XR_TYPE_FRAME_STATE);
   const auto wait_info = typed<XrFrameWaitInfo>(XR_TYPE_FRAME_WAIT_INFO);
   PROSECTOR_XR_CHECK(xr_, WaitFrame, session_, &wait_info, &frame_);
@@ -161,12 +163,12 @@ bool XrRun::wait() {
   return frame_.shouldRender == XR_TRUE;
 }
 
-void XrRun::sync() {
+void HeadsetSession::sync() {
   input_.sync(focused_);
   synced_ns_ = frame_.predictedDisplayTime;
 }
 
-std::optional<std::array<EyeView, 2>> XrRun::eyes() {
+std::optional<std::array<EyeView, 2>> HeadsetSession::eyes() {
   auto wish = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
   wish.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   wish.displayTime = frame_.predictedDisplayTime;
@@ -186,8 +188,8 @@ std::optional<std::array<EyeView, 2>> XrRun::eyes() {
   return out;
 }
 
-TrackedUser XrRun::user_now() const {
-  if (!system_.tells_time()) return input_.locate(stage_, synced_ns_);
+TrackedUser HeadsetSession::user_now() const {
+  if (!system_.converts_time()) return input_.locate(stage_, synced_ns_);
   const std::int64_t now = monotonic_ns();
   constexpr std::int64_t second = 1'000'000'000;
   const timespec as_timespec{now / second, now % second};
@@ -196,7 +198,7 @@ TrackedUser XrRun::user_now() const {
   return input_.locate(stage_, time);
 }
 
-void XrRun::end(const std::function<void(unsigned texture)>& draw) {
+void HeadsetSession::end(const std::function<void(unsigned texture)>& draw) {
   const auto acquire = typed<XrSwapchainImageAcquireInfo>(XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
   std::uint32_t index = 0;
   PROSECTOR_XR_CHECK(xr_, AcquireSwapchainImage, pictures_, &acquire, &index);
@@ -221,11 +223,11 @@ void XrRun::end(const std::function<void(unsigned texture)>& draw) {
   end(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer));
 }
 
-void XrRun::end_empty() {
+void HeadsetSession::end_without_image() {
   end(static_cast<const XrCompositionLayerBaseHeader*>(nullptr));
 }
 
-void XrRun::end(const XrCompositionLayerBaseHeader* layer) {
+void HeadsetSession::end(const XrCompositionLayerBaseHeader* layer) {
   auto info = typed<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
   info.environmentBlendMode = system_.blend_mode();

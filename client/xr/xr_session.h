@@ -1,5 +1,5 @@
 #pragma once
-// A session with a headset: its states, its frames and the pictures that it is given. Private to client/xr.
+// OpenXR session: state, frames and swapchain. Private to client/xr.
 
 #include <functional>
 
@@ -9,40 +9,44 @@
 
 namespace prosector {
 
-class XrRun {
+class HeadsetSession {
  public:
-  /// Begins a session that draws with the context; `tell` hears what becomes of it.
-  XrRun(const XrSystem& system, const GlContext& context, std::function<void(const std::string&)> tell);
-  ~XrRun();
-  XrRun(const XrRun&) = delete;
-  XrRun& operator=(const XrRun&) = delete;
+  /// Creates a session that renders with the context; `tell` receives messages on its state.
+  HeadsetSession(const XrSystem& system, const GlContext& context,
+                 std::function<void(const std::string&)> tell);
+  ~HeadsetSession();
+  HeadsetSession(const HeadsetSession&) = delete;
+  HeadsetSession& operator=(const HeadsetSession&) = delete;
 
-  /// Follows what the runtime says: begins, ends. Throws XrFailure when session or runtime are lost.
+  /// Processes the runtime's events, which begin and end the session. Throws XrFailure if session or runtime
+  /// are lost.
   void follow_events();
-  /// Tells whether frames are wanted: then each wait() needs its end().
+  /// Reports whether the runtime requests frames: then end() or end_without_image() must follow each wait().
   bool running() const { return running_; }
-  /// Tells whether the runtime asks to leave.
+  /// Reports whether the runtime asks the program to exit.
   bool over() const { return over_; }
 
-  /// Waits for the next frame, and begins it. Returns whether a picture of it will be seen.
+  /// Waits for the next frame and begins it. Returns whether to render it.
   bool wait();
-  /// Returns when the frame is seen, and how far apart frames are; ns of the runtime's clock.
+  /// Returns the frame's predicted display time; period_ns() returns the display period. Both in ns of the
+  /// runtime's clock.
   std::int64_t seen_ns() const { return frame_.predictedDisplayTime; }
   std::int64_t period_ns() const { return frame_.predictedDisplayPeriod; }
-  /// Reads what the user presses.
+  /// Reads the controllers' inputs.
   void sync();
-  /// Returns both eyes when the frame is seen, in the stage; nullopt: the headset doesn't know.
+  /// Returns both eyes at the frame's display time, in the stage frame; nullopt: not tracked.
   std::optional<std::array<EyeView, 2>> eyes();
-  /// Returns the user when the frame is seen, in the stage.
-  TrackedUser user_then() const { return input_.locate(stage_, frame_.predictedDisplayTime); }
-  /// Tells whether user_now() is known.
+  /// Returns the user at the frame's display time, in the stage frame.
+  TrackedUser user_at_display() const { return input_.locate(stage_, frame_.predictedDisplayTime); }
+  /// Reports whether user_now() can be called.
   bool has_user() const { return running_ && synced_ns_ != 0; }
-  /// Returns the user now, in the stage; where the runtime tells no time, when the last frame is seen.
+  /// Returns the user now, in the stage frame; if the runtime can't convert times, at the last frame's
+  /// display time.
   TrackedUser user_now() const;
-  /// Ends the frame with the picture of both eyes that `draw` copies into the texture.
+  /// Ends the frame with the image of both eyes that `draw` copies into the texture.
   void end(const std::function<void(unsigned texture)>& draw);
-  /// Ends the frame without a picture.
-  void end_empty();
+  /// Ends the frame without an image.
+  void end_without_image();
 
   int eye_width() const { return width_; }
   int eye_height() const { return height_; }
@@ -60,7 +64,7 @@ class XrRun {
   XrSwapchain pictures_ = XR_NULL_HANDLE;
   std::vector<XrSwapchainImageOpenGLKHR> images_;
   XrFrameState frame_{};
-  XrTime synced_ns_ = 0;  // when the frame is seen that what is pressed was read for; 0: none was
+  XrTime synced_ns_ = 0;  // display time of the frame for which the inputs were last read; 0: not read yet
   std::array<XrView, 2> views_{};
   XrInput input_;
 

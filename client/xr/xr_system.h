@@ -1,5 +1,5 @@
 #pragma once
-// A runtime's instance and the headset that it has. Private to client/xr.
+// OpenXR instance and headset. Private to client/xr.
 
 #include <array>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace prosector {
 
-/// Returns the names of the runtime's extensions. Throws XrFailure where none answers.
+/// Returns the names of the runtime's extensions. Throws XrFailure if no runtime answers.
 std::vector<std::string> extensions_of(const XrFunctions& xr);
 
 class XrSystem {
  public:
-  /// Asks the runtime for a headset of two eyes, for which `by_egl` draws by EGL. Throws XrFailure where it
-  /// isn't there now, InputError where it never will be.
+  /// Connects to a stereo headset; `by_egl`: the renderer uses EGL. Throws XrFailure if the headset is
+  /// temporarily unavailable, InputError if it is unsuitable.
   explicit XrSystem(bool by_egl);
   ~XrSystem();
   XrSystem(const XrSystem&) = delete;
@@ -24,11 +24,11 @@ class XrSystem {
   XrInstance instance() const { return instance_; }
   XrSystemId id() const { return id_; }
   bool tracks_hands() const { return tracks_hands_; }
-  bool tells_time() const { return xr_.ConvertTimespecTimeToTimeKHR != nullptr; }
+  bool converts_time() const { return xr_.ConvertTimespecTimeToTimeKHR != nullptr; }
   const std::array<XrViewConfigurationView, 2>& views() const { return views_; }
-  /// Returns how pictures lie over what is around, as the headset likes it most.
+  /// Returns the headset's preferred mode of blending the image with the environment.
   XrEnvironmentBlendMode blend_mode() const { return blend_mode_; }
-  /// Returns the runtime and the headset, for people.
+  /// Returns the names of runtime and headset, for display.
   std::string description() const;
 
  private:

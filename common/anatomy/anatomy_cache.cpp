@@ -17,7 +17,7 @@ std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHas
   return dir / (to_hex(key) + ".anatomy");
 }
 
-/// Returns what the file is sealed under: its layout, and what the mesh was made from.
+/// Returns the key of the sealed file: the version of its layout and the hash of the mesh's source.
 std::string seal_key(const ContentHash& key) {
   return "anatomy 4 " + to_hex(key);
 }
@@ -37,7 +37,7 @@ bool consistent(const Anatomy& a) {
          });
 }
 
-/// Returns whether the bytes are a whole anatomy.
+/// Reads an anatomy. Returns false if the bytes are incomplete or invalid.
 bool read(std::span<const std::uint8_t> bytes, CachedAnatomy& out) try {
   ByteReader in(bytes, "anatomy");
   Anatomy& a = out.anatomy;
@@ -56,9 +56,9 @@ bool read(std::span<const std::uint8_t> bytes, CachedAnatomy& out) try {
 
 }  // namespace
 
-FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key) {
+CachedAnatomyResult load_cached(const std::filesystem::path& dir, const ContentHash& key) {
   if (dir.empty()) return {};
-  const FoundFile found = read_sealed(file_of(dir, key), seal_key(key));
+  const SealedFileResult found = read_sealed_file(file_of(dir, key), seal_key(key));
   if (!found.bytes) return {std::nullopt, found.trouble};
   CachedAnatomy out;
   if (!read(*found.bytes, out) || !consistent(out.anatomy)) return {std::nullopt, "is damaged"};
@@ -78,7 +78,7 @@ bool store_cached(const std::filesystem::path& dir, const ContentHash& key, cons
   const std::size_t remarks = std::min(made.remarks.size(), max_remarks);
   body.add(static_cast<std::uint64_t>(remarks));
   for (std::size_t i = 0; i < remarks; ++i) body.add_all(made.remarks[i]);
-  return write_sealed(file_of(dir, key), seal_key(key), body.bytes());
+  return write_sealed_file(file_of(dir, key), seal_key(key), body.bytes());
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// Finished meshes on disk, named by the hash of what they were made from.
+// Disk cache of finished meshes, named by the hash of their source.
 
 #include <filesystem>
 #include <optional>
@@ -13,19 +13,20 @@ namespace prosector {
 
 struct CachedAnatomy {
   Anatomy anatomy;
-  std::vector<std::string> remarks;  // what its author should read each time that it is used
-  double expected_volume = 0;        // m³: what its file encloses or labels; 0: not known
+  std::vector<std::string> remarks;  // warnings and notes to report each time the mesh is used
+  double expected_volume = 0;        // m³: volume enclosed or labelled in the source file; 0: unknown
 };
 
-/// What was found: a mesh, or none and why not ("" where there was none): the caller builds anew.
-struct FoundAnatomy {
+/// Result of a cache look-up: a mesh, or none and the reason ("" if there is no cached file). The caller then
+/// rebuilds the mesh.
+struct CachedAnatomyResult {
   std::optional<CachedAnatomy> made;
   std::string trouble;
 };
-FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key);
+CachedAnatomyResult load_cached(const std::filesystem::path& dir, const ContentHash& key);
 
-/// Stores the mesh under its key, written aside and renamed, so that readers see all or nothing. Returns
-/// false when the folder can't be written: a cache is no reason to fail.
+/// Stores the mesh under its key. Writes a temporary file and renames it, so that readers never see a partial
+/// file. Returns false if the folder isn't writable, which is not an error for a cache.
 bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made);
 
 }  // namespace prosector

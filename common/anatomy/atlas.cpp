@@ -12,18 +12,20 @@
 #include "common/scene/label_table.h"
 #include "common/scene/material.h"
 #include "common/scene/suggest.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 namespace {
 
 constexpr float max_label = 65535;
-constexpr double cells_across = 0.3;   // of a small structure: its cell, times the edge of a cube as large
-constexpr double cells_through = 1.1;  // of a thin one: its cell, times its thickness
-constexpr double largest_cell = 9e-3;  // m
-constexpr double finest_cell = 5e-4;   // m: as of [[soft]]
+constexpr double small_cell_ratio =
+    0.3;  // small structures: cell size over the edge of a cube of equal volume
+constexpr double thin_cell_ratio = 1.1;  // thin structures: cell size over thickness
+constexpr double largest_cell = 9e-3;    // m
+constexpr double finest_cell = 5e-4;     // m: as in [[soft]]
 
-/// Returns the area (m²) of the faces of each label's voxels towards others. Of a smooth body it is about 3/2
-/// of its surface's.
+/// Returns the area (m²) of each label's voxel faces towards other labels. For a smooth body it is about 3/2
+/// of the surface area.
 std::map<int, double> count_faces(const Volume& volume) {
   std::map<int, double> out;
   std::int64_t stride = 1;
@@ -42,7 +44,7 @@ std::map<int, double> count_faces(const Volume& volume) {
   return out;
 }
 
-/// Turns one atlas into bodies.
+/// Converts one atlas to bodies.
 class AtlasReader {
  public:
   AtlasReader(const AtlasDesc& atlas, std::string where, const SourcePaths& paths)
@@ -58,21 +60,21 @@ class AtlasReader {
     check_lists();
   }
 
-  /// Adds the bodies to the scene, and says what of the map is left out.
+  /// Adds the bodies to the scene, and reports the structures that are omitted.
   void add_to(SceneDesc& scene, const Progress& progress) const {
     for (const std::string& note : volume_.notes)
       if (progress) progress(fmt::format("{}: {}: {}", where_, atlas_.volume, note));
     std::vector<const Label*> taken;
     for (const Label& label : table_.labels)
-      if (wanted(label) && has(label) && !is_speck(label)) taken.push_back(&label);
+      if (wanted(label) && has(label) && !is_noise(label)) taken.push_back(&label);
     if (taken.empty())
-      throw InputError(fmt::format("{}: no label is left; {} has {}", where_, atlas_.volume, listed()));
+      throw InputError(fmt::format("{}: no label remains; {} has {}", where_, atlas_.volume, listed()));
     for (std::size_t i = 0; i < taken.size(); ++i)
       add_body(*taken[i], hue(static_cast<double>(i) / static_cast<double>(taken.size())), scene);
     for (const Label& label : table_.labels)
-      if (progress && wanted(label) && is_speck(label))
+      if (progress && wanted(label) && is_noise(label))
         progress(
-            fmt::format("{}: label {} (\"{}\") has {} voxels only: left out; `only` takes it all the same",
+            fmt::format("{}: label {} (\"{}\") has only {} voxels: omitted; list it in `only` to include it",
                         where_, label.id, label.name, voxels_.at(label.id)));
     const auto unnamed = std::ranges::count_if(
         voxels_, [&](const auto& entry) { return table_.find(entry.first) == nullptr; });
@@ -90,9 +92,9 @@ class AtlasReader {
   }
 
   bool has(const Label& label) const { return voxels_.contains(label.id); }
-  /// Tells whether it is too small for a structure, and nobody asked for it by name.
-  bool is_speck(const Label& label) const {
-    return has(label) && atlas_.only.empty() && voxels_.at(label.id) < least_voxels;
+  /// Returns whether the structure is too small to be taken without being named in `only`.
+  bool is_noise(const Label& label) const {
+    return has(label) && atlas_.only.empty() && voxels_.at(label.id) < min_structure_voxels;
   }
 
   bool wanted(const Label& label) const {
@@ -118,18 +120,18 @@ class AtlasReader {
                                        atlas_.labels.empty() ? atlas_.volume : atlas_.labels,
                                        suggest(name, known)));
         if (!has(*label))
-          throw InputError(fmt::format("{}: {}: label {} (\"{}\") isn't in {}, which has {}", where_, key,
-                                       label->id, name, atlas_.volume, listed()));
+          throw InputError(fmt::format("{}: {}: label {} (\"{}\") does not occur in {}, which has {}", where_,
+                                       key, label->id, name, atlas_.volume, listed()));
       }
     };
     check("only", atlas_.only);
     check("leave_out", atlas_.leave_out);
   }
 
-  /// Returns the map's labels in words, the first of them.
+  /// Returns the map's first labels as text.
   std::string listed() const {
     constexpr std::size_t shown = 12;
-    if (voxels_.empty()) return "no label but 0";
+    if (voxels_.empty()) return "no label except 0";
     std::string out;
     std::size_t i = 0;
     for (const auto& [id, voxels] : voxels_) {
@@ -139,7 +141,7 @@ class AtlasReader {
     return out;
   }
 
-  static Vec3 hue(double turn) {  // of a colour wheel, a little pale
+  static Vec3 hue(double turn) {  // of a colour wheel, slightly desaturated
     Vec3 out;
     for (int k = 0; k < 3; ++k) {
       const double sixths_away = std::abs(std::remainder(6 * (turn - k / 3.), 6));
@@ -150,16 +152,16 @@ class AtlasReader {
 
   const Material& material(const Label& label) const {
     const Material* given = find_material(atlas_.material);
-    return given != nullptr ? *given : material_of(label.name);
+    return given != nullptr ? *given : material_for_part(label.name);
   }
 
   double cell(const Label& label) const {
     if (atlas_.cell > 0) return atlas_.cell;
     const double volume = static_cast<double>(voxels_.at(label.id)) * volume_.voxel_size.prod();
-    const auto faces = faces_.find(label.id);  // none: it fills the map
+    const auto faces = faces_.find(label.id);  // none: the structure fills the map
     const double thickness = faces == faces_.end() ? largest_cell : 3 * volume / faces->second;
-    return std::clamp(std::min(cells_across * std::cbrt(volume), cells_through * thickness), finest_cell,
-                      largest_cell);
+    return std::clamp(std::min(small_cell_ratio * std::cbrt(volume), thin_cell_ratio * thickness),
+                      finest_cell, largest_cell);
   }
 
   void add_body(const Label& label, const Vec3& wheel, SceneDesc& scene) const {
@@ -196,14 +198,14 @@ class AtlasReader {
     body.max_volume_error = atlas_.max_volume_error;
     body.pose = atlas_.pose;
     body.part = true;
-    body.of_atlas = true;
+    body.from_atlas = true;
     body.group = atlas_.group;
     body.touches = atlas_.touches;
-    make_of(made_of, body);
+    apply_material(made_of, body);
     body.appearance.color = color;
   }
 
-  /// Returns the radius of a ball that holds the whole map, m.
+  /// Returns the radius of a ball that contains the whole map, m.
   double reach() const {
     const auto& d = volume_.dims;
     return 0.5 * Vec3(static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2]))
@@ -214,12 +216,12 @@ class AtlasReader {
   const AtlasDesc& atlas_;
   std::string where_;
   Volume volume_;
-  std::map<int, std::size_t> voxels_;  // of each label
-  std::map<int, double> faces_;        // m², of each label's voxels
+  std::map<int, std::size_t> voxels_;  // voxels by label
+  std::map<int, double> faces_;        // m² of voxel faces, by label
   LabelTable table_;
 };
 
-/// Refuses what the atlases' bodies have made of the scene as a whole.
+/// Throws InputError if the scene with its atlases' bodies is invalid as a whole.
 void check_bodies(const SceneDesc& scene) {
   std::set<std::string_view> names;
   const auto check = [&](const std::string& name) {
@@ -254,7 +256,7 @@ std::map<int, std::size_t> count_labels(const Volume& volume, const std::string&
     const float value = volume.values[i];
     for (run = 1; i + run < volume.values.size() && volume.values[i + run] == value;) ++run;
     if (!(value >= 0 && value <= max_label && value == std::floor(value)))
-      throw InputError(fmt::format("{}: voxel {} is {}: no label map; allowed: whole numbers in [0, {}]",
+      throw InputError(fmt::format("{}: not a label map: voxel {} is {}; allowed: whole numbers in [0, {}]",
                                    where, i, value, max_label));
     if (value > 0) out[static_cast<int>(value)] += run;
   }
@@ -275,7 +277,7 @@ SceneDesc completed(SceneDesc scene, const SourcePaths& paths, const Progress& p
     name_bodies(scene.rigid, table);
     name_bodies(scene.soft, table);
   } else if (progress) {
-    progress(fmt::format("bodies have one name each: {}", missing_source(scene.labels, paths)));
+    progress(fmt::format("body names must differ: {}", missing_source(scene.labels, paths)));
   }
   scene.labels.clear();
   return scene;

@@ -10,13 +10,13 @@ namespace prosector {
 
 namespace {
 
-constexpr double short_edge = 0.86602540378443865;  // of the lattice constant
+constexpr double short_edge = 0.86602540378443865;  // over the lattice constant
 
 double points_along(double extent, double cell) {
   return std::ceil(extent / (cell / short_edge)) + 5;
 }
 
-/// Returns a cell a little above the finest one of at most `max_points`.
+/// Returns a cell slightly above the finest one that needs at most `max_points`.
 double finest_cell(const Vec3& extent, double cell, double max_points) {
   while (lattice_points(extent, cell) > max_points) cell *= 1.02;
   return 1.01 * cell;
@@ -45,8 +45,8 @@ BccLattice::BccLattice(const SolidField& field, double cell, const Vec3& offset,
         1000 * cell, extent[0], extent[1], extent[2], lattice_points(extent, cell), max_points,
         1000 * finest_cell(extent, cell, max_points)));
   a_ = cell / short_edge;
-  // One cell of margin below (and the offset within it) and one above, so that the surface never meets the
-  // lattice's own border.
+  // A margin of one cell below (and the offset within it) and one above, so that the surface never reaches
+  // the lattice's border.
   origin_ = field.box.min - a_ * (Vec3::Constant(1.6) + offset);
   for (std::size_t k = 0; k < 3; ++k)
     n_[k] = static_cast<int>(points_along(extent[static_cast<int>(k)], cell));
@@ -67,7 +67,7 @@ Vec3 BccLattice::position(std::size_t point) const {
 
 bool BccLattice::parity(std::size_t p, std::size_t n) const {
   const Index i = index(p), j = index(n);
-  // A centre lies half a cell above its index: it's higher where its index isn't lower.
+  // A centre is half a cell above its index: it is higher unless its index is lower.
   bool even = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const bool rises = p < grid_ ? j[k] >= i[k] : j[k] > i[k];

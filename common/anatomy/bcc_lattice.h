@@ -1,5 +1,5 @@
 #pragma once
-// The body-centred cubic lattice around a solid: two interlaced cubic grids, and its tetrahedra, all alike:
+// Body-centred cubic (BCC) lattice around a solid: two interlaced cubic grids. Its tetrahedra are congruent:
 // two opposite long edges (the lattice constant a) and four short ones (√3/2 a).
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-/// Returns the number of points of the lattice of short edge `cell` (m) that covers a box of `extent` (m).
+/// Returns the number of points of a lattice of short edge `cell` (m) that covers a box of `extent` (m).
 double lattice_points(const Vec3& extent, double cell);
 
 /// Throws InputError unless `cell` and the box's sizes are positive and finite.
@@ -18,20 +18,21 @@ void require_sizes(const SolidField& field, double cell);
 
 class BccLattice {
  public:
-  /// Covers field.box with a margin; `cell` (m) is the short edge; offset in lattice constants. Throws
-  /// InputError when cell is not positive, or when more than `max_points` would be needed: it then says the
-  /// finest cell that is allowed. Allocates nothing.
+  /// Covers field.box with a margin; `cell` (m) is the short edge; `offset` is in lattice constants.
+  /// Allocates nothing. Throws InputError if `cell` isn't positive, or if more than `max_points` would be
+  /// needed; the message then states the finest allowed cell.
   BccLattice(const SolidField& field, double cell, const Vec3& offset, double max_points);
 
   std::size_t size() const { return 2 * grid_; }
   Vec3 position(std::size_t point) const;
   double edge_length(bool is_long) const { return is_long ? a_ : 0.86602540378443865 * a_; }
-  /// Tells whether the edge between two joined points is a long one: those join points of one grid.
+  /// Returns whether the edge between two adjacent points is a long one, which connects points of the same
+  /// grid.
   bool is_long(std::size_t a, std::size_t b) const { return (a < grid_) == (b < grid_); }
-  /// Tells whether an even number of coordinates rises from p to n along a short edge.
+  /// Returns whether an even number of coordinates increases from p to n along a short edge.
   bool parity(std::size_t p, std::size_t n) const;
 
-  /// Calls visit(neighbour, is_long) for each neighbour of the point, always in the same order.
+  /// Calls visit(neighbour, is_long) for each neighbour of the point, in a fixed order.
   template <class Visit>
   void for_neighbors(std::size_t point, Visit&& visit) const {
     const bool center = point >= grid_;
@@ -49,8 +50,8 @@ class BccLattice {
     }
   }
 
-  /// Calls visit({c, c', v, v'}) for each tetrahedron: two cell centres that share a face, and an edge of
-  /// that face.
+  /// Calls visit({c, c', v, v'}) for each tetrahedron: the centres of two cells that share a face, and an
+  /// edge of that face.
   template <class Visit>
   void for_tets(Visit&& visit) const {
     Index i;

@@ -31,7 +31,7 @@ std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, std::size_
   std::vector<std::uint8_t> out;
   int status = Z_OK;
   while (status == Z_OK && out.size() < max_bytes) {
-    // Grown as data arrives, so that a lie about the size allocates nothing.
+    // Grows as data arrives, so that a false size in the header causes no large allocation.
     const std::size_t at = out.size(), chunk = std::min(std::max<std::size_t>(1 << 16, at), max_bytes - at);
     const auto step = static_cast<uInt>(std::min<std::size_t>(chunk, 1u << 30));
     out.resize(at + step);

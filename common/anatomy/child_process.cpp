@@ -20,7 +20,7 @@ extern char** environ;
 namespace prosector {
 namespace {
 
-/// Both ends are closed in every program that this one starts, but for what is handed on by name.
+/// A pipe whose ends are closed in every started program, except one that is passed on explicitly.
 struct Pipe {
   std::array<int, 2> end{-1, -1};
   Pipe() {
@@ -38,7 +38,7 @@ struct Pipe {
   }
 };
 
-/// Starts the program. Returns 0, or the error's number.
+/// Starts the program. Returns 0 or an errno value.
 int start(const std::filesystem::path& program, const std::vector<std::string>& arguments, int output,
           pid_t& child) {
   std::vector<std::string> words = {program.string()};
@@ -57,20 +57,20 @@ int start(const std::filesystem::path& program, const std::vector<std::string>& 
   return error;
 }
 
-/// Reads until the other end is closed. Empty, or the limit that was exceeded.
+/// Reads until the other end is closed. Returns an empty string, or the limit that was exceeded.
 std::string read_output(int from, const ChildLimits& limits, std::vector<std::uint8_t>& out) {
   const std::int64_t deadline = monotonic_ns() + static_cast<std::int64_t>(1e9 * limits.seconds);
   std::array<std::uint8_t, 1 << 16> buffer;
   for (;;) {
     const std::int64_t left_ms = (deadline - monotonic_ns()) / 1'000'000;
-    if (left_ms <= 0) return fmt::format("takes longer than {} s", limits.seconds);
+    if (left_ms <= 0) return fmt::format("timed out after {} s", limits.seconds);
     pollfd wait{from, POLLIN, 0};
     if (::poll(&wait, 1, static_cast<int>(std::min<std::int64_t>(left_ms, 1000))) <= 0) continue;
     const ssize_t got = ::read(from, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return "";
     if (out.size() + static_cast<std::size_t>(got) > limits.output_bytes)
-      return fmt::format("gives more than {} bytes", limits.output_bytes);
+      return fmt::format("wrote more than {} bytes", limits.output_bytes);
     out.insert(out.end(), buffer.begin(), buffer.begin() + got);
   }
 }
@@ -88,7 +88,7 @@ ChildOutcome run_child(const std::filesystem::path& program, const std::vector<s
   Pipe pipe;
   pid_t child = -1;
   if (const int error = pipe.end[0] < 0 ? errno : start(program, arguments, pipe.end[1], child))
-    return {{}, fmt::format("can't be started ({})", std::strerror(error))};
+    return {{}, fmt::format("cannot be started ({})", std::strerror(error))};
   pipe.close(1);
   ChildOutcome out;
   out.trouble = read_output(pipe.end[0], limits, out.output);

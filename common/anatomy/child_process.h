@@ -1,5 +1,6 @@
 #pragma once
-// Another program, run to its end within limits; what it does to itself stays there.
+// Runs another program to its end, within limits on time and output. A crash of that program doesn't affect
+// the caller.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +16,12 @@ struct ChildLimits {
 };
 
 struct ChildOutcome {
-  std::vector<std::uint8_t> output;  // of standard output, as far as it came
-  std::string trouble;               // why it didn't end well; empty: it ended with exit code 0
+  std::vector<std::uint8_t> output;  // standard output, possibly incomplete
+  std::string trouble;               // reason of the failure; empty: exit code 0
 };
 
-/// Runs `program` with `arguments`, nothing to read and its errors thrown away. Kills it when it exceeds a
-/// limit. Waits by the monotonic clock.
+/// Runs `program` with `arguments`, with empty standard input and discarded standard error. Kills it if it
+/// exceeds a limit. Measures time on the monotonic clock.
 ChildOutcome run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                        const ChildLimits& limits);
 

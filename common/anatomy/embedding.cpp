@@ -9,7 +9,7 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-/// Tetrahedra by the cells of a uniform grid that their boxes touch.
+/// Tetrahedra by the cells of a uniform grid that their bounding boxes overlap.
 class TetGrid {
  public:
   explicit TetGrid(const TetMesh& mesh) : mesh_(mesh) {
@@ -45,14 +45,15 @@ class TetGrid {
     return {1 - b.sum(), b[0], b[1], b[2]};
   }
 
-  /// Returns the tetrahedron that x lies deepest in, or the one whose clamped barycentric point is nearest.
+  /// Returns the tetrahedron that contains x most deeply, or the one whose clamped barycentric point is
+  /// nearest.
   std::uint32_t nearest(const Vec3& x) const {
     std::uint32_t best = 0;
     double best_distance = std::numeric_limits<double>::max(), best_inner = -1;
     const Eigen::Vector3i home = cell(x);
     for (int ring = 0; ring <= n_.maxCoeff(); ++ring) {
-      // What lies in this ring of cells only is at least (ring − 1) steps away, from outside the grid too.
-      // For drawing a point into the box brings it no farther from anything in it.
+      // Tetrahedra found only in this ring of cells are at least (ring − 1) steps away. This also holds for x
+      // outside the grid: clamping x into the box reduces its distance to everything in the box.
       if ((ring - 1) * step_ > best_distance || best_inner >= 0) break;
       visit_ring(home, ring, [&](std::uint32_t t) {
         const Weights w = weights(t, x);
@@ -113,7 +114,7 @@ class TetGrid {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
-// Towards the tetrahedron's own points until no weight exceeds the limit.
+// Moves the weights towards the tetrahedron's nearest point until no weight exceeds the limit.
 Weights bounded(const Weights& w) {
   if (w.cwiseAbs().maxCoeff() <= max_embedding_weight) return w;
   const Weights in = TetGrid::clamped_weights(w);

@@ -1,21 +1,21 @@
 #pragma once
-// Ties a surface to the tetrahedra that carry it.
+// Embedding of a surface in a tetrahedral mesh.
 
 #include "common/mesh.h"
 
 namespace prosector {
 
-/// Largest weight of a vertex outside all tetrahedra; beyond it the vertex is drawn in towards its nearest
-/// tetrahedron, so that no small motion of a node is magnified much.
+/// Largest weight of a vertex outside all tetrahedra. A vertex with a larger weight is moved towards its
+/// nearest tetrahedron, so that small motions of a node are not amplified.
 inline constexpr double max_embedding_weight = 6;
 
-/// Barycentric weights of each surface vertex in the tetrahedron that contains it, or, outside, the nearest
-/// one's, extrapolated. Each surface vertex then stands exactly at W.row(i)·nodes.
+/// Barycentric weights of each surface vertex in the tetrahedron that contains it. Outside the mesh, those of
+/// the nearest tetrahedron are extrapolated. Vertex i is then at W.row(i)·nodes.
 struct Embedding {
   Anatomy anatomy;
-  std::size_t outside = 0;   // surface vertices in no tetrahedron
-  std::size_t drawn_in = 0;  // of them, so far out that the weight limit moved them
-  double farthest = 0;       // m: how far it moved one at most
+  std::size_t outside = 0;   // number of surface vertices outside all tetrahedra
+  std::size_t drawn_in = 0;  // number of these that the weight limit moved
+  double farthest = 0;       // m: largest distance by which it moved one
 };
 Embedding embed(TetMesh tets, TriangleMesh surface);
 

@@ -28,7 +28,7 @@ double crossing(const SolidField& field, const Vec3& inside, double f_inside, co
   double a = 0, b = 1;
   constexpr int steps = 10;
   for (int k = 0; k < steps; ++k) {
-    // A secant step kept off the ends alternates with halving: fast on smooth fields, sure on steep ones.
+    // Alternates bounded secant steps with bisection: fast on smooth fields, robust on steep ones.
     const double secant = a + (b - a) * f_inside / (f_inside - f_outside);
     const double margin = 0.05 * (b - a);
     const double t = k % 2 == 0 ? std::clamp(secant, a + margin, b - margin) : 0.5 * (a + b);

@@ -1,5 +1,5 @@
 #pragma once
-// A solid as a scalar field: what meshing needs to know of an organ, wherever it comes from.
+// A solid as a scalar field: the input of all meshing functions.
 
 #include <functional>
 
@@ -16,21 +16,21 @@ struct Box {
   Vec3 center() const { return 0.5 * (min + max); }
 };
 
-/// The solid is where `value` is negative; `value` is continuous, and the zero set lies inside `box`.
+/// Implicit solid: the region of negative `value`. `value` is continuous, and its zero set is inside `box`.
 /// For signed distance fields `value` is in metres; a level-set field may have any unit.
 struct SolidField {
   std::function<double(const Vec3&)> value;
   Box box;
 };
 
-/// Returns the solid's volume (m³) as `samples` points along each side of its box show it.
+/// Estimates the solid's volume (m³) from `samples` points along each side of its box.
 double sampled_volume(const SolidField& field, int samples);
 
 /// Returns the gradient of `value` by central differences, step in metres.
 Vec3 gradient(const SolidField& field, const Vec3& x, double step);
 
-/// Finds where value changes sign between `inside` (value < 0) and `outside` (value >= 0), by bisection with
-/// secant steps. Returns the fraction of the way from inside to outside, in (0, 1).
+/// Finds the zero of `value` between `inside` (value < 0) and `outside` (value >= 0), by bisection and secant
+/// steps. Returns the fraction of the distance from inside to outside, in (0, 1).
 double crossing(const SolidField& field, const Vec3& inside, double f_inside, const Vec3& outside,
                 double f_outside);
 

@@ -22,13 +22,13 @@ class GmshReader {
   }
 
  private:
-  /// Reads format 1 after its `$NOD`.
+  /// Reads format 1, after `$NOD`.
   void read_1() {
     nodes_2();
     if (!in_.skip_to("$ELM")) in_.fail("no $ELM");
     elements_1();
   }
-  /// Reads formats 2.2 and 4.1 after their `$MeshFormat`.
+  /// Reads formats 2.2 and 4.1, after `$MeshFormat`.
   void read_2_or_4() {
     const auto version = in_.number<double>("format version");
     const bool old = version == 2.2;
@@ -50,7 +50,7 @@ class GmshReader {
     if (kind == nullptr) in_.fail(unknown_cell(static_cast<std::uint64_t>(type)));
     return *kind;
   }
-  /// Reads an element's nodes, as far as they are used.
+  /// Reads an element's nodes and adds it; a cell of fewer dimensions is skipped.
   void add_cell(const CellKind& kind) {
     if (kind.shape == CellShape::flat) {
       in_.rest();
@@ -61,7 +61,7 @@ class GmshReader {
     for (std::size_t left = corners_of(kind.shape); left > 0; --left) {
       const auto tag = in_.number<std::uint64_t>("a node number");
       const auto it = numbers_.find(tag);
-      if (it == numbers_.end()) in_.fail(fmt::format("element uses node {}, which isn't there", tag));
+      if (it == numbers_.end()) in_.fail(fmt::format("element uses node {}, which does not exist", tag));
       corners_.push_back(it->second);
     }
     for (std::size_t k = corners_.size(); k < kind.nodes; ++k) in_.number<std::uint64_t>("a node number");

@@ -15,7 +15,7 @@ double sphere(const Vec3& x, const Vec3& center, double radius) {
   return (x - center).norm() - radius;
 }
 
-// Not an exact distance but exact on the surface, with gradient about 1 near it.
+// Approximate distance to an ellipsoid: exact on the surface, with a gradient of about 1 near it.
 double ellipsoid(const Vec3& x, const Vec3& center, const Vec3& radii) {
   const Vec3 d = x - center;
   const double k = d.cwiseQuotient(radii).norm();
@@ -23,8 +23,8 @@ double ellipsoid(const Vec3& x, const Vec3& center, const Vec3& radii) {
   return g < 1e-12 ? -radii.minCoeff() : k * (k - 1) / g;
 }
 
-// A cone with round ends.
-double limb(const Vec3& x, const Vec3& a, const Vec3& b, double ra, double rb) {
+// Signed distance to a cone with rounded ends.
+double round_cone(const Vec3& x, const Vec3& a, const Vec3& b, double ra, double rb) {
   const Vec3 axis = b - a;
   const double t = std::clamp((x - a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
   return (x - a - t * axis).norm() - (ra + t * (rb - ra));
@@ -40,58 +40,59 @@ double join(double a, double b, double k) {
   const double h = std::max(k - std::abs(a - b), 0.0) / k;
   return std::min(a, b) - 0.25 * h * h * k;
 }
-double carve(double a, double b, double k) {
+double smooth_subtract(double a, double b, double k) {
   return -join(-a, b, k);
 }
 
-// Seen from the front, x to the viewer's right: the big right lobe at −x, the left lobe thinning to +x.
+// Seen from the front, x to the viewer's right: the large right lobe at −x, the left lobe tapering to +x.
 double liver(const Vec3& x) {
   double d = ellipsoid(x, {-0.035, 0, 0}, {0.074, 0.072, 0.068});
   d = join(d, ellipsoid(x, {0.03, 0.018, 0.014}, {0.075, 0.042, 0.042}), 0.045);
   d = join(d, ellipsoid(x, {-0.055, -0.04, 0.006}, {0.042, 0.045, 0.045}), 0.04);
-  d = carve(d, ellipsoid(x, {0.04, -0.075, -0.045}, {0.085, 0.06, 0.08}), 0.025);             // visceral side
-  return carve(d, limb(x, {0.008, -0.06, 0.05}, {0.014, 0.02, 0.075}, 0.006, 0.005), 0.012);  // fissure
+  d = smooth_subtract(d, ellipsoid(x, {0.04, -0.075, -0.045}, {0.085, 0.06, 0.08}), 0.025);  // visceral side
+  return smooth_subtract(d, round_cone(x, {0.008, -0.06, 0.05}, {0.014, 0.02, 0.075}, 0.006, 0.005),
+                         0.012);  // fissure
 }
 
 double kidney(const Vec3& x) {
   double d = ellipsoid(x, {0, 0, 0}, {0.03, 0.055, 0.022});
   d = join(d, sphere(x, {0.004, 0.03, 0}, 0.021), 0.02);
   d = join(d, sphere(x, {0.004, -0.03, 0}, 0.021), 0.02);
-  return carve(d, ellipsoid(x, {0.036, 0, 0}, {0.019, 0.02, 0.03}), 0.015);  // hilum
+  return smooth_subtract(d, ellipsoid(x, {0.036, 0, 0}, {0.019, 0.02, 0.03}), 0.015);  // hilum
 }
 
 double gallbladder(const Vec3& x) {
-  const double d = limb(x, {0, -0.021, 0}, {0, 0.012, 0}, 0.0135, 0.008);
-  return join(d, limb(x, {0, 0.012, 0}, {0.006, 0.031, 0}, 0.006, 0.0035), 0.012);
+  const double d = round_cone(x, {0, -0.021, 0}, {0, 0.012, 0}, 0.0135, 0.008);
+  return join(d, round_cone(x, {0, 0.012, 0}, {0.006, 0.031, 0}, 0.006, 0.0035), 0.012);
 }
 
 double femur(const Vec3& x) {
-  double d = limb(x, {0.006, -0.17, 0.004}, {-0.004, 0.15, 0}, 0.0145, 0.0145);
-  d = join(d, limb(x, {-0.004, 0.165, 0}, {0.036, 0.197, 0}, 0.015, 0.0125), 0.02);  // neck
-  d = join(d, sphere(x, {0.041, 0.2, 0}, 0.023), 0.008);                             // head
-  d = join(d, ellipsoid(x, {-0.019, 0.178, -0.004}, {0.016, 0.026, 0.02}), 0.02);    // trochanters
+  double d = round_cone(x, {0.006, -0.17, 0.004}, {-0.004, 0.15, 0}, 0.0145, 0.0145);
+  d = join(d, round_cone(x, {-0.004, 0.165, 0}, {0.036, 0.197, 0}, 0.015, 0.0125), 0.02);  // neck
+  d = join(d, sphere(x, {0.041, 0.2, 0}, 0.023), 0.008);                                   // head
+  d = join(d, ellipsoid(x, {-0.019, 0.178, -0.004}, {0.016, 0.026, 0.02}), 0.02);          // trochanters
   d = join(d, sphere(x, {0.012, 0.135, -0.012}, 0.009), 0.015);
   d = join(d, ellipsoid(x, {-0.018, -0.2, -0.008}, {0.02, 0.024, 0.03}), 0.03);  // condyles
   d = join(d, ellipsoid(x, {0.026, -0.2, -0.008}, {0.02, 0.024, 0.03}), 0.025);
-  return carve(d, limb(x, {0.004, -0.23, -0.05}, {0.004, -0.195, -0.032}, 0.01, 0.01), 0.01);
+  return smooth_subtract(d, round_cone(x, {0.004, -0.23, -0.05}, {0.004, -0.195, -0.032}, 0.01, 0.01), 0.01);
 }
 
-// One solid: the bones of a standing foot with their joints closed. z points to the toes.
+// One solid: the bones of a standing foot with closed joints. z points to the toes.
 double foot(const Vec3& x) {
-  double d = join(limb(x, {0, -0.01, -0.1}, {0.002, 0, -0.06}, 0.021, 0.019),
+  double d = join(round_cone(x, {0, -0.01, -0.1}, {0.002, 0, -0.06}, 0.021, 0.019),
                   ellipsoid(x, {0, 0.018, -0.05}, {0.019, 0.019, 0.028}), 0.015);
   d = join(d, ellipsoid(x, {0.006, 0.008, -0.015}, {0.025, 0.016, 0.024}), 0.015);
   for (int toe = 0; toe < 5; ++toe) {
-    const double side = 0.5 - toe / 4.0;  // the great toe at +x
+    const double side = 0.5 - toe / 4.0;  // great toe at +x
     const double bulk = toe == 0 ? 1.5 : 1;
     const Vec3 base(0.006 + 0.042 * side, 0.008 - 0.006 * std::abs(side), 0.004);
     const Vec3 ball(0.004 + 0.068 * side, -0.022, 0.064 - 0.006 * toe);
     const Vec3 middle = ball + Vec3(0, -0.001, 0.026 - 0.003 * toe);
     const Vec3 tip = middle + Vec3(-0.004 * side, -0.003, 0.019 - 0.002 * toe);
-    d = join(d, limb(x, base, ball, 0.0062 * bulk, 0.0056 * bulk), 0.006);
+    d = join(d, round_cone(x, base, ball, 0.0062 * bulk, 0.0056 * bulk), 0.006);
     d = join(d, sphere(x, ball, 0.0072 * bulk), 0.005);
-    d = join(d, limb(x, ball, middle, 0.0055 * bulk, 0.005 * bulk), 0.005);
-    d = join(d, limb(x, middle, tip, 0.0052 * bulk, 0.0048 * bulk), 0.005);
+    d = join(d, round_cone(x, ball, middle, 0.0055 * bulk, 0.005 * bulk), 0.005);
+    d = join(d, round_cone(x, middle, tip, 0.0052 * bulk, 0.0048 * bulk), 0.005);
   }
   return d;
 }
@@ -111,10 +112,10 @@ double cylinder(const Vec3& x) {
          0.004;
 }
 double capsule(const Vec3& x) {
-  return limb(x, {0, -0.05, 0}, {0, 0.05, 0}, 0.025, 0.025);
+  return round_cone(x, {0, -0.05, 0}, {0, 0.05, 0}, 0.025, 0.025);
 }
 
-// Two arms along x, joined by half a ring.
+// Two straight arms along x, joined by a half ring.
 double horseshoe(const Vec3& x) {
   constexpr double bend = 0.03, arm = 0.09, radius = 0.015;
   const Vec3 q(x.x() + 0.03, x.y(), x.z());
@@ -132,7 +133,7 @@ const ImplicitShape& find(std::string_view name) {
       fmt::format("implicit shape \"{}\" is unknown; allowed: {}", name, fmt::join(names, ", ")));
 }
 
-/// Finds the box of the negative values by scanning: shapes needn't state what their unions add up to.
+/// Finds the bounding box of the negative region by sampling, so that shapes needn't state their size.
 Box measured_box(const ImplicitShape& shape) {
   constexpr int n = 64;
   const Vec3 span = 1.5 * shape.natural_size, step = span / n;
@@ -143,7 +144,7 @@ Box measured_box(const ImplicitShape& shape) {
         const Vec3 x = Vec3(i, j, k).cwiseProduct(step) - 0.5 * span;
         const double d = shape.value(x);
         if (d >= 0) continue;
-        // The distance to the surface reaches beyond the sample, but not farther than a grid step.
+        // Extends the box beyond the sample by the distance to the surface, at most one grid step.
         const Vec3 reach = step.cwiseMin(-d);
         out.min = out.min.cwiseMin(x - reach);
         out.max = out.max.cwiseMax(x + reach);

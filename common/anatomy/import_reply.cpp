@@ -28,7 +28,7 @@ std::vector<std::uint8_t> encode(const ImportReply& reply) {
 ImportReply decode_import_reply(std::span<const std::uint8_t> bytes) {
   ImportReply out;
   ByteReader in(bytes, "its reader's answer");
-  in.require(in.bits<std::uint64_t>() == magic, "another beginning");
+  in.require(in.bits<std::uint64_t>() == magic, "unexpected first bytes");
   in.read_all(out.refusal);
   for (std::size_t notes = in.count(max_notes); notes > 0; --notes) in.read_all(out.notes.emplace_back());
   in.read_all(out.mesh.positions);
@@ -37,7 +37,7 @@ ImportReply decode_import_reply(std::span<const std::uint8_t> bytes) {
   const std::size_t vertices = out.mesh.positions.size();
   for (const auto& t : out.mesh.triangles)
     if (std::ranges::any_of(t, [&](std::uint32_t v) { return v >= vertices; }))
-      throw InputError("its reader named a vertex that isn't there");
+      throw InputError("its reader returned an invalid vertex");
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What prosector-import says to whoever started it: a mesh, or why there is none, as bytes.
+// Output of prosector-import in serialised form: a mesh, or the reason why there is none.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +12,15 @@
 namespace prosector {
 
 struct ImportReply {
-  TriangleMesh mesh;    // in the file's units, nodes' transforms applied; positions may be no finite numbers
-  std::string refusal;  // the reader's words; empty: the mesh is what the file holds
-  std::vector<std::string> notes = {};  // one line each: what of the file is not used
+  TriangleMesh mesh;    // in the file's units, node transforms applied; positions may be NaN or infinite
+  std::string refusal;  // the reader's error message; empty: the mesh is complete
+  std::vector<std::string> notes = {};  // one line each: content of the file that is not used
 };
 
 std::vector<std::uint8_t> encode(const ImportReply& reply);
 
-/// Trusts nothing: throws InputError when the bytes are no whole reply or a triangle names no vertex.
+/// Decodes a reply. Throws InputError if the bytes are not exactly one reply or a triangle refers to a
+/// missing vertex.
 ImportReply decode_import_reply(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector

@@ -1,4 +1,5 @@
-// INRIMAGE-4: a text header of KEY=value lines padded to a multiple of 256 bytes, then the voxels, x fastest.
+// INRIMAGE-4 format: a text header of KEY=value lines padded to a multiple of 256 bytes, then the voxels, x
+// fastest.
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 namespace prosector {
 namespace {
 
-constexpr double max_surface_lattice = 1 << 24;  // 128 MB of values, a few seconds
+constexpr double max_surface_lattice = 1 << 24;  // points: 128 MB of values, a few seconds
 
 TriangleMesh march(const SolidField& field, double cell) {
   const BccLattice lattice(field, cell, Vec3::Zero(), max_surface_lattice);
@@ -28,7 +28,7 @@ TriangleMesh march(const SolidField& field, double cell) {
     const auto [it, fresh] = cuts.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
     if (fresh) {
       const Vec3 a = lattice.position(in), b = lattice.position(out);
-      // Off the ends, so that no two cuts coincide.
+      // Kept off the ends, so that no two cut points coincide.
       const double t = std::clamp(crossing(field, a, value[in], b, value[out]), 0.02, 0.98);
       mesh.positions.push_back(a + t * (b - a));
     }
@@ -61,7 +61,8 @@ TriangleMesh march(const SolidField& field, double cell) {
   return mesh;
 }
 
-// Newton's steps along the gradient, bounded: to the zero set from nearby, else x as it was.
+// Projects a nearby point onto the zero set by bounded Newton steps along the gradient; if they fail, returns
+// it unchanged.
 Vec3 project(const SolidField& field, const Vec3& start, double cell) {
   Vec3 x = start;
   double f = field.value(x);
@@ -79,7 +80,7 @@ Vec3 project(const SolidField& field, const Vec3& start, double cell) {
   return (x - start).norm() < 0.5 * cell ? x : start;
 }
 
-// Vertices slide towards the middle of their neighbours, then back onto the surface.
+// Moves vertices towards the mean of their neighbours, then back onto the surface.
 void relax(TriangleMesh& mesh, const SolidField& field, double cell) {
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
@@ -103,7 +104,7 @@ void relax(TriangleMesh& mesh, const SolidField& field, double cell) {
   }
 }
 
-// In a crease, triangles of the two sides may cross: their vertices move to the middle of their neighbours.
+// Resolves crossing triangles, as in creases: moves their vertices to the mean of their neighbours.
 void untangle(TriangleMesh& mesh) {
   constexpr int rounds = 10;
   for (int round = 0; round < rounds; ++round) {
@@ -150,10 +151,9 @@ TriangleMesh largest_piece(const TriangleMesh& mesh) {
 TriangleMesh isosurface(const SolidField& field, double cell) {
   TriangleMesh mesh = march(field, cell);
   if (mesh.triangles.empty())
-    throw InputError(
-        fmt::format("surface: nothing to draw at a surface cell of {:.3g} mm; allowed: finer than the "
-                    "shape's thinnest part",
-                    1000 * cell));
+    throw InputError(fmt::format(
+        "surface: empty at a surface cell of {:.3g} mm; allowed: finer than the shape's thinnest part",
+        1000 * cell));
   mesh = simplify(largest_piece(mesh), cell, [&](const Vec3& x) { return project(field, x, cell); });
   relax(mesh, field, cell);
   untangle(mesh);

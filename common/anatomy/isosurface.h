@@ -1,14 +1,14 @@
 #pragma once
-// The zero set of a solid's field as a triangle surface: what is touched and drawn.
+// Extraction of a solid's zero set as a triangle surface, which is drawn and used for contact.
 
 #include "common/anatomy/field.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
-/// Makes the surface by marching tetrahedra on a BCC lattice (always a closed manifold). Short edges are
-/// collapsed and vertices relaxed along the surface until edges are about `cell` metres long. Only the
-/// largest piece is kept. Throws InputError when there is no surface.
+/// Extracts the surface by marching tetrahedra on a BCC lattice; the result is a closed manifold. Then
+/// collapses short edges and relaxes vertices along the surface until edges are about `cell` metres long.
+/// Keeps the largest piece only. Throws InputError if there is no surface.
 TriangleMesh isosurface(const SolidField& field, double cell);
 
 /// Returns the piece with the largest enclosed volume.

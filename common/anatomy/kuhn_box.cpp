@@ -34,7 +34,7 @@ TetMesh kuhn_box(const Vec3& size, std::uint32_t nx, std::uint32_t ny, std::uint
       for (std::uint32_t i = 0; i < nx; ++i) {
         const std::uint32_t corner = i * stride[0] + j * stride[1] + k * stride[2];
         std::array<std::size_t, 3> axis = {0, 1, 2};
-        bool even = true;  // permutations come in lexicographic order: parities + − − + + −
+        bool even = true;  // parities of the permutations in lexicographic order: + − − + + −
         for (int n = 0; n < 6; ++n) {
           std::array<std::uint32_t, 4> tet;
           tet[0] = corner;

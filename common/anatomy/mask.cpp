@@ -24,7 +24,7 @@ Vec3 as_vector(const Index& i) {
   return {static_cast<double>(i[0]), static_cast<double>(i[1]), static_cast<double>(i[2])};
 }
 
-// The box of the voxels that are inside, with a margin of zeros, as a volume of its own.
+// Crops the volume to the box of the inside voxels, with a margin of zeros.
 template <class Inside>
 bool crop(const Volume& whole, int margin, Inside&& inside, Mask& out) {
   Index low = whole.dims, high = {-1, -1, -1}, i;
@@ -55,22 +55,22 @@ bool crop(const Volume& whole, int margin, Inside&& inside, Mask& out) {
   return true;
 }
 
-/// Voxels of equal value in a row along x.
+/// A run of voxels of equal value along x.
 struct Run {
   std::int64_t first, end;  // x
-  std::size_t at;           // of the first voxel
+  std::size_t at;           // index of the first voxel
   bool inside;
-  std::uint32_t piece;  // runs joined through faces share it: the number of one of them
+  std::uint32_t piece;  // union-find parent: face-connected runs share the root
 };
 
-// Connected pieces, inside and outside alike, by runs: far fewer than voxels.
+// Labels connected components, inside and outside, by runs, which are far fewer than voxels.
 std::vector<Run> find_pieces(const Volume& v) {
   std::vector<Run> runs;
   const auto find = [&](std::uint32_t i) {
     while (runs[i].piece != i) i = runs[i].piece = runs[runs[i].piece].piece;
     return i;
   };
-  std::vector<std::uint32_t> row_start;  // first run of each row, and one beyond the last
+  std::vector<std::uint32_t> row_start;  // index of the first run of each row, and the end
   const auto join_rows = [&](std::size_t row, std::size_t other) {
     std::uint32_t a = row_start[row], b = row_start[other];
     const auto a_end = static_cast<std::uint32_t>(runs.size());
@@ -104,8 +104,9 @@ void fill(Volume& v, const Run& run, float value) {
   std::fill_n(v.values.begin() + static_cast<std::ptrdiff_t>(run.at), run.end - run.first, value);
 }
 
-// Keeps the largest piece; cavities that the outside doesn't reach are filled: noise, not anatomy.
-void keep_largest(Mask& mask) {
+// Keeps the largest piece and fills cavities that aren't connected to the outside: they are noise, not
+// anatomy.
+void keep_largest_component(Mask& mask) {
   Volume& v = mask.volume;
   const auto runs = find_pieces(v);
   std::vector<std::size_t> size(runs.size());
@@ -124,7 +125,7 @@ void keep_largest(Mask& mask) {
   mask.dropped_voxels = total - size[best];
   for (const Run& run : runs)
     if (run.inside && run.piece != best) fill(v, run, 0);
-  if (v.values.front() != 0) return;  // no border: nothing says where outside is
+  if (v.values.front() != 0) return;  // no border: the outside is unknown
   const auto cleaned = find_pieces(v);
   for (const Run& run : cleaned)
     if (!run.inside && run.piece != cleaned.front().piece) {
@@ -160,9 +161,9 @@ void blur_axis(Volume& v, std::size_t axis, const std::vector<float>& kernel) {
     }
 }
 
-// A Gaussian draws convex shapes in (by about σ²/r): the level at which as many voxels are inside as before.
+// A Gaussian shrinks convex shapes (by about σ²/r). Returns the level that keeps the number of inside voxels.
 double volume_preserving_level(const Volume& smoothed, const Volume& mask) {
-  constexpr float least = 0.02f;  // below it nothing is inside anyhow: spares sorting the empty part
+  constexpr float least = 0.02f;  // values below it are outside; omitting them speeds up the sorting
   std::vector<float> values;
   for (const float v : smoothed.values)
     if (v > least) values.push_back(v);
@@ -173,8 +174,9 @@ double volume_preserving_level(const Volume& smoothed, const Volume& mask) {
   return std::clamp(static_cast<double>(*nth), 0.1, 0.9);
 }
 
-/// Returns the labels of a volume in rising order, those that follow one another as "first to last".
-std::string labels_in_words(const Volume& volume) {
+/// Returns the labels of a volume as text in ascending order; consecutive labels are given as "first to
+/// last".
+std::string labels_text(const Volume& volume) {
   constexpr int max_label = 65535;
   std::vector<bool> present(max_label + 2);
   bool grey = false;
@@ -195,7 +197,7 @@ std::string labels_in_words(const Volume& volume) {
   const std::size_t more = ranges.size() - std::min(ranges.size(), shown);
   ranges.resize(ranges.size() - more);
   return fmt::format("{}{}{}", fmt::join(ranges, ", "),
-                     more > 0 ? fmt::format(", and {} ranges more", more) : std::string(),
+                     more > 0 ? fmt::format(", and {} more ranges", more) : std::string(),
                      grey || more > 0 ? " (a grey volume? use threshold)" : "");
 }
 
@@ -207,9 +209,9 @@ Mask mask_of_label(const Volume& volume, int label, int margin, const std::strin
   if (!crop(
           volume, margin, [&](float v) { return v == wanted; }, out)) {
     throw InputError(
-        fmt::format("{}: label {} isn't there; allowed: {}", name, label, labels_in_words(volume)));
+        fmt::format("{}: label {} does not occur; allowed: {}", name, label, labels_text(volume)));
   }
-  keep_largest(out);
+  keep_largest_component(out);
   return out;
 }
 
@@ -220,7 +222,7 @@ Mask mask_above(const Volume& volume, double threshold, int margin, const std::s
   if (inside(*low) || !crop(volume, margin, inside, out))
     throw InputError(fmt::format("{}: threshold {} leaves {}; allowed: from {} to below {}", name, threshold,
                                  inside(*low) ? "everything inside" : "nothing inside", *low, *high));
-  keep_largest(out);
+  keep_largest_component(out);
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// One structure out of a volume, as a smooth solid.
+// Extraction of one structure of a volume as a smooth solid.
 
 #include <string>
 
@@ -9,32 +9,31 @@
 
 namespace prosector {
 
-/// A structure as voxels: 1 inside, 0 outside, cropped to the structure with a margin of zeros; the frame
-/// stays the volume's.
+/// Binary mask of a structure: 1 inside, 0 outside, cropped to the structure with a margin of zeros.
 struct Mask {
   Volume volume;                   // values 0 or 1
-  Vec3 origin = Vec3::Zero();      // the cropped volume's centre in the whole one's frame, m
-  std::size_t dropped_voxels = 0;  // in other pieces
+  Vec3 origin = Vec3::Zero();      // m: the cropped volume's centre in the whole volume's frame
+  std::size_t dropped_voxels = 0;  // in pieces other than the largest
   std::size_t dropped_pieces = 0;
-  std::size_t filled_voxels = 0;  // of cavities, which count as inside
+  std::size_t filled_voxels = 0;  // in cavities, which are counted as inside
 
   /// Returns the volume of the voxels inside (m³), cavities included.
   double inside_volume() const;
 };
 
-/// Returns voxels equal to `label`: the largest piece (joined through faces), with `margin` voxels of border.
-/// Throws InputError that lists the labels present when there are none such.
+/// Returns the mask of voxels equal to `label`: the largest face-connected piece, with a border of `margin`
+/// voxels. Throws InputError that lists the labels present if no voxel has this one.
 Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name);
 
-/// Returns voxels above `threshold`; throws InputError with the volume's range when there are none, or only
-/// those.
+/// Returns the mask of voxels above `threshold`: the largest face-connected piece. Throws InputError with the
+/// volume's range of values if none or all voxels are above it.
 Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name);
 
-/// Smooths the mask by a Gaussian of σ `sigma` voxels along each axis and returns the field level − mask:
-/// negative inside. The level is the one that keeps the structure's volume.
+/// Smooths the mask by a Gaussian of σ `sigma` voxels along each axis. Returns the field level − mask,
+/// negative inside. The level is chosen to preserve the structure's volume.
 SolidField smooth_solid(const Mask& mask, double sigma);
 
-/// Returns the border that `smooth_solid` needs around the structure, voxels.
+/// Returns the border (voxels) around the structure that smooth_solid() needs.
 int smoothing_margin(double sigma);
 
 }  // namespace prosector

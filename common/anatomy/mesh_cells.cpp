@@ -11,8 +11,7 @@ namespace {
 
 using enum CellShape;
 
-// Numbers and orders of nodes: Gmsh reference manual, "MSH file format"; VTK User's Guide, "VTK file
-// formats".
+// Node numbers and orders: Gmsh reference manual, "MSH file format"; VTK User's Guide, "VTK file formats".
 constexpr std::array gmsh_cells = {CellKind{1, "lines", flat, 2},
                                    CellKind{2, "triangles", flat, 3},
                                    CellKind{3, "quadrilaterals", flat, 4},
@@ -104,7 +103,8 @@ const std::vector<FaceCorners>& faces_of(CellShape shape) {
   return shape == hexahedron ? hexahedra : shape == voxel ? voxels : shape == prism ? prisms : pyramids;
 }
 
-/// Adds the tetrahedra between the lowest node and each triangle of the faces that don't have it.
+/// Splits a cell: adds the tetrahedra of its lowest node and each triangle of the faces that don't contain
+/// it.
 void split(CellShape shape, std::span<const std::uint32_t> corners, TetMesh& mesh) {
   const std::uint32_t lowest = *std::ranges::min_element(corners);
   for (const FaceCorners& face : faces_of(shape)) {
@@ -158,7 +158,7 @@ void CellCollector::report(const Progress& to) const {
   for (const auto& [plural, count] : split_)
     to(fmt::format("repaired: {} {} are split into tetrahedra", count, plural));
   for (const auto& [plural, count] : straightened_)
-    to(fmt::format("repaired: {} {} are taken by their corners, with straight edges", count, plural));
+    to(fmt::format("repaired: {} {} are replaced by linear ones with straight edges", count, plural));
   std::string skipped;
   for (const auto& [plural, count] : skipped_)
     skipped += fmt::format("{}{} {}", skipped.empty() ? "" : ", ", count, plural);

@@ -12,7 +12,7 @@ namespace {
 
 using Face = std::array<std::uint32_t, 3>;
 
-// Faces opposite node 0..3, counter-clockwise from outside when the tetrahedron's volume is positive.
+// Faces opposite node 0..3, counter-clockwise from outside if the tetrahedron's volume is positive.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_nodes = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 

@@ -1,4 +1,4 @@
-// NIfTI-1, single file: a 348-byte binary header ("n+1"), then the voxels at vox_offset, x fastest.
+// NIfTI-1 format, single file: a 348-byte binary header ("n+1"), then the voxels at vox_offset, x fastest.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ T field(std::span<const std::uint8_t> head, std::size_t at, bool swap) {
   return std::bit_cast<T>(raw);
 }
 
-// Rotation of the quaternion (b, c, d) with the third axis turned round by qfac.
+// Rotation matrix of the quaternion (a, b, c, d); the third axis is reversed if qfac is negative.
 Mat3 quaternion_axes(double b, double c, double d, double qfac) {
   const double a = std::sqrt(std::max(0.0, 1 - b * b - c * c - d * d));
   Mat3 r = Quat(a, b, c, d).normalized().toRotationMatrix();
@@ -31,14 +31,14 @@ Mat3 quaternion_axes(double b, double c, double d, double qfac) {
   return r;
 }
 
-/// Which file axis becomes x, y and z, and which are reversed.
+/// The file axes mapped to x, y and z, and which are reversed.
 struct Axes {
   std::array<int, 3> axis = {0, 1, 2};
   std::array<bool, 3> flip{};
   bool operator==(const Axes&) const = default;
 };
 
-/// Returns the file axis nearest to right, anterior and superior each, and whether it points the other way.
+/// Returns the file axes nearest to right, anterior and superior, and whether each points the other way.
 Axes axes_of(const Mat3& file_to_patient) {
   Axes out;
   Mat3 a = file_to_patient.cwiseAbs();
@@ -58,7 +58,7 @@ std::string in_mm(const Vec3& metres) {
   return fmt::format("{:.4g} x {:.4g} x {:.4g} mm", 1e3 * metres[0], 1e3 * metres[1], 1e3 * metres[2]);
 }
 
-/// Returns by how much the box that three steps span is smaller than one with right angles, 0 to 1.
+/// Returns 1 − the volume of the parallelepiped of three steps over that of a right-angled box, 0 to 1.
 double shear(const Mat3& steps) {
   return 1 - std::abs(steps.determinant()) / steps.colwise().norm().prod();
 }
@@ -67,15 +67,15 @@ bool spans_space(const Mat3& steps) {
   return steps.allFinite() && steps.colwise().norm().minCoeff() > 1e-12 && shear(steps) < 0.999;
 }
 
-/// Takes the voxels' size from the sform's columns where pixdim says another: other programs show it so.
-void take_sform_size(VolumeHeader& h, const Mat3& sform, double metres, const std::string& name) {
+/// Uses the voxel size of the sform's columns if pixdim differs, as other programs do.
+void use_sform_voxel_size(VolumeHeader& h, const Mat3& sform, double metres, const std::string& name) {
   const Vec3 steps = metres * sform.colwise().norm().transpose();
   constexpr double rounding = 1e-3;
   if (!((steps - h.voxel_size).cwiseQuotient(steps).cwiseAbs().maxCoeff() <= rounding)) {
-    h.notes.push_back(fmt::format(
-        "warning: its voxels are {} by pixdim and {} by the sform: the sform's are used. Is that wrong? "
-        "Correct the file's header",
-        in_mm(h.voxel_size), in_mm(steps)));
+    h.notes.push_back(
+        fmt::format("warning: its voxels are {} in pixdim and {} in the sform: the sform is used. If that is "
+                    "wrong, correct the file's header",
+                    in_mm(h.voxel_size), in_mm(steps)));
     h.voxel_size = steps;
   }
   const double too_large = shear(sform);
@@ -87,7 +87,7 @@ void take_sform_size(VolumeHeader& h, const Mat3& sform, double metres, const st
         name, 100 * too_large, 100 * refused));
   if (too_large > reported)
     h.notes.push_back(
-        fmt::format("warning: its sform is sheared, which is ignored: structures get {:.0f} % too large; "
+        fmt::format("warning: its sform is sheared, which is ignored: structures become {:.0f} % too large; "
                     "resample it to right angles",
                     100 * too_large));
 }
@@ -98,7 +98,7 @@ bool is_nifti(std::span<const std::uint8_t> head) {
   return head.size() >= header_bytes && std::memcmp(head.data() + 344, "n+1", 4) == 0;
 }
 
-std::string other_nifti(std::span<const std::uint8_t> head) {
+std::string unsupported_nifti(std::span<const std::uint8_t> head) {
   if (head.size() < header_bytes) return "";
   const auto starts = [&](std::size_t at, const char* magic) {
     return std::memcmp(head.data() + at, magic, 3) == 0;
@@ -128,7 +128,7 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
       h.dims[static_cast<std::size_t>(k)] = d;
     else if (d > 1)
       throw InputError(fmt::format(
-          "{}: header: dimension {} has {} steps; allowed: one 3-D volume. Save one of them by itself", name,
+          "{}: header: dimension {} has {} steps; allowed: one 3-D volume. Save one of them alone", name,
           k + 1, d));
   }
 
@@ -170,7 +170,7 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
           name, type));
   }
 
-  // xyzt_units, low three bits: 1 metre, 2 millimetre (also when unsaid), 3 micrometre.
+  // xyzt_units, low three bits: 1 metre, 2 millimetre (also the default), 3 micrometre.
   const int unit = head[123] & 7;
   const double metres = unit == 1 ? 1 : unit == 3 ? 1e-6 : 1e-3;
   for (int k = 0; k < 3; ++k)
@@ -181,7 +181,7 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
   auto offset = static_cast<double>(field<float>(head, 108, swap));
   if (offset == 0) {
     offset = header_bytes + 4;
-    h.notes.push_back(fmt::format("its header names no beginning of the voxels: taken as byte {}", offset));
+    h.notes.push_back(fmt::format("its header has no voxel offset: byte {} is assumed", offset));
   }
   constexpr double max_offset = 16 * 1024 * 1024;
   if (!(offset >= 348 && offset <= max_offset))
@@ -191,10 +191,10 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
   h.slope = static_cast<double>(field<float>(head, 112, swap));
   h.intercept = static_cast<double>(field<float>(head, 116, swap));
   if (!std::isfinite(h.slope)) {
-    h.notes.push_back(fmt::format("its scl_slope is {}: taken as unscaled", h.slope));
+    h.notes.push_back(fmt::format("its scl_slope is {}: no scaling is applied", h.slope));
     h.slope = 0;
   }
-  if (h.slope == 0) {  // the standard's way to say "unscaled"
+  if (h.slope == 0) {  // the standard's value for "unscaled"
     h.slope = 1;
     h.intercept = 0;
   }
@@ -206,11 +206,11 @@ VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::s
   const bool has_sform = field<std::int16_t>(head, 254, swap) > 0;
   const bool use_sform = has_sform && spans_space(sform);
   const bool use_qform = field<std::int16_t>(head, 252, swap) > 0 && spans_space(qform);
-  if (has_sform && !use_sform) h.notes.push_back("warning: its sform spans no space and is not used");
-  if (use_sform) take_sform_size(h, sform, metres, name);
+  if (has_sform && !use_sform) h.notes.push_back("warning: its sform is singular and is not used");
+  if (use_sform) use_sform_voxel_size(h, sform, metres, name);
   if (use_sform && use_qform && axes_of(sform) != axes_of(qform))
     h.notes.push_back(
-        "warning: its sform and its qform turn it differently: the sform is used; check left and right");
+        "warning: its sform and qform have different orientations: the sform is used; check left and right");
   if (use_sform || use_qform) {
     const Axes axes = axes_of(use_sform ? sform : qform);
     h.axis = axes.axis;

@@ -1,4 +1,4 @@
-// PLY: a text header that lists elements and their properties, then their values as text or binary.
+// PLY format: a text header that lists elements and their properties, then their values as text or binary.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 namespace prosector {
 namespace {
 
-/// A number type of the format, by its two names.
+/// A number type of the format, with its two names.
 struct Scalar {
   std::array<std::string_view, 2> names;
   std::size_t bytes;
@@ -43,7 +43,7 @@ constexpr std::array<Scalar, 8> scalars = {{{{"char", "int8"}, 1, decode<std::in
 struct Property {
   std::string_view name;
   const Scalar* type = nullptr;   // of the value, or of a list's values
-  const Scalar* count = nullptr;  // of a list's length; null: no list
+  const Scalar* count = nullptr;  // type of a list's length; null: not a list
 };
 
 struct Element {
@@ -73,7 +73,7 @@ class PlyReader {
         for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, [](std::size_t, double) {});
       }
     }
-    if (!vertices || !faces) throw InputError("no elements \"vertex\" and \"face\": no surface of polygons");
+    if (!vertices || !faces) throw InputError("no elements \"vertex\" and \"face\": not a polygon surface");
     check_corners();
     if (unlike_polygons_ > 0)
       notes_.push_back(fmt::format("{} faces of fewer than three vertices are not used", unlike_polygons_));
@@ -94,7 +94,7 @@ class PlyReader {
       else if (w == "property")
         property();
       else
-        in_.fail(fmt::format("\"{}\" where element, property or end_header should be", w.substr(0, 32)));
+        in_.fail(fmt::format("\"{}\" found; expected: element, property or end_header", w.substr(0, 32)));
     }
     in_.end_line();
     if (!encoded_) in_.fail("no format; allowed: ascii, binary_little_endian, binary_big_endian");
@@ -109,7 +109,7 @@ class PlyReader {
     encoded_ = true;
     binary_ = w != "ascii";
     swap_ = (w == "binary_big_endian") != (std::endian::native == std::endian::big);
-    in_.rest();  // its version
+    in_.rest();  // format version
   }
 
   void property() {
@@ -131,15 +131,14 @@ class PlyReader {
     in_.fail(fmt::format("type \"{}\"; allowed: such as float, double, uchar, int", name.substr(0, 32)));
   }
 
-  /// Refuses more elements than the rest of the file can hold.
+  /// Throws InputError if the rest of the file can't hold the number of elements.
   void check_size(const Element& element) const {
-    std::size_t least = 0;  // bytes of one
+    std::size_t least = 0;  // minimum bytes of one element
     for (const Property& p : element.properties)
       least += !binary_ ? 2 : p.count != nullptr ? p.count->bytes : p.type->bytes;
     constexpr std::uint64_t most = std::uint64_t{1} << 20;
     if (element.count > (least == 0 ? most : in_.left() / least + 1))
-      in_.fail(fmt::format("{} elements \"{}\", more than the file can hold", element.count,
-                           element.name.substr(0, 32)));
+      in_.fail(fmt::format("{} elements \"{}\" exceed the file", element.count, element.name.substr(0, 32)));
   }
 
   double next(const Scalar& type, const char* what) {
@@ -151,11 +150,11 @@ class PlyReader {
     const double n = next(*list.count, "a list's length");
     const std::size_t least = binary_ ? list.type->bytes : 2;
     if (!(n >= 0 && n == std::floor(n) && n <= static_cast<double>(in_.left() / least + 1)))
-      in_.fail(fmt::format("a list of {} values; allowed: what the file can hold", n));
+      in_.fail(fmt::format("a list of {} values exceeds the file", n));
     return static_cast<std::uint64_t>(n);
   }
 
-  /// Calls visit(property's number, value) for all values of one element.
+  /// Calls visit(property index, value) for all values of one element.
   template <class Visit>
   void read_row(const Element& element, Visit&& visit) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
@@ -198,7 +197,7 @@ class PlyReader {
         if (k != corners) return;
         constexpr double most = 4294967295;
         if (!(value >= 0 && value <= most && value == std::floor(value)))
-          in_.fail(fmt::format("face {} names vertex {}", i, value));
+          in_.fail(fmt::format("face {} refers to vertex {}", i, value));
         polygon.push_back(static_cast<std::uint32_t>(value));
       });
       if (polygon.size() < 3) ++unlike_polygons_;
@@ -206,18 +205,19 @@ class PlyReader {
     }
   }
 
-  /// Splits the polygons, once all vertices are known: faces may come before them.
+  /// Triangulates the polygons after all vertices are read, since faces may precede vertices in the file.
   void check_corners() {
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       for (const std::uint32_t v : polygons_[i])
         if (v >= mesh_.positions.size())
           throw InputError(
-              fmt::format("face {} names vertex {}; allowed: below {}", i, v, mesh_.positions.size()));
+              fmt::format("face {} refers to vertex {}; allowed: below {}", i, v, mesh_.positions.size()));
       add_fan(polygons_[i]);
     }
   }
 
-  /// Adds the polygon as a fan around a corner from which all its triangles face alike, if one is found.
+  /// Adds the polygon as a triangle fan from a corner for which all triangles have the same orientation, if
+  /// one exists.
   void add_fan(const std::vector<std::uint32_t>& polygon) {
     const std::size_t n = polygon.size();
     if (n < 3) return;

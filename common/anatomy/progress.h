@@ -1,5 +1,5 @@
 #pragma once
-// Where the making of geometry reports to, line by line.
+// Callback for progress lines of geometry processing.
 
 #include <functional>
 #include <string>

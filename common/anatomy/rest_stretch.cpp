@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double least_quality = 1e-9;  // 6V over the cube of an edge: flatter ones hold no place
+constexpr double least_quality = 1e-9;  // 6V over an edge's cube: flatter tetrahedra are ignored
 
 Mat3 edges_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& tet) {
   Mat3 out;
@@ -42,7 +42,7 @@ RestStretch::RestStretch(const TetMesh& mesh, std::vector<Mat3> stretch) : stret
   list(mesh);
 }
 
-/// Lists the places in the cells of a grid that has about as many.
+/// Lists the tetrahedra by the cells of a grid with about as many cells as tetrahedra.
 void RestStretch::list(const TetMesh& mesh) {
   Vec3 low = Vec3::Constant(1e300), high = -low;
   for (const auto& tet : mesh.tets)

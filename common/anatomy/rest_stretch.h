@@ -1,9 +1,9 @@
 #pragma once
-// How tissue is stretched while it rests: what keeps an uncut organ in shape, and opens a cut.
+// Prestress of tissue: the elastic stretch at rest, which holds an uncut organ in shape and opens cuts.
 //
-// Growth theory (Rodriguez, Hoger & McCulloch 1994) splits a deformation gradient, F = Fe·Fg. Fg takes each
-// piece of the rest shape to the shape that it would have by itself. Fe, which alone is stressed, takes that
-// to where it is. At rest F = I, so Fe = V := Fg⁻¹. V is taken symmetric: a rotation in Fg stresses nothing.
+// Growth theory (Rodriguez, Hoger & McCulloch 1994) splits the deformation gradient, F = Fe·Fg. Fg maps each
+// piece of the rest shape to its stress-free shape. Fe, the elastic part, maps that to the current shape. At
+// rest F = I, hence Fe = V := Fg⁻¹. V is symmetric, since a rotation in Fg causes no stress.
 
 #include <cstdint>
 #include <vector>
@@ -12,20 +12,21 @@
 
 namespace prosector {
 
-/// V by place in the rest shape, constant in each tetrahedron of the mesh that it was found for. Whatever
-/// later divides these tetrahedra, its parts inherit.
+/// Field of V over the rest shape, constant in each tetrahedron of the original mesh. Elements that later
+/// subdivide these tetrahedra inherit V.
 class RestStretch {
  public:
-  /// Takes the mesh, and V of each tetrahedron: symmetric, positive definite.
+  /// Takes the mesh and V of each tetrahedron: symmetric, positive definite.
   RestStretch(const TetMesh& mesh, std::vector<Mat3> stretch);
 
-  /// Returns V of the tetrahedron that p (m) is in, or else is nearest to in its coordinates.
+  /// Returns V of the tetrahedron that contains p (m), or else of the one in which p's smallest barycentric
+  /// coordinate is largest.
   const Mat3& at(const Vec3& p) const;
-  /// Returns V of each tetrahedron that was given.
+  /// Returns V of each tetrahedron of the original mesh.
   const std::vector<Mat3>& stretch() const { return stretch_; }
 
  private:
-  /// A tetrahedron by its barycentric coordinates.
+  /// A tetrahedron as a map to its barycentric coordinates.
   struct Place {
     std::uint32_t tet;
     Vec3 origin;
@@ -37,13 +38,13 @@ class RestStretch {
 
   std::vector<Mat3> stretch_;
   std::vector<Place> places_;
-  Vec3 origin_ = Vec3::Zero();  // m, of the grid
-  double cell_ = 1;             // m
+  Vec3 origin_ = Vec3::Zero();  // m: origin of the grid
+  double cell_ = 1;             // m: grid spacing
   Eigen::Vector3i size_ = Eigen::Vector3i::Ones();
-  std::vector<std::uint32_t> begin_, listed_;  // by cell: places whose boxes meet it
+  std::vector<std::uint32_t> begin_, listed_;  // by grid cell: tetrahedra whose boxes intersect it
 };
 
-/// Returns the middle of a tetrahedron, m.
+/// Returns the centroid of a tetrahedron, m.
 Vec3 middle_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& tet);
 
 }  // namespace prosector

@@ -16,7 +16,7 @@ class Collapser {
       for (const auto v : mesh_.triangles[t]) around_[v].push_back(t);
   }
 
-  /// Makes one sweep over the short edges, shortest first. Returns how many were collapsed.
+  /// Sweeps once over the short edges, shortest first. Returns the number of collapsed edges.
   std::size_t sweep();
 
  private:
@@ -67,7 +67,7 @@ bool Collapser::keeps_shape(std::uint32_t moved, std::uint32_t other, const Vec3
 
 bool Collapser::try_collapse(std::uint32_t a, std::uint32_t b) {
   const auto na = neighbors(a), nb = neighbors(b);
-  // Inside a closed surface every neighbour is seen from two triangles; a border vertex stays.
+  // At an inner vertex each neighbour occurs in exactly two triangles; border vertices are not moved.
   const auto closed = [](const std::vector<std::uint32_t>& n) {
     for (std::size_t i = 0; i < n.size(); i += 2)
       if (i + 1 >= n.size() || n[i] != n[i + 1] || (i + 2 < n.size() && n[i + 2] == n[i])) return false;
@@ -112,7 +112,7 @@ std::size_t Collapser::sweep() {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
     return x.length != y.length ? x.length < y.length : x.a != y.a ? x.a < y.a : x.b < y.b;
   });
-  // A vertex moves at most once a sweep, so that short edges vanish evenly.
+  // A vertex moves at most once per sweep, so that short edges are removed evenly.
   std::vector<bool> used(mesh_.positions.size());
   std::size_t count = 0;
   for (const Candidate& c : candidates) {

@@ -1,5 +1,5 @@
 #pragma once
-// Thins a triangle surface by collapsing short edges, keeping its topology.
+// Simplification of a triangle surface by collapsing short edges, with unchanged topology.
 
 #include <functional>
 
@@ -8,13 +8,13 @@
 namespace prosector {
 
 /// Collapses edges until they are about `edge` metres long (mean within some 30 % for surfaces that were
-/// finer). Only collapses that keep the surface a manifold (link condition), turn no triangle by more than
-/// 60° and make no edge longer than 1.6 edge; borders of open surfaces stay. `project`, if given, puts a new
-/// vertex back onto the surface that the mesh samples.
+/// finer). A collapse must keep the surface a manifold (link condition), rotate no triangle by more than 60°,
+/// and make no edge longer than 1.6·edge. Borders of open surfaces are unchanged. `project`, if given, moves
+/// a new vertex back onto the original surface.
 TriangleMesh simplify(const TriangleMesh& mesh, double edge,
                       const std::function<Vec3(const Vec3&)>& project = {});
 
-/// Drops triangles that name a vertex twice, and vertices that no triangle uses.
+/// Drops triangles that contain a vertex twice, and unused vertices.
 void drop_unused(TriangleMesh& mesh);
 
 }  // namespace prosector

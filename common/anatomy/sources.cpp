@@ -9,11 +9,11 @@
 #include "common/anatomy/anatomy_cache.h"
 #include "common/anatomy/bytes.h"
 #include "common/anatomy/embedding.h"
-#include "common/anatomy/fabric.h"
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
 #include "common/anatomy/mesh_quality.h"
-#include "common/anatomy/quartered.h"
+#include "common/anatomy/midpoint_subdivided.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "common/anatomy/simplify.h"
 #include "common/anatomy/stuffing.h"
 #include "common/anatomy/surface_check.h"
@@ -24,26 +24,27 @@
 #include "common/anatomy/tet_repair.h"
 #include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
-#include "common/curves/from_scene.h"
 #include "common/error.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
+#include "common/scene/scene_curves.h"
 #include "common/surface_files.h"
 
 namespace prosector {
 namespace {
 
-constexpr int recipe = 3;  // raised when the same source gives another mesh: old cache files then don't match
+constexpr int recipe = 3;  // increase when a source gives a different mesh: invalidates the cache
 
 void say(const Progress& progress, const std::string& line) {
   if (progress) progress(line);
 }
 
-/// Finds the first place that has the file; empty when missing but replaceable; throws when not.
+/// Returns the file in the first directory that has it. If it is missing, returns an empty path and reports
+/// the fallback; throws InputError if there is none.
 std::filesystem::path resolve(const std::string& body, const std::string& file, const std::string& fallback,
                               const SourcePaths& paths, const Progress& progress) {
   if (auto found = find_source(file, paths); !found.empty()) return found;
   if (fallback.empty())
-    throw InputError(fmt::format("{}: {}, or name a fallback shape", body, missing_source(file, paths)));
+    throw InputError(fmt::format("{}: {}, or set a fallback shape", body, missing_source(file, paths)));
   say(progress,
       fmt::format("{}: {} is missing: using the implicit shape \"{}\" instead", body, file, fallback));
   return {};
@@ -62,9 +63,9 @@ std::string origin_key(const Vec3& origin) {
   return fmt::format(" {} {} {}", origin[0], origin[1], origin[2]);
 }
 
-/// Returns what `make()` gives; what it refuses names the body, too.
+/// Returns the result of `make()`; prefixes the message of an InputError with the body's name.
 template <class Make>
-auto of_body(const std::string& name, const Make& make) {
+auto with_body_name(const std::string& name, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {
@@ -76,8 +77,8 @@ CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const
                          const Progress& progress) {
   constexpr double takes_a_while = 2e5;  // tetrahedra
   if (const double tets = expected_tets(field, desc.cell); tets > takes_a_while && tets < max_tets)
-    say(progress,
-        fmt::format("{}: meshing with about {:.2g} tetrahedra takes a while; Ctrl-C ends it", name, tets));
+    say(progress, fmt::format("{}: meshing with about {:.2g} tetrahedra, which takes a while; Ctrl-C cancels",
+                              name, tets));
   TetMesh tets = stuff_solid(field, desc.cell);
   say(progress, fmt::format("{}: {}", name, describe(tet_quality(tets))));
   Embedding embedded = embed(std::move(tets), isosurface(field, desc.surface_cell));
@@ -87,8 +88,8 @@ CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const
   CachedAnatomy out;
   if (embedded.drawn_in > 0)
     out.remarks.push_back(
-        fmt::format("warning: cell is too coarse for the shape's thin parts: {} surface vertices drawn in by "
-                    "up to {:.2g} mm",
+        fmt::format("warning: cell is too coarse for the shape's thin parts: {} surface vertices moved "
+                    "inward by up to {:.2g} mm",
                     embedded.drawn_in, 1000 * embedded.farthest));
   out.anatomy = std::move(embedded.anatomy);
   return out;
@@ -97,12 +98,12 @@ CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const
 /// One structure of a volume file.
 struct Structure {
   SolidField field;
-  double volume = 0;  // m³: of all voxels of the label; of grey volumes, of the piece that is taken
+  double volume = 0;  // m³: of all voxels of the label; grey-value volumes: of the largest piece
   double voxel = 0;   // m: the longest side of a voxel
   std::vector<std::string> remarks;
 };
 
-/// Makes the structure for a SoftDesc or a RigidDesc: both name a volume's structure alike.
+/// Extracts the structure of a SoftDesc or a RigidDesc.
 template <class Desc>
 Structure structure_of(const std::filesystem::path& file, const Desc& desc, const Progress& progress) {
   const Volume volume = load_volume(file);
@@ -120,12 +121,12 @@ Structure structure_of(const std::filesystem::path& file, const Desc& desc, cons
   const double of_label = mask.inside_volume() + voxel * (static_cast<double>(mask.dropped_voxels) -
                                                           static_cast<double>(mask.filled_voxels));
   return {smooth_solid(mask, desc.smoothing), labelled ? of_label : mask.inside_volume(),
-          volume.voxel_size.maxCoeff(), desc.of_atlas ? std::vector<std::string>() : volume.notes};
+          volume.voxel_size.maxCoeff(), desc.from_atlas ? std::vector<std::string>() : volume.notes};
 }
 
-// Whether a mesh file's surface has a vertex on each edge, as quadratic elements have a node there: a load on
-// corners alone is none that they are made for.
-bool halves_edges(const SoftDesc& desc) {
+// Whether the surface of a mesh file needs a vertex on each edge, since quadratic elements have a node there.
+// A load on the corner nodes alone doesn't suit them.
+bool needs_edge_vertices(const SoftDesc& desc) {
   return desc.element == "tet10";
 }
 
@@ -137,7 +138,7 @@ Sign sign_for(const SolidShells& shells, std::size_t crossings) {
   return shells.simple && crossings == 0 ? Sign::nearest : Sign::winding;
 }
 
-/// Returns the volume within a closed surface, where it overlaps itself once (m³).
+/// Returns the volume inside a closed surface (m³), counting overlaps once.
 double volume_within(const SolidShells& shells, std::size_t crossings) {
   constexpr int samples = 48;
   if (crossings > 0 || shells.overlapping)
@@ -150,17 +151,17 @@ void warn_of_crossings(std::size_t pairs, std::vector<std::string>& remarks) {
     remarks.push_back(fmt::format("warning: its surface intersects itself: {} pairs of triangles", pairs));
 }
 
-// The mesh's own boundary is its surface.
+// Reads a tetrahedral mesh file; the surface is the mesh's boundary.
 CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
   CachedAnatomy out;
   TetMesh tets = load_tets(
       file, desc.scale,
       {.origin = desc.mesh_origin, .report = [&](const std::string& line) { out.remarks.push_back(line); }});
   say(progress, fmt::format("{}: {}", desc.name, describe(tet_quality(tets))));
-  const Tangles tangles = find_tangles(tets);
+  const TetOverlap tangles = find_tet_overlap(tets);
   if (tangles.tets > 0)
     out.remarks.push_back(fmt::format(
-        "warning: {} tetrahedra are tangled: they lie on the wrong side of a neighbour. Mesh it again",
+        "warning: {} tetrahedra overlap: they are on the wrong side of a neighbour. Mesh it again",
         tangles.tets));
   TriangleMesh surface{tets.positions, boundary_faces(tets)};
   drop_unused(surface);
@@ -170,12 +171,12 @@ CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc,
   out.expected_volume = tangles.enclosed;
   if (report.intersecting_pairs > 0 && !surface_faults(surface))
     out.expected_volume = volume_within(solid_shells(surface), report.intersecting_pairs);
-  if (halves_edges(desc)) surface = quartered(std::move(surface));
+  if (needs_edge_vertices(desc)) surface = midpoint_subdivided(std::move(surface));
   out.anatomy = embed(std::move(tets), std::move(surface)).anatomy;
   return out;
 }
 
-/// Fills a closed surface.
+/// Meshes the solid inside a closed surface file.
 CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& desc,
                            const Progress& progress) {
   std::vector<std::string> remarks;
@@ -190,10 +191,10 @@ CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& de
   const std::size_t crossings = intersecting_triangles(shells.surface).size();
   const double volume = volume_within(shells, crossings);
   if (shells.solids.size() > 1 && crossings == 0 && !shells.overlapping)
-    remarks.push_back(fmt::format(
-        "{} separate solids in the file: the largest is taken, {:.4g} of {:.4g} ml. A body is one piece: "
-        "write each solid into a file of its own",
-        shells.solids.size(), 1e6 * shells.solids.front(), 1e6 * volume));
+    remarks.push_back(
+        fmt::format("{} separate solids in the file: the largest is used, {:.4g} of {:.4g} ml. A body is one "
+                    "piece: write each solid to its own file",
+                    shells.solids.size(), 1e6 * shells.solids.front(), 1e6 * volume));
   const Sign sign = sign_for(shells, crossings);
   CachedAnatomy out = mesh_solid(desc.name, solid_within(std::move(shells.surface), sign), desc, progress);
   out.remarks.insert(out.remarks.begin(), remarks.begin(), remarks.end());
@@ -214,7 +215,7 @@ CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, con
   return out;
 }
 
-/// Reads a rigid body's surface, open or closed. Of a closed one the expected volume is that of its solids.
+/// Reads a rigid body's surface, open or closed. For a closed one, the expected volume is that of its solids.
 CachedAnatomy read_surface(const std::filesystem::path& file, const RigidDesc& desc) {
   CachedAnatomy out;
   RepairedSurface whole = repaired(load_surface(
@@ -250,7 +251,7 @@ CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, co
   return made;
 }
 
-/// Makes a sheet or rope, straight or along what the scene says.
+/// Makes a sheet or rope, straight or along the curve or patch in the scene.
 Anatomy make_fabric(const SoftDesc& desc) {
   if (desc.shape == "rope" && !desc.curves.empty())
     return make_rope(make_curve(desc.curves.front()), desc.curves.front().diameter, desc.cell);
@@ -264,28 +265,28 @@ void say_remarks(const std::string& name, const std::vector<std::string>& remark
   for (const std::string& remark : remarks) say(progress, fmt::format("{}: {}", name, remark));
 }
 
-/// Reports how far a body's volume is from what its file says; throws InputError where it is too far. `desc`
-/// is a SoftDesc or a RigidDesc.
+/// Reports the difference between a body's volume and its file's; throws InputError if it is too large.
+/// `desc` is a SoftDesc or a RigidDesc.
 template <class Desc>
-void judge_volume(const Desc& desc, double made, double expected, const Progress& progress) {
+void report_volume_error(const Desc& desc, double made, double expected, const Progress& progress) {
   const bool labelled = !desc.volume.empty();
-  const std::string warning = of_body(desc.name, [&] {
+  const std::string warning = with_body_name(desc.name, [&] {
     return check_volume(
         made, expected, desc.max_volume_error.value, labelled ? "of its voxels" : "that its file encloses",
-        labelled ? "Of a label in pieces the largest is taken, and cavities are filled; thin parts need a "
-                   "smaller cell, and parts as thin as a voxel need a finer volume."
-                 : "A body is one piece: write separate solids into files of their own; thin parts "
-                   "need a smaller cell.");
+        labelled ? "If a label has several pieces, the largest is used, and cavities are filled; thin parts "
+                   "need a smaller cell, and parts as thin as a voxel need a finer volume."
+                 : "A body is one piece: write separate solids to separate files; thin parts need a smaller "
+                   "cell.");
   });
   if (!warning.empty()) say(progress, fmt::format("{}: {}", desc.name, warning));
 }
 
-/// Takes a mesh from the cache. A damaged file is told of, and none is returned: the mesh is made again.
-std::optional<CachedAnatomy> take_cached(const std::string& name, const SourcePaths& paths,
-                                         const ContentHash& key, const Progress& progress) {
-  FoundAnatomy found = load_cached(paths.cache_dir, key);
+/// Loads a mesh from the cache. Reports a damaged file and returns none, so that the mesh is rebuilt.
+std::optional<CachedAnatomy> load_cached_mesh(const std::string& name, const SourcePaths& paths,
+                                              const ContentHash& key, const Progress& progress) {
+  CachedAnatomyResult found = load_cached(paths.cache_dir, key);
   if (!found.trouble.empty())
-    say(progress, fmt::format("{}: its mesh in the cache {}: made anew", name, found.trouble));
+    say(progress, fmt::format("{}: its cached mesh {}: rebuilt", name, found.trouble));
   return std::move(found.made);
 }
 
@@ -293,7 +294,7 @@ std::optional<CachedAnatomy> take_cached(const std::string& name, const SourcePa
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
   if (desc.shape == "sheet" || desc.shape == "rope") {
-    Anatomy made = of_body(desc.name, [&] { return make_fabric(desc); });
+    Anatomy made = with_body_name(desc.name, [&] { return make_fabric(desc); });
     for (Vec3& x : made.tets.positions) x = desc.pose * x;
     apply_embedding(made);
     return made;
@@ -309,21 +310,21 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
   }
   const std::string made_from = shape.empty() ? file_hash(file) : shape;
   const bool own_boundary = shape.empty() && desc.volume.empty() && !is_surface_file(desc.mesh);
-  const ContentHash key = hash_of(
-      fmt::format("soft {} {} {} {} {} {} {} {} {} {} {} {}{}{}", recipe, made_from, desc.volume.empty(),
-                  desc.label, desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell,
-                  desc.surface_cell, desc.smoothing,
-                  own_boundary && halves_edges(desc) ? " halved edges" : "", origin_key(desc.mesh_origin)));
+  const ContentHash key = hash_of(fmt::format(
+      "soft {} {} {} {} {} {} {} {} {} {} {} {}{}{}", recipe, made_from, desc.volume.empty(), desc.label,
+      desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell, desc.surface_cell,
+      desc.smoothing, own_boundary && needs_edge_vertices(desc) ? " halved edges" : "",
+      origin_key(desc.mesh_origin)));
   CachedAnatomy made;
-  if (auto cached = take_cached(desc.name, paths, key, progress)) {
+  if (auto cached = load_cached_mesh(desc.name, paths, key, progress)) {
     made = std::move(*cached);
     say(progress, fmt::format("{}: {} (cached)", desc.name, describe(tet_quality(made.anatomy.tets))));
   } else {
-    made = of_body(desc.name, [&] { return build(desc, file, shape, progress); });
+    made = with_body_name(desc.name, [&] { return build(desc, file, shape, progress); });
     store_cached(paths.cache_dir, key, made);
   }
   say_remarks(desc.name, made.remarks, progress);
-  judge_volume(desc, tet_quality(made.anatomy.tets).volume, made.expected_volume, progress);
+  report_volume_error(desc, tet_quality(made.anatomy.tets).volume, made.expected_volume, progress);
   Anatomy anatomy = std::move(made.anatomy);
   const bool stands_in = desc.shape.empty() && file.empty();
   const Pose pose = stands_in ? desc.pose * desc.fallback_pose : desc.pose;
@@ -345,7 +346,7 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
   if (file.empty()) {
     const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 20;
     TriangleMesh surface =
-        of_body(desc.name, [&] { return isosurface(implicit_shape(desc.fallback, desc.size), cell); });
+        with_body_name(desc.name, [&] { return isosurface(implicit_shape(desc.fallback, desc.size), cell); });
     for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
     return surface;
   }
@@ -353,18 +354,19 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
                                               desc.volume.empty(), desc.label, desc.threshold, desc.smoothing,
                                               desc.scale, desc.surface_cell, origin_key(desc.mesh_origin)));
   CachedAnatomy made;
-  auto cached = take_cached(desc.name, paths, key, progress);
+  auto cached = load_cached_mesh(desc.name, paths, key, progress);
   if (cached) {
     made = std::move(*cached);
   } else {
-    made = of_body(desc.name, [&] { return build(desc, file, progress); });
+    made = with_body_name(desc.name, [&] { return build(desc, file, progress); });
     store_cached(paths.cache_dir, key, made);
   }
   say(progress, fmt::format("{}: {} triangles{}", desc.name, made.anatomy.surface.triangles.size(),
                             cached ? " (cached)" : ""));
   say_remarks(desc.name, made.remarks, progress);
   if (made.expected_volume > 0)
-    judge_volume(desc, std::abs(enclosed_volume(made.anatomy.surface)), made.expected_volume, progress);
+    report_volume_error(desc, std::abs(enclosed_volume(made.anatomy.surface)), made.expected_volume,
+                        progress);
   return std::move(made.anatomy.surface);
 }
 

@@ -1,18 +1,19 @@
 #pragma once
-// Makes the geometry of a body from its description in a scene: files found, meshed, cached.
+// Construction of a body's geometry from its scene description: finds files, meshes them, uses the cache.
 
 #include "common/anatomy/mask.h"
-#include "common/anatomy/source_paths.h"
+#include "common/anatomy/search_paths.h"
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 
 namespace prosector {
 
-/// Makes tetrahedra and the embedded surface in the world frame. A missing file is replaced by
-/// desc.fallback, and `progress` says so; without a fallback InputError lists where it was looked for.
+/// Builds the tetrahedra and the embedded surface in the world frame. A missing file is replaced by
+/// desc.fallback and reported to `progress`. Without a fallback, throws InputError that lists the searched
+/// directories.
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress);
 
-/// Makes the surface of a rigid body in its own frame: its mesh, scaled and thinned, or its parts.
+/// Builds the surface of a rigid body in its own frame: its mesh, scaled and simplified, or its parts.
 TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const Progress& progress);
 
 }  // namespace prosector

@@ -1,4 +1,5 @@
-// STL: text ("solid", "facet", "vertex x y z"), or 80 bytes, a count, and 50 bytes for each triangle.
+// STL format: text ("solid", "facet", "vertex x y z"), or binary: 80 bytes, a count, and 50 bytes per
+// triangle.
 
 #include <fmt/format.h>
 
@@ -21,8 +22,8 @@ T little_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Returns the bytes that a binary file with this head has; 0: it is too short for a head.
-std::uint64_t claimed_bytes(std::string_view bytes) {
+/// Returns the size in bytes of a binary file with this header; 0: the data is shorter than a header.
+std::uint64_t stated_file_size(std::string_view bytes) {
   if (bytes.size() < head_bytes) return 0;
   return head_bytes + std::uint64_t{triangle_bytes} * little_endian<std::uint32_t>(bytes, header_bytes);
 }
@@ -55,7 +56,7 @@ TriangleMesh parse_text(std::string_view bytes) {
   std::size_t corners = 0;
   for (std::string_view w = in.word(); !w.empty(); w = in.word()) {
     if (is_word(w, "solid") || is_word(w, "endsolid")) {
-      in.rest();  // a name
+      in.rest();  // name
     } else if (is_word(w, "vertex")) {
       if (++corners > 3) in.fail("a facet of more than three vertices; allowed: triangles");
       Vec3 x;
@@ -68,17 +69,17 @@ TriangleMesh parse_text(std::string_view bytes) {
       out.triangles.push_back({end - 3, end - 2, end - 1});
     }
   }
-  if (corners != 0) in.fail("ends within a facet: the file is cut short");
+  if (corners != 0) in.fail("ends within a facet: the file is truncated");
   return out;
 }
 
 }  // namespace
 
 TriangleMesh parse_stl(std::string_view bytes, std::vector<std::string>& notes) {
-  const std::uint64_t claimed = claimed_bytes(bytes);
+  const std::uint64_t claimed = stated_file_size(bytes);
   const bool whole = claimed != 0 && claimed <= bytes.size();
   const bool like_text = bytes.size() >= 5 && is_word(bytes.substr(0, 5), "solid");
-  // Binary files may begin with "solid", too; their size tells them apart.
+  // Binary files may begin with "solid" too; they are recognised by their size.
   if (like_text && claimed != bytes.size()) {
     TriangleMesh mesh = parse_text(bytes);
     if (!mesh.triangles.empty() || !whole) return mesh;
@@ -89,10 +90,10 @@ TriangleMesh parse_stl(std::string_view bytes, std::vector<std::string>& notes) 
             ? fmt::format(
                   "{} bytes: neither a text that begins with \"solid\" nor long enough for a binary STL",
                   bytes.size())
-            : fmt::format("its {} triangles need {} bytes, it has {}: the file is cut short, or no STL",
+            : fmt::format("its {} triangles need {} bytes, it has {}: the file is truncated, or not an STL",
                           (claimed - head_bytes) / triangle_bytes, claimed, bytes.size()));
   if (claimed < bytes.size())
-    notes.push_back(fmt::format("{} bytes after its last triangle are not read", bytes.size() - claimed));
+    notes.push_back(fmt::format("{} bytes after its last triangle are ignored", bytes.size() - claimed));
   return parse_binary(bytes);
 }
 

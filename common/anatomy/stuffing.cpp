@@ -15,19 +15,19 @@ namespace {
 
 using Tet = std::array<std::uint32_t, 4>;
 
-// How near a cut point draws a lattice vertex onto the surface, as a fraction of the edge: the paper's safe
-// pair, which bounds dihedral angles below by 10.7°.
+// Distance of a cut point from a lattice vertex, as a fraction of the edge, below which the vertex is snapped
+// to it. The safe values of the paper, which bound dihedral angles below by 10.7°.
 constexpr double snap_long = 0.24999, snap_short = 0.41189;
 
-constexpr double max_lattice_points = 1 << 23;  // 300 MB, a few seconds for each lattice that is tried
-constexpr double tried_lattice_points = 1.25 * max_lattice_points;  // with the cell as small as it is tried
+constexpr double max_lattice_points = 1 << 23;                      // 300 MB, a few seconds per lattice tried
+constexpr double tried_lattice_points = 1.25 * max_lattice_points;  // for the smallest cell tried
 
-// What stuff_solid tries in turn until a mesh has a manifold boundary.
+// Factors on the cell and offsets that stuff_solid() tries until a mesh has a manifold boundary.
 constexpr std::array<double, 3> shrink = {1, 0.97, 0.94};
 const std::array<Vec3, 4> offsets = {Vec3(0, 0, 0), Vec3(0.31, 0.17, 0.43), Vec3(0.13, 0.37, 0.23),
                                      Vec3(0.47, 0.29, 0.11)};
 
-/// The lattice with values, snapped vertices and cut points: the paper's steps 2 and 3.
+/// The lattice with field values, snapped vertices and cut points: steps 2 and 3 of the paper.
 class CutLattice {
  public:
   CutLattice(const SolidField& field, double cell, const Vec3& offset)
@@ -73,8 +73,8 @@ std::uint64_t edge_key(std::size_t a, std::size_t b) {
 }
 
 void CutLattice::snap_vertices() {
-  // Cut points first, from the unmoved lattice; then each vertex goes to its nearest violating one, and an
-  // edge with an end on the surface is cut no more.
+  // Computes all cut points on the unmoved lattice first. Then each vertex is snapped to its nearest
+  // violating cut point, and edges with an end on the surface lose their cut points.
   std::vector<std::size_t> touched;
   for (std::size_t i = 0; i < lattice_.size(); ++i) {
     bool any = false;
@@ -130,23 +130,23 @@ void CutLattice::add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uin
   mesh_.tets.push_back({a, b, c, d});
 }
 
-// A lattice face with p and q inside and n outside leaves a quad p, q, cut(q, n), cut(p, n). The diagonal
-// starts at the cut of a long edge if there is one; else (pq long, both cuts on short edges) it alternates
-// around pq, the paper's parity rule. True: the diagonal is p to cut(q, n). It depends on the face alone, so
-// the tetrahedra on both sides agree.
+// A lattice face with p and q inside and n outside leaves a quad p, q, cut(q, n), cut(p, n). Its diagonal
+// starts at the cut point of a long edge if there is one. Otherwise (pq long, both cuts on short edges) it
+// alternates around pq, the paper's parity rule. Returns true if the diagonal is p to cut(q, n). It depends
+// on the face only, so the tetrahedra on both sides agree.
 bool CutLattice::first_takes_diagonal(std::size_t p, std::size_t q, std::size_t n) const {
   if (lattice_.is_long(p, n)) return false;
   if (lattice_.is_long(q, n)) return true;
   return lattice_.parity(p, n);
 }
 
-// Prism with bottom (b0 b1 b2) and top (t0 t1 t2); the side between columns i and i + 1 has the diagonal
-// b_i–t_{i+1} where diagonal_from_bottom[i], else t_i–b_{i+1}. Not all three alike.
+// Adds a prism with bottom (b0 b1 b2) and top (t0 t1 t2) as tetrahedra. The side between columns i and i + 1
+// has the diagonal b_i–t_{i+1} if d[i], else t_i–b_{i+1}. The three must not be all equal.
 void CutLattice::add_prism(const std::array<std::uint32_t, 3>& b, const std::array<std::uint32_t, 3>& t,
                            const std::array<bool, 3>& d) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    // Column i whose top is on both of its sides' diagonals: side i (i→j) and side k (k→i).
+    // Finds column i whose top is on the diagonals of both adjacent sides: side i (i→j) and side k (k→i).
     if (!d[i] && d[k]) {
       add(t[i], b[0], b[1], b[2]);
       if (d[j])  // side j→k: b_j–t_k
@@ -169,7 +169,7 @@ void CutLattice::split_triple(const std::array<std::size_t, 3>& in, std::size_t 
   add_prism(bottom, top, diagonal);
 }
 
-// p and q inside, n outside, m outside or on the surface.
+// Splits a tetrahedron with p and q inside, n outside, m outside or on the surface.
 void CutLattice::split_pair(std::size_t p, std::size_t q, std::size_t n, std::size_t m) {
   const auto vp = vertex(p), vq = vertex(q), pn = cut_vertex(p, n), qn = cut_vertex(q, n);
   const bool from_p_n = first_takes_diagonal(p, q, n);
@@ -184,8 +184,8 @@ void CutLattice::split_pair(std::size_t p, std::size_t q, std::size_t n, std::si
   }
   const auto pm = cut_vertex(p, m), qm = cut_vertex(q, m);
   const bool from_p_m = first_takes_diagonal(p, q, m);
-  // A prism with ends (p, pn, pm) and (q, qn, qm). The third side lies on the surface, so its diagonal is
-  // free and avoids the twisted prism. Where pq is short that also joins the cuts of the two long edges.
+  // A prism with ends (p, pn, pm) and (q, qn, qm). The third side is on the surface, so its diagonal is free;
+  // it is chosen to avoid the twisted prism. If pq is short, that also joins the cuts of the two long edges.
   add_prism({vp, pn, pm}, {vq, qn, qm}, {from_p_n, !from_p_n, !from_p_m});
 }
 
@@ -218,14 +218,15 @@ TetMesh CutLattice::fill() {
   return std::move(mesh_);
 }
 
-// Where groups of tetrahedra around a vertex aren't joined through faces, each group gets its own copy.
+// Duplicates vertices at which groups of tetrahedra touch without a common face: each group gets its own
+// copy.
 void split_touching_vertices(TetMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> around(mesh.positions.size());
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t)
     for (const auto node : mesh.tets[t]) around[node].push_back(t);
   const std::size_t nodes = mesh.positions.size();
   for (std::uint32_t node = 0; node < nodes; ++node) {
-    TetMesh star;  // tetrahedra around a node joined through faces share it, as all of them contain it
+    TetMesh star;  // tetrahedra around a node contain it, so those joined through faces form one group
     for (const auto t : around[node]) star.tets.push_back(mesh.tets[t]);
     const auto group = tet_components(star);
     std::uint32_t groups = 0;
@@ -263,24 +264,23 @@ bool gives_tets(const SolidField& field, double cell) {
   });
 }
 
-/// Rounds down to `digits` that count: what a message can say exactly.
+/// Rounds down to `digits` significant digits, so that a message can state the value exactly.
 double rounded_down(double x, int digits) {
   const double unit = std::pow(10, std::floor(std::log10(x)) + 1 - digits);
   return std::floor(x / unit) * unit;
 }
 
-/// Says a finer cell that does give tetrahedra, having tried it.
+/// Throws InputError that suggests a finer cell, after testing that it gives tetrahedra.
 [[noreturn]] void refuse_coarse(const SolidField& field, double cell) {
   constexpr double max_points = 1 << 18;  // of the finest lattice tried
   for (double finer = rounded_down(0.9e3 * cell, 2);
        lattice_points(field.box.size(), 0.94e-3 * finer) < max_points; finer = rounded_down(0.9 * finer, 2))
     if (gives_tets(field, 1e-3 * finer))
       throw InputError(
-          fmt::format("mesh: a cell of {:.3g} mm gives no tetrahedra; allowed: a finer one, for "
-                      "instance {:.3g} mm",
+          fmt::format("mesh: a cell of {:.3g} mm gives no tetrahedra; use a finer one, e.g. {:.3g} mm",
                       1000 * cell, finer));
-  throw InputError(fmt::format(
-      "mesh: a cell of {:.3g} mm gives no tetrahedra, nor does any finer one that was tried", 1000 * cell));
+  throw InputError(
+      fmt::format("mesh: neither a cell of {:.3g} mm nor any finer one tried gives tetrahedra", 1000 * cell));
 }
 
 void refuse_fine(const SolidField& field, double cell) {

@@ -1,5 +1,6 @@
 #pragma once
-// Isosurface stuffing (Labelle & Shewchuk, SIGGRAPH 2007): tetrahedra of guaranteed shape from any field.
+// Isosurface stuffing (Labelle & Shewchuk, SIGGRAPH 2007): tetrahedral meshing of a field with bounded
+// dihedral angles.
 
 #include "common/anatomy/field.h"
 #include "common/anatomy/mesh_quality.h"
@@ -8,20 +9,21 @@
 namespace prosector {
 
 /// Fills the solid in one pass on a uniform body-centred cubic lattice. `cell` is the lattice's short edge
-/// (metres), so interior edges are cell and 1.155 cell long and a tetrahedron has 0.128 cell³. `offset`
-/// shifts the lattice, in lattice constants. Dihedral angles are at least 10.7° where the zero set is met
-/// once along each lattice edge. Throws InputError when the lattice would have more than 10 million points.
+/// (metres), so interior edges are cell and 1.155 cell long and a tetrahedron's volume is 0.128 cell³.
+/// `offset` shifts the lattice, in lattice constants. Dihedral angles are at least 10.7° if the zero set
+/// crosses each lattice edge at most once. Throws InputError if the lattice would have more than 10 million
+/// points.
 TetMesh stuff(const SolidField& field, double cell, const Vec3& offset);
 
-inline constexpr double max_tets = 2e6;  // of one solid: what can be stepped and sent at all
+inline constexpr double max_tets = 2e6;  // of one solid: limit of what can be simulated and sent
 
-/// Estimates, in a millisecond, how many tetrahedra `stuff` gives, from the solid's volume as sampled.
+/// Estimates, in about a millisecond, the number of tetrahedra of stuff() from the solid's sampled volume.
 double expected_tets(const SolidField& field, double cell);
 
-/// Returns the largest piece of `stuff`, with a manifold boundary. Tries lattice offsets, then slightly
-/// smaller cells, and keeps the best; vertices at which pieces only touch are then split. Throws InputError,
-/// with a cell that is allowed, when the cell is too coarse for the shape or needs more than `max_tets`. The
-/// latter is found before anything is made.
+/// Returns the largest piece of stuff() with a manifold boundary. Tries lattice offsets, then slightly
+/// smaller cells, and keeps the best mesh; vertices at which pieces only touch are then split. Throws
+/// InputError, with an allowed cell, if the cell is too coarse for the shape or needs more than `max_tets`.
+/// The latter is checked before meshing.
 TetMesh stuff_solid(const SolidField& field, double cell);
 
 }  // namespace prosector

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// Segment p–q through the inside of triangle t (touching borders don't count).
+// Returns whether segment p–q passes through the interior of triangle t (touching its border doesn't count).
 bool pierces(const Vec3& p, const Vec3& q, const Corners& t) {
   const auto side = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return tet_volume(a, b, c, d);
@@ -32,7 +32,7 @@ bool cross_each_other(const Corners& s, const Corners& t) {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh) {
-  // Sweep along x over the triangles' boxes.
+  // Sweep and prune along x over the triangles' bounding boxes.
   struct Item {
     Vec3 low, high;
     std::uint32_t triangle;
@@ -68,7 +68,7 @@ SurfaceReport check_surface(const TriangleMesh& mesh) {
   SurfaceReport out;
   out.open_edges = non_manifold_edges(mesh.triangles);
   out.intersecting_pairs = intersecting_triangles(mesh).size();
-  Mat3 second = Mat3::Zero();  // ∫ x xᵀ dV, over tetrahedra from a reference point
+  Mat3 second = Mat3::Zero();  // ∫ x xᵀ dV, from tetrahedra with a common reference point
   if (mesh.positions.empty()) return out;
   const Vec3 reference = mesh.positions.front();
   Vec3 first = Vec3::Zero();

@@ -1,5 +1,5 @@
 #pragma once
-// What a surface is worth as the skin of a rigid body.
+// Checks of a triangle surface for use as a rigid body: closedness, intersections, mass properties.
 
 #include <array>
 #include <cstddef>
@@ -11,17 +11,17 @@
 namespace prosector {
 
 struct SurfaceReport {
-  std::size_t open_edges = 0;          // edges without exactly two, agreeing triangles; 0: closed
-  std::size_t intersecting_pairs = 0;  // pairs of triangles that pass through each other
+  std::size_t open_edges = 0;          // edges without exactly two consistently oriented triangles; 0: closed
+  std::size_t intersecting_pairs = 0;  // pairs of intersecting triangles
   double volume = 0;                   // m³, signed: positive when triangles face outward
   Vec3 center_of_mass = Vec3::Zero();  // m, of the enclosed solid
   Mat3 inertia = Mat3::Zero();         // kg m² per kg/m³, about the centre of mass
 
-  /// Returns what a scene's author should know, empty when all is well.
+  /// Returns a warning for the scene's author; empty if there is no fault.
   std::string warning() const;
 };
 
-/// Finds the pairs of triangles without a common vertex that pass through each other.
+/// Finds the pairs of intersecting triangles that have no common vertex.
 std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh);
 
 /// Computes mass properties by the divergence theorem (exact for closed surfaces).

@@ -17,21 +17,21 @@
 namespace prosector {
 namespace {
 
-using Edge = std::array<std::uint32_t, 2>;  // of two vertices, the smaller first
+using Edge = std::array<std::uint32_t, 2>;  // of two vertices, the smaller index first
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// A place on a triangle that is nearest to a point, and what it lies on.
+/// The point of a triangle nearest to a given point, and the feature that it is on.
 struct Nearest {
   Vec3 at = Vec3::Zero();
-  int corners = 3;  // 3: within the face, 2: on the edge of `first` and the next, 1: at `first`
+  int corners = 3;  // 3: in the face, 2: on the edge from corner `first` to the next, 1: at corner `first`
   std::size_t first = 0;
 };
 
-/// Finds the nearest place on a triangle (Ericson 2005, 5.1.5).
-Nearest nearest_on(const std::array<Vec3, 3>& t, const Vec3& x) {
+/// Finds the nearest point of a triangle (Ericson 2005, 5.1.5).
+Nearest nearest_point_on_triangle(const std::array<Vec3, 3>& t, const Vec3& x) {
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0];
   const Vec3 from_a = x - t[0], from_b = x - t[1], from_c = x - t[2];
   const double d1 = ab.dot(from_a), d2 = ac.dot(from_a), d3 = ab.dot(from_b), d4 = ac.dot(from_b),
@@ -47,7 +47,7 @@ Nearest nearest_on(const std::array<Vec3, 3>& t, const Vec3& x) {
   return {t[0] + (vb * ab + vc * ac) / (va + vb + vc), 3, 0};
 }
 
-/// Signed distances to a closed surface, by a tree of boxes around its triangles.
+/// Signed distances to a closed surface, by a bounding-box tree over its triangles.
 class DistanceTree {
  public:
   explicit DistanceTree(TriangleMesh surface)
@@ -68,7 +68,7 @@ class DistanceTree {
       open.pop_back();
       if (node.box.squaredExteriorDistance(x) >= least) continue;
       for (std::size_t i = node.begin; i < node.end; ++i) {
-        const Nearest here = nearest_on(corners(order_[i]), x);
+        const Nearest here = nearest_point_on_triangle(corners(order_[i]), x);
         if (const double d = (x - here.at).squaredNorm(); d < least)
           least = d, best = here, triangle = order_[i];
       }
@@ -88,8 +88,8 @@ class DistanceTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    std::size_t begin = 0, end = 0;  // of a leaf, in order_; both 0: it has two below it
-    std::uint32_t right = 0;         // the left one is the next
+    std::size_t begin = 0, end = 0;  // range in order_, leaves only; both 0: an inner node
+    std::uint32_t right = 0;         // index of the right child; the left one is the next node
   };
   static constexpr std::size_t leaf_size = 4;
 
@@ -153,7 +153,7 @@ class DistanceTree {
   }
 
   TriangleMesh surface_;
-  std::vector<std::uint32_t> order_;  // of triangles, leaf by leaf
+  std::vector<std::uint32_t> order_;  // triangle indices, leaf by leaf
   std::vector<Node> nodes_;
   std::vector<Vec3> at_face_, at_vertex_;
   std::map<Edge, Vec3> at_edge_;
@@ -166,9 +166,9 @@ std::string SurfaceFaults::in_words() const {
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) out += fmt::format("{}{} edges {}", out.empty() ? "" : ", ", count, what);
   };
-  add(hole_edges, "on the rims of holes");
-  add(crowded_edges, "of more than two triangles (not manifold)");
-  add(opposed_edges, "between triangles that face to opposite sides");
+  add(hole_edges, "at the borders of holes");
+  add(crowded_edges, "with more than two triangles (not manifold)");
+  add(opposed_edges, "between triangles of opposite orientation");
   return fmt::format(
       "not closed: {}; the first near [{:.4g}, {:.4g}, {:.4g}]. Close it in a mesh editor; as a "
       "[[rigid]] body it may be open",
@@ -176,7 +176,7 @@ std::string SurfaceFaults::in_words() const {
 }
 
 SurfaceFaults surface_faults(const TriangleMesh& surface) {
-  std::map<Edge, std::array<std::size_t, 2>> uses;  // along it, and against
+  std::map<Edge, std::array<std::size_t, 2>> uses;  // number of triangles along the edge, and against it
   for (const auto& t : surface.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
@@ -184,7 +184,7 @@ SurfaceFaults surface_faults(const TriangleMesh& surface) {
     }
   SurfaceFaults out;
   for (const auto& [edge, use] : uses) {
-    if (use[0] == use[1]) continue;  // also of more than two: then several shells meet there
+    if (use[0] == use[1]) continue;  // also for more than two: several shells meet there
     if (!out) out.first = 0.5 * (surface.positions[edge[0]] + surface.positions[edge[1]]);
     const std::size_t triangles = use[0] + use[1];
     ++(triangles == 1 ? out.hole_edges : triangles == 2 ? out.opposed_edges : out.crowded_edges);
@@ -210,7 +210,7 @@ SolidField solid_within(TriangleMesh surface, Sign sign) {
   const Box box{tree->box().min(), tree->box().max()};
   if (!winding) return {[tree](const Vec3& x) { return (*tree)(x); }, box};
   return {[tree, winding](const Vec3& x) {
-            // Not zero at walls within the solid: only its border is there.
+            // Not zero at walls inside the solid, which aren't its border.
             const double distance = std::max(std::abs((*tree)(x)), std::numeric_limits<double>::min());
             return winding->at(x) > 0.5 ? -distance : distance;
           },

@@ -1,5 +1,5 @@
 #pragma once
-// Readers of surface files that are our own: PLY and STL, ASCII and binary.
+// Built-in readers of surface files: PLY and STL, ASCII and binary.
 
 #include <string>
 #include <string_view>
@@ -9,9 +9,10 @@
 
 namespace prosector {
 
-/// Reads a surface from the file's bytes, in the file's units. Polygons are split into triangles; what is
-/// left out is added to `notes`, one line each. Throws InputError that says what is wrong. Sizes that the
-/// file claims allocate nothing before the bytes are there. Positions may not be finite.
+/// Parses a surface from the file's bytes, in the file's units. Polygons are split into triangles. Content
+/// that is omitted is reported in `notes`, one line each. Throws InputError that describes the error. Memory
+/// is allocated only for data that is present, whatever sizes the file claims. Positions may be NaN or
+/// infinite.
 TriangleMesh parse_ply(std::string_view bytes, std::vector<std::string>& notes);
 TriangleMesh parse_stl(std::string_view bytes, std::vector<std::string>& notes);
 

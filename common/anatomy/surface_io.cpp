@@ -8,11 +8,12 @@
 #include <map>
 
 #include "common/anatomy/child_process.h"
-#include "common/anatomy/close_points.h"
+#include "common/anatomy/coincident_points.h"
 #include "common/anatomy/import_reply.h"
 #include "common/anatomy/simplify.h"
 #include "common/error.h"
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "common/regular_file.h"
 
 namespace prosector {
@@ -20,16 +21,16 @@ namespace {
 
 constexpr std::size_t max_reply_bytes = std::size_t{1} << 30;
 
-/// Returns what the file holds, read by a process of its own. Throws InputError with the reader's words, or
-/// its end.
-TriangleMesh import(const std::filesystem::path& file, const MeshReading& how) {
+/// Reads the file in a separate process. Throws InputError with the reader's message, or the way that the
+/// process failed.
+TriangleMesh import(const std::filesystem::path& file, const MeshReadOptions& how) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(
         fmt::format("{}: not a surface ({}); allowed: OBJ, STL, PLY, OFF, glTF", file.string(), why));
   };
   const auto reader = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "prosector-import";
   const ChildOutcome child =
-      run_child(reader, {std::filesystem::absolute(file).string()}, {how.patience, max_reply_bytes});
+      run_child(reader, {std::filesystem::absolute(file).string()}, {how.time_limit, max_reply_bytes});
   if (!child.trouble.empty())
     refuse(fmt::format("its reader {} {}", reader.filename().string(), child.trouble));
   ImportReply reply;
@@ -43,7 +44,7 @@ TriangleMesh import(const std::filesystem::path& file, const MeshReading& how) {
   return std::move(reply.mesh);
 }
 
-// Readers give each triangle its own vertices where normals or seams differ: here a place is a vertex.
+// Merges vertices at equal positions: readers duplicate vertices where normals or seams differ.
 void merge_equal(TriangleMesh& mesh) {
   std::map<std::array<double, 3>, std::uint32_t> first;
   std::vector<std::uint32_t> number(mesh.positions.size());
@@ -56,25 +57,24 @@ void merge_equal(TriangleMesh& mesh) {
   drop_unused(mesh);
 }
 
-/// Warns where the file's coordinates are so large that single precision rounds its shape.
+/// Warns if the coordinates are so large that single precision distorts the shape.
 void report_rounding(const TriangleMesh& mesh, const Progress& report) {
   double largest = 0;
   for (const Vec3& x : mesh.positions) largest = std::max(largest, x.cwiseAbs().maxCoeff());
   const double extent = extent_of(mesh.positions), step = largest * 0x1p-23;
-  constexpr double visible = 1e-3;  // of its extent
+  constexpr double visible = 1e-3;  // fraction of the extent
   if (report && step > visible * extent)
     report(
-        fmt::format("warning: its coordinates reach {:.6g}: in single precision they are rounded to {:.2g}, "
-                    "of its {:.4g} across. "
-                    "Move it to its origin in a mesh editor",
+        fmt::format("warning: its coordinates reach {:.6g}: single precision rounds them to {:.2g}, at a "
+                    "size of {:.4g}. Move it to its origin in a mesh editor",
                     largest, step, extent));
 }
 
 }  // namespace
 
-TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const MeshReading& how) {
+TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const MeshReadOptions& how) {
   const std::string name = file.string();
-  refuse_special_file(file);
+  require_regular_file(file);
   if (!std::filesystem::exists(file)) throw InputError(fmt::format("{}: no such file", name));
   TriangleMesh mesh = import(file, how);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -86,7 +86,7 @@ TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const Mesh
   return mesh;
 }
 
-TriangleMesh load_surface(const std::filesystem::path& file, double scale, const MeshReading& how) {
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, const MeshReadOptions& how) {
   if (!(scale > 0) || !std::isfinite(scale))
     throw InputError(fmt::format("{}: scale {}; allowed: above 0", file.string(), scale));
   TriangleMesh mesh = load_unscaled_surface(file, how);
@@ -101,9 +101,8 @@ TriangleMesh load_surface(const std::filesystem::path& file, double scale, const
   if (const Vec3 middle = box.center(); middle.cwiseAbs().maxCoeff() > max_coordinate) {
     const Vec3 in_file = middle / scale + how.origin;
     throw InputError(
-        fmt::format("{}: lies {:.4g} m from its origin at scale {}; allowed: at most {:.4g} m. Say which of "
-                    "its points is the "
-                    "origin: mesh_origin = [{:.6g}, {:.6g}, {:.6g}]",
+        fmt::format("{}: is {:.4g} m from its origin at scale {}; allowed: at most {:.4g} m. Set the origin: "
+                    "mesh_origin = [{:.6g}, {:.6g}, {:.6g}]",
                     file.string(), middle.norm(), scale, max_coordinate, in_file[0], in_file[1], in_file[2]));
   }
   return mesh;

@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces from files: OBJ, STL, PLY, OFF, glTF.
+// Reading of surface files: OBJ, STL, PLY, OFF, glTF.
 
 #include <filesystem>
 
@@ -8,17 +8,17 @@
 
 namespace prosector {
 
-/// Reads all triangles of the file as one mesh, its nodes' transforms applied, times `scale` (to metres),
+/// Reads all triangles of the file as one mesh, with node transforms applied, times `scale` (to metres),
 /// equal vertices merged, degenerate triangles dropped. Throws InputError for
-///   a missing or unreadable file, with the reader's words
+///   a missing or unreadable file, with the reader's message
 ///   no triangles, or a position that isn't finite
 ///   an extent above 100 m or under 0.1 mm
-///   a place farther than 1000 m from the origin
-/// The file is read by a process of its own, prosector-import beside this program. Where that crashes, uses
-/// too much or takes longer than `how.patience`, the file is refused.
-TriangleMesh load_surface(const std::filesystem::path& file, double scale, const MeshReading& how = {});
+///   a position farther than 1000 m from the origin
+/// The file is read in a separate process, prosector-import next to this executable. If that process crashes,
+/// uses too much memory or takes longer than `how.patience`, the file is refused.
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, const MeshReadOptions& how = {});
 
-/// Reads the same in the file's own units and origin, whatever its extent.
-TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const MeshReading& how = {});
+/// Reads a surface as load_surface() does, but in the file's units and origin, without limits on its extent.
+TriangleMesh load_unscaled_surface(const std::filesystem::path& file, const MeshReadOptions& how = {});
 
 }  // namespace prosector

@@ -8,7 +8,7 @@
 #include <memory>
 #include <numeric>
 
-#include "common/anatomy/close_points.h"
+#include "common/anatomy/coincident_points.h"
 #include "common/anatomy/simplify.h"
 #include "common/anatomy/surface_field.h"
 #include "common/anatomy/winding_tree.h"
@@ -19,7 +19,7 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Lists the triangles around each edge.
+/// Lists the triangles at each edge.
 std::map<Edge, std::vector<std::uint32_t>> triangles_by_edge(const TriangleMesh& surface) {
   std::map<Edge, std::vector<std::uint32_t>> out;
   for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
@@ -36,7 +36,7 @@ bool runs_along(const Triangle& t, const Edge& edge) {
   return false;
 }
 
-/// Disjoint sets of numbers.
+/// Disjoint sets of indices (union-find).
 class Sets {
  public:
   explicit Sets(std::size_t count) {
@@ -56,22 +56,21 @@ class Sets {
 void merge_rounded(RepairedSurface& out) {
   TriangleMesh merged = out.surface;
   const double tolerance = rounding_of_extent * extent_of(merged.positions);
-  const std::vector<std::uint32_t> stands_for = close_points(merged.positions, tolerance);
+  const std::vector<std::uint32_t> representative = coincident_points(merged.positions, tolerance);
   std::size_t moved = 0;
-  for (std::uint32_t v = 0; v < stands_for.size(); ++v) moved += stands_for[v] != v ? 1 : 0;
+  for (std::uint32_t v = 0; v < representative.size(); ++v) moved += representative[v] != v ? 1 : 0;
   if (moved == 0) return;
   for (Triangle& t : merged.triangles)
-    for (std::uint32_t& v : t) v = stands_for[v];
+    for (std::uint32_t& v : t) v = representative[v];
   drop_unused(merged);
   out.surface = std::move(merged);
   out.notes.push_back(fmt::format(
-      "repaired: {} vertices within {:.2g} of another (a rounding of its size) are merged with it", moved,
-      tolerance));
+      "repaired: {} vertices within {:.2g} of another (rounding error) are merged", moved, tolerance));
 }
 
-/// Drops all but one of triangles with the same corners. Drops all where as many face to one side as to the
-/// other: a wall within a solid.
-void drop_repeated(RepairedSurface& out) {
+/// Drops all but one of triangles with the same corners. Drops all of them if equally many face either side:
+/// they are a wall inside a solid.
+void drop_duplicates(RepairedSurface& out) {
   std::map<Triangle, std::vector<std::uint32_t>> by_corners;
   for (std::uint32_t i = 0; i < out.surface.triangles.size(); ++i) {
     Triangle key = out.surface.triangles[i];
@@ -103,8 +102,9 @@ void drop_repeated(RepairedSurface& out) {
   out.notes.push_back(fmt::format("repaired: {} repeated triangles are dropped", dropped));
 }
 
-/// Turns triangles so that two at an edge face alike; of each connected patch as few as do.
-void turn_alike(RepairedSurface& out) {
+/// Flips triangles so that neighbours are consistently oriented; in each connected patch, the minority is
+/// flipped.
+void orient_consistently(RepairedSurface& out) {
   std::vector<Triangle>& triangles = out.surface.triangles;
   const auto edges = triangles_by_edge(out.surface);
   std::vector<std::array<std::uint32_t, 2>> pairs;
@@ -116,7 +116,7 @@ void turn_alike(RepairedSurface& out) {
     pairs.push_back({around[0], around[1]});
     unlike.push_back(runs_along(triangles[around[0]], edge) == runs_along(triangles[around[1]], edge));
   }
-  std::vector<signed char> turn(triangles.size(), -1);  // not yet reached
+  std::vector<signed char> turn(triangles.size(), -1);  // −1: not visited
   std::size_t turned = 0;
   for (std::uint32_t first = 0; first < triangles.size(); ++first) {
     if (turn[first] >= 0) continue;
@@ -140,15 +140,15 @@ void turn_alike(RepairedSurface& out) {
   }
   if (turned > 0)
     out.notes.push_back(
-        fmt::format("repaired: {} triangles that faced to the other side are turned", turned));
+        fmt::format("repaired: {} triangles with inconsistent orientation are flipped", turned));
 }
 
-/// Shells of a surface: triangles that are joined through edges.
+/// Shell of a surface: triangles connected through edges.
 struct Shell {
   TriangleMesh mesh;
   double volume = 0;  // signed
   Eigen::AlignedBox3d box;
-  std::unique_ptr<WindingTree> tree;  // made when it is first needed
+  std::unique_ptr<WindingTree> tree;  // built when first needed
 
   void turn() {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -164,7 +164,7 @@ struct Shell {
 /// Splits a surface into its shells, the largest first.
 std::vector<Shell> split_shells(const TriangleMesh& surface, bool& manifold) {
   Sets sets(surface.triangles.size());
-  Sets corners(3 * surface.triangles.size());  // joined around a vertex through edges
+  Sets corners(3 * surface.triangles.size());  // corners of triangles, joined around a vertex through edges
   for (const auto& [edge, around] : triangles_by_edge(surface)) {
     manifold = manifold && around.size() == 2;
     for (const std::uint32_t t : around) {
@@ -212,8 +212,8 @@ std::vector<Shell> split_shells(const TriangleMesh& surface, bool& manifold) {
   return out;
 }
 
-/// Returns whether the shell lies within the other, by some of its triangles; false where they cross.
-bool lies_within(const Shell& shell, Shell& other) {
+/// Returns whether the shell is inside the other, tested at some of its triangles; false if they cross.
+bool is_inside_of(const Shell& shell, Shell& other) {
   if (!other.box.contains(shell.box)) return false;
   constexpr std::size_t asked = 8;
   const std::vector<Triangle>& triangles = shell.mesh.triangles;
@@ -231,8 +231,8 @@ bool lies_within(const Shell& shell, Shell& other) {
 RepairedSurface repaired(TriangleMesh surface) {
   RepairedSurface out{std::move(surface), {}};
   if (surface_faults(out.surface)) merge_rounded(out);
-  if (surface_faults(out.surface)) drop_repeated(out);
-  if (surface_faults(out.surface).opposed_edges > 0) turn_alike(out);
+  if (surface_faults(out.surface)) drop_duplicates(out);
+  if (surface_faults(out.surface).opposed_edges > 0) orient_consistently(out);
   return out;
 }
 
@@ -246,10 +246,10 @@ SolidShells solid_shells(const TriangleMesh& closed) {
   if (total < 0)
     for (Shell& shell : shells) shell.turn();
   struct Placed {
-    std::size_t solid;  // in `solids`: what it bounds, or is a cavity of
+    std::size_t solid;  // index in `solids` of the solid that the shell bounds or is a cavity of
     bool is_solid;
   };
-  std::vector<std::pair<Shell*, Placed>> placed;  // of the shells that stay
+  std::vector<std::pair<Shell*, Placed>> placed;  // shells that are kept
   std::size_t turned = 0, within = 0, cavities = 0;
   double within_volume = 0;
   std::vector<double> solids;
@@ -258,12 +258,12 @@ SolidShells solid_shells(const TriangleMesh& closed) {
     std::size_t around = 0;
     bool overlaps = false;
     for (auto& [other, place] : placed) {
-      if (!lies_within(shell, *other)) {
+      if (!is_inside_of(shell, *other)) {
         overlaps = overlaps || (shell.box.intersection(other->box).sizes().array() > 0).all();
         continue;
       }
       depth += place.is_solid ? 1 : -1;
-      around = place.solid;  // the last is the smallest
+      around = place.solid;  // the last one is the smallest
     }
     if (shell.volume < 0 && depth < 1) {
       shell.turn();
@@ -293,17 +293,16 @@ SolidShells solid_shells(const TriangleMesh& closed) {
   };
   if (turned > 0)
     out.notes.push_back("repaired: " +
-                        shells_that(turned, "that faced inward is turned", "that faced inward are turned"));
+                        shells_that(turned, "facing inward is flipped", "facing inward are flipped"));
   if (cavities > 0)
     out.notes.push_back(shells_that(cavities, "within another faces inward: a cavity",
                                     "within others face inward: cavities"));
   if (within > 0)
     out.notes.push_back(
-        fmt::format("warning: {} and bound{} nothing: left out. Turn the triangles inward where a cavity is "
-                    "meant ({:.2g} % of the "
-                    "volume)",
-                    shells_that(within, "lies within another and faces outward like it",
-                                "lie within others and face outward like them"),
+        fmt::format("warning: {} and enclose{} nothing: omitted. If a cavity is intended, flip the triangles "
+                    "inward ({:.2g} % of the volume)",
+                    shells_that(within, "is inside another and faces outward like it",
+                                "are inside others and face outward like them"),
                     within == 1 ? "s" : "", 100 * within_volume / std::max(std::abs(total), 1e-300)));
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What surface files often get wrong, put right where that is safe.
+// Repair of common faults of surface files.
 
 #include <string>
 #include <vector>
@@ -10,26 +10,26 @@ namespace prosector {
 
 struct RepairedSurface {
   TriangleMesh surface;
-  std::vector<std::string> notes;  // one line each: what was changed, or should be
+  std::vector<std::string> notes;  // one line each: repairs made, and recommendations
 };
 
-/// Repairs a surface where it isn't closed. Merges vertices that rounding parted, drops triangles that are
-/// there twice, and turns triangles so that neighbours face alike. A surface without such faults is returned
-/// as it is. What can't be repaired stays: see surface_faults().
+/// Repairs a surface that isn't closed. Merges vertices separated by rounding, drops duplicate triangles, and
+/// flips triangles so that neighbours are consistently oriented. A surface without such faults is returned
+/// unchanged. Faults that can't be repaired remain: see surface_faults().
 RepairedSurface repaired(TriangleMesh surface);
 
-/// A closed surface whose shells face away from the solids that they bound.
+/// A closed surface whose shells face outward from the solids that they bound.
 struct SolidShells {
   TriangleMesh surface;
-  std::vector<std::string> notes;  // as of RepairedSurface
-  std::vector<double> solids;      // volumes of separate solids without their cavities, the largest first
-  bool simple = false;             // one shell, a manifold: distances alone tell inside from outside
-  bool overlapping = false;        // some shells lie neither apart nor within each other, by their boxes
+  std::vector<std::string> notes;  // as in RepairedSurface
+  std::vector<double> solids;      // volumes of separate solids without their cavities, largest first
+  bool simple = false;             // one manifold shell: Sign::nearest suffices
+  bool overlapping = false;        // some shells overlap, judged by their boxes
 };
 
-/// Sorts the shells of a closed surface, which are joined through edges. One that faces inward and lies
-/// within a solid is a cavity, others are turned outward. One that faces outward and lies within a solid
-/// bounds nothing and is dropped. Shells that cross each other both stay.
+/// Classifies the edge-connected shells of a closed surface. A shell inside a solid is a cavity if it faces
+/// inward; if it faces outward, it bounds nothing and is dropped. All other shells are flipped outward if
+/// necessary. Shells that cross each other are both kept.
 SolidShells solid_shells(const TriangleMesh& closed);
 
 }  // namespace prosector

@@ -7,7 +7,7 @@
 #include "common/anatomy/tet_repair.h"
 #include "common/error.h"
 #include "common/file_endings.h"
-#include "common/messages.h"
+#include "common/ids.h"
 #include "common/surface_files.h"
 
 namespace prosector {
@@ -23,7 +23,7 @@ void refuse_other_kinds(const std::filesystem::path& file) {
 
 }  // namespace
 
-TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshReading& how) {
+TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshReadOptions& how) {
   const std::string name = file.string();
   refuse_other_kinds(file);
   const auto bytes = read_file(file);

@@ -1,6 +1,6 @@
 #pragma once
-// Tetrahedral meshes from files: Gmsh 1, 2.2 and 4.1 ASCII (.msh), legacy VTK ASCII and binary (.vtk,
-// versions to 5.1).
+// Reading of tetrahedral mesh files: Gmsh 1, 2.2 and 4.1 ASCII (.msh), legacy VTK ASCII and binary (.vtk, up
+// to version 5.1).
 
 #include <filesystem>
 #include <string>
@@ -12,15 +12,15 @@
 namespace prosector {
 
 /// Reads a tetrahedral mesh, times `scale` (to metres), repaired (tet_repair.h). Hexahedra, prisms and
-/// pyramids are split into tetrahedra; quadratic cells are taken by their corners. Throws InputError with
+/// pyramids are split into tetrahedra; of quadratic cells only the corners are used. Throws InputError with
 /// file and line for
-///   a file of another kind, an index out of range, a position that isn't finite
-///   a kind of element that isn't known
-///   no tetrahedra, or elements that lie in each other
-TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshReading& how = {});
+///   an unsupported file type, an index out of range, a position that isn't finite
+///   an unknown element type
+///   no tetrahedra, or overlapping elements
+TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshReadOptions& how = {});
 
-/// Reads a tetrahedral mesh from text, by format; `name` is for messages. Positions are as in the file,
-/// tetrahedra unchecked.
+/// Parses a tetrahedral mesh file; `name` is used in messages. Positions are as in the file, tetrahedra
+/// unchecked.
 TetMesh parse_gmsh(std::string_view text, const std::string& name, const Progress& report = {});
 TetMesh parse_vtk(std::string_view text, const std::string& name, const Progress& report = {});
 

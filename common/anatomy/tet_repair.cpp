@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "common/anatomy/close_points.h"
+#include "common/anatomy/coincident_points.h"
 #include "common/anatomy/mesh_quality.h"
 #include "common/error.h"
 
@@ -24,7 +24,7 @@ double volume_of(const TetMesh& mesh, const Tet& t) {
   return tet_volume(x[t[0]], x[t[1]], x[t[2]], x[t[3]]);
 }
 
-/// Returns the other three nodes, sorted.
+/// Returns the three nodes other than that of local index `node`, sorted.
 Face face_without(const Tet& tet, std::size_t node) {
   Face out{};
   for (std::size_t k = 0, n = 0; k < 4; ++k)
@@ -38,7 +38,7 @@ void say(const Progress& report, const std::string& line) {
 }
 
 /// Drops tetrahedra with the same nodes as an earlier one.
-void drop_repeated(TetMesh& mesh, const Progress& report) {
+void drop_duplicates(TetMesh& mesh, const Progress& report) {
   std::vector<std::pair<Tet, std::uint32_t>> keys;
   keys.reserve(mesh.tets.size());
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
@@ -56,7 +56,7 @@ void drop_repeated(TetMesh& mesh, const Progress& report) {
     }
   if (dropped == 0) return;
   mesh = subset(mesh, keep);
-  say(report, fmt::format("repaired: {} tetrahedra that are there twice are dropped", dropped));
+  say(report, fmt::format("repaired: {} duplicate tetrahedra are dropped", dropped));
 }
 
 void turn_and_drop_flat(TetMesh& mesh, const Progress& report) {
@@ -68,7 +68,7 @@ void turn_and_drop_flat(TetMesh& mesh, const Progress& report) {
     double longest = 0;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, (x[t[i]] - x[t[j]]).norm());
-    constexpr double flat = 1e-6;  // of the longest edge's cube: no stress can be computed in it
+    constexpr double flat = 1e-6;  // 6V over the longest edge's cube: no stress can be computed below
     keep.push_back(std::abs(volume) > flat * longest * longest * longest);
   }
   const auto dropped = std::ranges::count(keep, false);
@@ -81,22 +81,23 @@ std::size_t pieces(const TetMesh& mesh) {
   return components.empty() ? 0 : 1 + *std::ranges::max_element(components);
 }
 
-/// Merges nodes at one place where that joins pieces. A slit within one piece stays.
-void join_pieces(TetMesh& mesh, const Progress& report) {
+/// Merges coincident nodes if that connects pieces. A slit within one piece remains.
+void merge_coincident_nodes(TetMesh& mesh, const Progress& report) {
   const std::size_t before = pieces(mesh);
   if (before < 2) return;
   TetMesh merged = mesh;
-  const auto stands_for = close_points(mesh.positions, rounding_of_extent * extent_of(mesh.positions));
+  const auto representative =
+      coincident_points(mesh.positions, rounding_of_extent * extent_of(mesh.positions));
   std::size_t count = 0;
-  for (std::uint32_t v = 0; v < stands_for.size(); ++v) count += stands_for[v] != v ? 1 : 0;
+  for (std::uint32_t v = 0; v < representative.size(); ++v) count += representative[v] != v ? 1 : 0;
   for (Tet& t : merged.tets)
-    for (std::uint32_t& v : t) v = stands_for[v];
+    for (std::uint32_t& v : t) v = representative[v];
   const std::size_t after = count == 0 ? before : pieces(merged);
   if (after < before) {
     mesh = subset(merged, std::vector<bool>(merged.tets.size(), true));
     say(report,
         fmt::format(
-            "repaired: {} nodes are merged with another at the same place, which joins {} pieces to {}",
+            "repaired: {} nodes are merged with another at the same position, which joins {} pieces to {}",
             count, before, after));
   }
   if (after > 1)
@@ -104,7 +105,7 @@ void join_pieces(TetMesh& mesh, const Progress& report) {
         fmt::format("warning: its tetrahedra are {} pieces without common faces, which move apart", after));
 }
 
-/// A face by its sorted nodes, and a tetrahedron that has it.
+/// A face (sorted nodes) and a tetrahedron that has it.
 struct FaceOfTet {
   Face face;
   std::uint32_t tet;
@@ -132,9 +133,9 @@ void for_faces(const std::vector<FaceOfTet>& faces, Visit&& visit) {
   }
 }
 
-/// Counts quadrilaterals that the cells on either side split along different diagonals: four border faces of
-/// the same four nodes, not all of one tetrahedron.
-std::size_t unlike_splits(const std::map<Face, std::uint32_t>& border) {
+/// Counts quadrilaterals split along different diagonals by the cells on both sides. These are four boundary
+/// faces of the same four nodes, not all of one tetrahedron.
+std::size_t mismatched_face_splits(const std::map<Face, std::uint32_t>& border) {
   std::map<std::array<std::uint32_t, 2>, std::vector<Face>> by_edge;
   for (const auto& [face, tet] : border)
     for (std::size_t k = 0; k < 3; ++k)
@@ -171,32 +172,30 @@ void refuse_misfits(const TetMesh& mesh, const std::string& name) {
   });
   if (crowded > 0)
     throw InputError(
-        fmt::format("{}: {} faces belong to more than two tetrahedra: elements lie in each other. Remove the "
-                    "double ones, or mesh "
-                    "it again",
+        fmt::format("{}: {} faces belong to more than two tetrahedra: elements overlap. Remove the "
+                    "duplicates, or mesh it again",
                     name, crowded));
-  if (const std::size_t unlike = unlike_splits(border); unlike > 0)
-    throw InputError(
-        fmt::format("{}: at {} quadrilateral faces the cells on both sides don't fit: tetrahedra meet "
-                    "hexahedra, prisms or "
-                    "pyramids along another diagonal. Save the mesh with tetrahedra only",
-                    name, unlike));
+  if (const std::size_t unlike = mismatched_face_splits(border); unlike > 0)
+    throw InputError(fmt::format(
+        "{}: at {} quadrilateral faces the cells on both sides do not match: tetrahedra meet hexahedra, "
+        "prisms or pyramids along another diagonal. Save the mesh with tetrahedra only",
+        name, unlike));
 }
 
 }  // namespace
 
 TetMesh repaired(TetMesh mesh, const std::string& name, const Progress& report) {
-  drop_repeated(mesh, report);
+  drop_duplicates(mesh, report);
   turn_and_drop_flat(mesh, report);
   if (mesh.tets.empty())
-    throw InputError(fmt::format("{}: no tetrahedra; allowed: at least one that isn't flat", name));
-  join_pieces(mesh, report);
-  drop_repeated(mesh, report);
+    throw InputError(fmt::format("{}: no tetrahedra; at least one that is not flat is needed", name));
+  merge_coincident_nodes(mesh, report);
+  drop_duplicates(mesh, report);
   refuse_misfits(mesh, name);
   return mesh;
 }
 
-Tangles find_tangles(const TetMesh& mesh) {
+TetOverlap find_tet_overlap(const TetMesh& mesh) {
   struct Neighbour {
     std::uint32_t tet;
     bool same_side;
@@ -215,9 +214,9 @@ Tangles find_tangles(const TetMesh& mesh) {
     neighbours[faces[0].tet].push_back({faces[1].tet, same});
     neighbours[faces[1].tet].push_back({faces[0].tet, same});
   });
-  // Each piece is laid out as if no face were folded over; what then is mirrored is tangled.
-  Tangles out;
-  std::vector<signed char> mirrored(mesh.tets.size(), -1);  // not yet reached
+  // Unfolds each piece as if no face were folded over; tetrahedra that are then mirrored overlap others.
+  TetOverlap out;
+  std::vector<signed char> mirrored(mesh.tets.size(), -1);  // −1: not visited
   for (std::uint32_t first = 0; first < mesh.tets.size(); ++first) {
     if (mirrored[first] >= 0) continue;
     std::vector<std::uint32_t> piece = {first};

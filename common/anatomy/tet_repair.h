@@ -1,5 +1,5 @@
 #pragma once
-// What files of tetrahedra often get wrong: put right where that is safe, else refused.
+// Repair of common faults of tetrahedral mesh files.
 
 #include <cstddef>
 #include <string>
@@ -9,18 +9,16 @@
 
 namespace prosector {
 
-/// Drops flat and repeated tetrahedra, turns inverted ones, and merges nodes that stand at one place where
-/// pieces then join; reports what was done, one line each. Throws InputError, beginning with `name`, where
-/// none is left, where more than two tetrahedra share a face, and where two cells split their common face
-/// differently.
+/// Drops flat and duplicate tetrahedra, flips inverted ones, and merges coincident nodes if that connects
+/// pieces; reports each repair in one line. Throws InputError, beginning with `name`, if no tetrahedron is
+/// left, if more than two tetrahedra share a face, or if two cells split their common face differently.
 TetMesh repaired(TetMesh mesh, const std::string& name, const Progress& report);
 
-/// How tetrahedra of positive volume lie in each other.
-struct Tangles {
-  std::size_t tets =
-      0;  // that lie on the same side of a shared face as their neighbour there: the fewer of them
-  double enclosed = 0;  // m³: volume within the border, where no pieces cross; without tangles, that of all
+/// Overlap of tetrahedra of positive volume.
+struct TetOverlap {
+  std::size_t tets = 0;  // number of tetrahedra in the smaller of two groups that are folded over each other
+  double enclosed = 0;   // m³: inside the boundary, if no pieces cross; without overlap, the total
 };
-Tangles find_tangles(const TetMesh& mesh);
+TetOverlap find_tet_overlap(const TetMesh& mesh);
 
 }  // namespace prosector

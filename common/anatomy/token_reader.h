@@ -1,5 +1,5 @@
 #pragma once
-// Words and numbers of a text file, with the line for messages.
+// Tokenizer for text files, with line numbers for messages.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace prosector {
 
 class TokenReader {
  public:
-  /// Reads `text`. Messages begin with the file's name and the line, or without a name with the line.
+  /// Reads `text`. Messages begin with the file's name and the line; if `name` is empty, with the line only.
   TokenReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
   /// Returns the next word; empty at the end.
@@ -31,7 +31,7 @@ class TokenReader {
     while (at_ < text_.size() && text_[at_] != '\n') ++at_;
     return text_.substr(start, at_ - start);
   }
-  /// Returns the line after the current one, without its end; the text's end reads as an empty line.
+  /// Returns the line after the current one, without its line break; empty at the end of the text.
   std::string_view next_line() {
     end_line();
     const std::string_view line = rest();
@@ -40,15 +40,15 @@ class TokenReader {
   template <class T>
   T number(const char* what) {
     std::string_view w = word();
-    if (w.size() > 1 && w[0] == '+' && w[1] != '-') w.remove_prefix(1);  // which from_chars doesn't know
+    if (w.size() > 1 && w[0] == '+' && w[1] != '-') w.remove_prefix(1);  // not accepted by from_chars
     T value{};
     const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (w.empty()) fail(fmt::format("ends where {} should be", what));
+    if (w.empty()) fail(fmt::format("ends; expected: {}", what));
     if (error != std::errc{} || end != w.data() + w.size())
-      fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), what));
+      fail(fmt::format("\"{}\" found; expected: {}", w.substr(0, 32), what));
     return value;
   }
-  /// Ends the current line: what follows is the first byte of the next one.
+  /// Skips to the start of the next line.
   void end_line() {
     rest();
     if (at_ == text_.size()) return;
@@ -58,29 +58,29 @@ class TokenReader {
   /// Returns the next bytes.
   std::string_view bytes(std::size_t count, const char* what) {
     if (left() < count)
-      fail(fmt::format("truncated: {} need {} bytes, the file has {} more", what, count, left()));
+      fail(fmt::format("truncated: {} need {} bytes, {} are left in the file", what, count, left()));
     const std::string_view out = text_.substr(at_, count);
     line_ += static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
     at_ += count;
     return out;
   }
-  /// Returns the bytes that follow the end of the current line.
+  /// Returns the bytes from the start of the next line.
   std::string_view raw(std::size_t count, const char* what) {
     end_line();
     return bytes(count, what);
   }
-  /// Returns how many bytes follow.
+  /// Returns the number of remaining bytes.
   std::size_t left() const { return text_.size() - at_; }
-  /// Reads a count of records that each take at least `bytes` of the text still to come: a lie allocates
-  /// nothing.
+  /// Reads a count of records, each at least `bytes` long. Throws InputError if the remaining text can't hold
+  /// them, so that a false count can't cause a large allocation.
   std::uint64_t count(const char* what, std::size_t bytes = 2) {
     const auto n = number<std::uint64_t>(what);
-    if (n > (text_.size() - at_) / bytes) fail(fmt::format("{} {}, more than the file can hold", what, n));
+    if (n > (text_.size() - at_) / bytes) fail(fmt::format("{} {} exceeds the file size", what, n));
     return n;
   }
   void expect(std::string_view wanted) {
     const std::string_view w = word();
-    if (w != wanted) fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), wanted));
+    if (w != wanted) fail(fmt::format("\"{}\" found; expected: {}", w.substr(0, 32), wanted));
   }
   bool skip_to(std::string_view wanted) {
     for (std::string_view w = word(); !w.empty(); w = word())

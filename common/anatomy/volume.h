@@ -14,15 +14,15 @@ inline constexpr std::int64_t max_volume_voxels = std::int64_t{1} << 29;  // 512
 inline constexpr std::int64_t max_volume_dim = 8192;
 inline constexpr double max_voxel_size = 0.1;  // m
 
-/// Voxel (i, j, k) is values[i + dims[0](j + dims[1] k)], centred at voxel_size·((i, j, k) − (dims − 1)/2):
-/// the frame's origin is the volume's centre. Axes are the file's; those of NIfTI files that say how the
-/// patient lies are turned to the nearest of right, anterior, superior.
+/// A volume. Voxel (i, j, k) is values[i + dims[0](j + dims[1] k)], centred at voxel_size·((i, j, k) − (dims
+/// − 1)/2): the frame's origin is the volume's centre. Axes are the file's. NIfTI files with patient
+/// orientation are permuted and flipped to the nearest of right, anterior, superior.
 struct Volume {
   std::array<std::int64_t, 3> dims{};
   Vec3 voxel_size = Vec3::Zero();       // m
   std::vector<float> values;            // finite
-  bool oriented = false;                // its axes are right, anterior, superior
-  std::vector<std::string> notes = {};  // what its file says ambiguously, and how it was read
+  bool oriented = false;                // the axes are right, anterior, superior
+  std::vector<std::string> notes = {};  // ambiguities in the file, and how they were resolved
 
   float at(std::int64_t i, std::int64_t j, std::int64_t k) const {
     return values[static_cast<std::size_t>(i + dims[0] * (j + dims[1] * k))];
@@ -35,7 +35,7 @@ struct Volume {
   }
 };
 
-/// Interpolates trilinearly between voxel centres; outside them the nearest border value holds.
+/// Interpolates trilinearly between voxel centres; outside them, the nearest border value is used.
 double sample(const Volume& volume, const Vec3& x);
 
 }  // namespace prosector

@@ -20,7 +20,7 @@ std::string check_volume(double made, double expected, double accepted, const st
     throw InputError(
         said + ". " + remedy +
         (error <= max_accepted_volume_error
-             ? fmt::format(" To accept it all the same: max_volume_error = \"{:.0f} %\"", std::ceil(error))
+             ? fmt::format(" To accept it nevertheless: max_volume_error = \"{:.0f} %\"", std::ceil(error))
              : std::string()));
   return "warning: " + said;
 }

@@ -96,7 +96,7 @@ std::size_t check_header(const VolumeHeader& h, const std::string& name) {
 Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, const std::string& name) {
   const std::size_t size = check_header(h, name);
   if (bytes.size() < h.offset || bytes.size() - h.offset < size)
-    throw InputError(fmt::format("{}: truncated: {} bytes of voxels where {} x {} x {} need {}", name,
+    throw InputError(fmt::format("{}: truncated: {} bytes of voxels; {} x {} x {} need {}", name,
                                  bytes.size() - std::min(bytes.size(), h.offset), h.dims[0], h.dims[1],
                                  h.dims[2], size));
   Volume out;
@@ -110,7 +110,7 @@ Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, c
   const Decoder decode_voxel = decoder(h.type);
   const bool swap = h.big_endian != (std::endian::native == std::endian::big);
   const std::uint8_t* p = bytes.data() + h.offset;
-  std::array<std::int64_t, 3> i;  // along the file's axes
+  std::array<std::int64_t, 3> i;  // indices along the file's axes
   for (i[2] = 0; i[2] < h.dims[2]; ++i[2])
     for (i[1] = 0; i[1] < h.dims[1]; ++i[1])
       for (i[0] = 0; i[0] < h.dims[0]; ++i[0], p += voxel_bytes(h.type)) {
@@ -138,7 +138,7 @@ Volume parse_volume(std::span<const std::uint8_t> bytes, const std::string& name
   } else {
     throw InputError(fmt::format(
         "{}: not a volume{}; allowed: INRIMAGE-4 (.inr), single-file NIfTI-1 (.nii), either gzipped", name,
-        other_nifti(head)));
+        unsupported_nifti(head)));
   }
   const std::size_t size = check_header(header, name);
   if (!is_gzip(bytes)) return read_voxels(header, bytes, name);

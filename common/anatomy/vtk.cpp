@@ -1,4 +1,4 @@
-// The legacy VTK file formats (VTK User's Guide, "VTK file formats"): text keywords, and arrays as text or as
+// Legacy VTK file formats (VTK User's Guide, "VTK file formats"): text keywords, and arrays as text or as
 // big-endian bytes. Up to version 4 cells are runs of (count, points…), since 5.0 offsets and connectivity.
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class VtkReader {
       else if (w == "METADATA")
         skip_metadata();
       else
-        in_.fail(fmt::format("\"{}\" where POINTS, CELLS, CELL_TYPES, FIELD or METADATA should be",
+        in_.fail(fmt::format("\"{}\" found; expected: POINTS, CELLS, CELL_TYPES, FIELD or METADATA",
                              w.substr(0, 32)));
     }
     cells_.report(report);
@@ -95,7 +95,7 @@ class VtkReader {
     const std::string_view w = in_.word();
     for (const Scalar& s : scalars)
       if (s.name == w) return s;
-    in_.fail(fmt::format("\"{}\" where a type such as float, double, int or vtktypeint64 should be",
+    in_.fail(fmt::format("\"{}\" found; expected: a type such as float, double, int or vtktypeint64",
                          w.substr(0, 32)));
   }
 
@@ -114,7 +114,7 @@ class VtkReader {
     std::vector<std::uint64_t> out;
     out.reserve(count);
     numbers(count, type, what, [&](double value) {
-      constexpr double limit = 4294967296;  // points are numbered in 32 bits
+      constexpr double limit = 4294967296;  // point numbers have 32 bits
       if (!(value >= 0 && value < limit && value == std::floor(value)))
         in_.fail(fmt::format("{} in {}; allowed: whole numbers from 0 to below {}", value, what, limit));
       out.push_back(static_cast<std::uint64_t>(value));
@@ -134,7 +134,7 @@ class VtkReader {
 
   void cells() {
     if (has_offsets_) {
-      // As many offsets as cells and one more; cell i is connectivity[offsets[i], offsets[i + 1]).
+      // One more offset than cells; cell i is connectivity[offsets[i], offsets[i + 1]).
       const std::uint64_t offsets = in_.count("number of offsets");
       const std::uint64_t size = in_.count("size of the connectivity");
       in_.expect("OFFSETS");
@@ -151,7 +151,7 @@ class VtkReader {
     for (std::size_t at = 0; starts_.size() <= cells;) {
       const std::uint64_t points = at < list.size() ? list[at] : 0;
       if (at >= list.size() || points > list.size() - at - 1)
-        in_.fail(fmt::format("cell {} goes beyond the cell list's {} numbers", starts_.size() - 1, size));
+        in_.fail(fmt::format("cell {} exceeds the cell list's {} numbers", starts_.size() - 1, size));
       const auto first = list.begin() + static_cast<std::ptrdiff_t>(at + 1);
       connectivity_.insert(connectivity_.end(), first, first + static_cast<std::ptrdiff_t>(points));
       starts_.push_back(connectivity_.size());
@@ -192,19 +192,19 @@ class VtkReader {
     cells_.add(kind, corners_, mesh_);
   }
 
-  /// Arrays that belong to the whole file, such as its time.
+  /// Skips arrays of the whole file, such as its time.
   void skip_field() {
-    in_.word();  // its name
+    in_.word();  // name
     const std::uint64_t arrays = in_.count("number of arrays");
     for (std::uint64_t a = 0; a < arrays; ++a) {
-      in_.word();  // its name
+      in_.word();  // name
       const std::uint64_t components = in_.count("number of components", 1);
       const std::uint64_t tuples = in_.count("number of tuples", std::max<std::uint64_t>(components, 1));
       numbers(components * tuples, scalar(), "an array", [](double) {});
     }
   }
 
-  /// Skips lines up to an empty one.
+  /// Skips lines up to and including an empty one.
   void skip_metadata() {
     while (!in_.next_line().empty()) {
     }

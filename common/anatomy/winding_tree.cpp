@@ -8,9 +8,10 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t leaf_size = 8;
-constexpr double far = 3;  // radii from a node's centre, from which it counts as one dipole
+constexpr double far = 3;  // distance from a node's centre, in node radii, beyond which the dipole is used
 
-/// Returns the solid angle of a triangle (Van Oosterom & Strackee 1983), positive where it faces away.
+/// Returns the solid angle of a triangle (Van Oosterom & Strackee 1983), positive if it faces away from the
+/// origin.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);

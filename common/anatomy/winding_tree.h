@@ -1,5 +1,5 @@
 #pragma once
-// How often a surface winds around a point.
+// Winding numbers of surfaces.
 
 #include <cstdint>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace prosector {
 
-/// Generalised winding numbers of a surface (Jacobson et al. 2013), fast by a tree whose far branches count
-/// as one dipole each (Barill et al. 2018). Of a closed surface that faces outward it is 1 inside and 0
-/// outside; shells within shells and overlaps add up. Within about 0.03 of the exact sum of solid angles.
+/// Generalised winding numbers of a surface (Jacobson et al. 2013), accelerated by a tree whose far nodes are
+/// approximated by one dipole each (Barill et al. 2018). For a closed, outward-facing surface it is 1 inside
+/// and 0 outside; nested and overlapping shells add up. Within about 0.03 of the exact sum of solid angles.
 class WindingTree {
  public:
   explicit WindingTree(const TriangleMesh& surface);
@@ -18,11 +18,11 @@ class WindingTree {
 
  private:
   struct Node {
-    Vec3 center = Vec3::Zero();      // of its triangles, by area
-    Vec3 area = Vec3::Zero();        // sum of their area vectors
-    double radius = 0;               // of a ball around the centre that holds them
-    std::size_t begin = 0, end = 0;  // of its triangles, in corners_
-    std::uint32_t right = 0;         // its second child; the first is the next node; 0: a leaf
+    Vec3 center = Vec3::Zero();      // area-weighted centre of its triangles
+    Vec3 area = Vec3::Zero();        // sum of its triangles' area vectors
+    double radius = 0;               // of a ball around the centre that contains its triangles
+    std::size_t begin = 0, end = 0;  // range of its triangles in corners_
+    std::uint32_t right = 0;         // index of the second child; the first is the next node; 0: a leaf
   };
   struct Corners {
     Vec3 a, b, c;

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Basis functions of `degree` that aren't zero at u, from index span − degree (A2.2).
+/// Returns the basis functions of `degree` that are non-zero at u, starting at index span − degree (A2.2).
 BasisRow basis(std::span<const double> knots, std::size_t span, int degree, double u) {
   BasisRow n{};
   BasisRow left{}, right{};
@@ -29,12 +29,13 @@ BasisRow basis(std::span<const double> knots, std::size_t span, int degree, doub
   return n;
 }
 
-/// Returns the derivative by u of the functions of `degree` from `lower`, those of degree − 1 (eq. 2.7).
+/// Returns the derivatives by u of the functions of `degree`, computed from those of degree − 1, `lower` (eq.
+/// 2.7).
 BasisRow differentiated(const BasisRow& lower, std::span<const double> knots, std::size_t span, int degree) {
   BasisRow out{};
   const auto p = static_cast<std::size_t>(degree);
   for (std::size_t k = 0; k <= p; ++k) {
-    const std::size_t i = span - p + k;  // function N_i,p; lower[k − 1] is N_i,p−1, lower[k] N_i+1,p−1
+    const std::size_t i = span - p + k;  // function N_i,p; lower[k − 1] is N_i,p−1, lower[k] is N_i+1,p−1
     if (k > 0 && knots[i + p] > knots[i]) out[k] += degree * lower[k - 1] / (knots[i + p] - knots[i]);
     if (k < p && knots[i + p + 1] > knots[i + 1])
       out[k] -= degree * lower[k] / (knots[i + p + 1] - knots[i + 1]);
@@ -71,7 +72,7 @@ void check_knots(std::span<const double> knots, std::size_t points, int degree) 
     if (!std::isfinite(knots[k])) throw InputError(fmt::format("knot {} is not a finite number", k + 1));
     if (k > 0 && knots[k] < knots[k - 1])
       throw InputError(fmt::format("knot {} is {}, below the one before, {}", k + 1, knots[k], knots[k - 1]));
-    // The first and the last degree + 1 of them may be equal.
+    // The first and the last degree + 1 knots may be equal.
     if (k > p && k + 1 < knots.size() && knots[k] == knots[k - p])
       throw InputError(fmt::format("knots {} to {} are all {}: at most {} within the curve may be equal",
                                    k - p + 1, k + 1, knots[k], degree));
@@ -83,7 +84,7 @@ void check_knots(std::span<const double> knots, std::size_t points, int degree) 
 
 std::size_t find_span(std::span<const double> knots, std::size_t points, int degree, double u) {
   const auto first = knots.begin() + degree, last = knots.begin() + static_cast<std::ptrdiff_t>(points);
-  // The last span that begins at or before u; at the domain's end, the last one with a length.
+  // The last span that begins at or before u; at the domain's end, the last non-empty span.
   auto after = std::upper_bound(first, last, u);
   if (after == last) after = std::lower_bound(first, last, *last);
   return static_cast<std::size_t>(std::max(after - knots.begin(), first - knots.begin() + 1)) - 1;
@@ -94,7 +95,7 @@ BasisDerivatives basis_derivatives(std::span<const double> knots, std::size_t sp
   out.order[0] = basis(knots, span, degree, u);
   if (degree >= 1) out.order[1] = differentiated(basis(knots, span, degree - 1, u), knots, span, degree);
   if (degree >= 2) {
-    // The functions of one degree less are differentiated first.
+    // First differentiate the functions of degree − 1.
     const BasisRow lower = differentiated(basis(knots, span, degree - 2, u), knots, span, degree - 1);
     out.order[2] = differentiated(lower, knots, span, degree);
   }

@@ -10,22 +10,22 @@ namespace prosector {
 
 inline constexpr int max_degree = 9;
 
-using BasisRow = std::array<double, max_degree + 1>;  // of the degree + 1 functions that aren't zero
+using BasisRow = std::array<double, max_degree + 1>;  // values of the degree + 1 non-zero basis functions
 
-/// Returns knots that are clamped and uniform over 0 … 1, so that the curve meets its ends.
+/// Returns clamped uniform knots over 0 … 1. The curve then interpolates its first and last control point.
 std::vector<double> clamped_knots(std::size_t points, int degree);
-/// Returns zeros, then ones: with these knots a B-spline is a Bézier curve.
+/// Returns the knots 0 … 0, 1 … 1, for which a B-spline is a Bézier curve.
 std::vector<double> bezier_knots(int degree);
 
-/// Throws InputError unless there are points + degree + 1 finite knots, none below the one before. At most
-/// `degree` of them may be equal but at the ends. The domain, from knot `degree` to knot `points`, must have
-/// a length.
+/// Throws InputError unless there are points + degree + 1 finite, non-decreasing knots. Inner knots may
+/// repeat at most `degree` times, the end knots degree + 1 times. The domain, from knot `degree` to knot
+/// `points`, must have a positive length.
 void check_knots(std::span<const double> knots, std::size_t points, int degree);
 
-/// Finds the knot span that `u` lies in, among those with a length (A2.1).
+/// Finds the non-empty knot span that contains `u` (A2.1).
 std::size_t find_span(std::span<const double> knots, std::size_t points, int degree, double u);
 
-/// N and its first and second derivative by u, of functions span − degree … span (A2.3).
+/// Basis functions of indices span − degree … span, and their first and second derivatives by u (A2.3).
 struct BasisDerivatives {
   std::array<BasisRow, 3> order{};
 };

@@ -22,7 +22,8 @@ NurbsCurve ellipse_arc(double a, double b, double from, double to) {
   constexpr double turn = 2 * M_PI;
   check_arc(a, b, from, to);
   if (to - from > turn * (1 + 1e-12))
-    throw InputError(fmt::format("an ellipse's arc from t = {} to {}: more than once around", from, to));
+    throw InputError(
+        fmt::format("an ellipse's arc from t = {} to {}: must be at most one full turn", from, to));
   const int arcs = std::max(1, static_cast<int>(std::ceil((to - from) / (turn / 4) - 1e-9)));
   const double half = (to - from) / arcs / 2;
   std::vector<Vec3> points;
@@ -30,13 +31,13 @@ NurbsCurve ellipse_arc(double a, double b, double from, double to) {
   for (int k = 0; k <= 2 * arcs; ++k) {
     const double t = from + k * half;
     const bool joint = k % 2 == 0;
-    // Between two joints, where their tangents meet.
+    // An inner control point is where the tangents at two joints intersect.
     const double out = joint ? 1 : 1 / std::cos(half);
     points.emplace_back(out * a * std::cos(t), out * b * std::sin(t), 0);
     weights.push_back(joint ? 1 : std::cos(half));
     if (joint) knots.insert(knots.end(), 2, static_cast<double>(k) / (2 * arcs));
   }
-  // Once around, it closes to the last bit.
+  // A full turn closes exactly, bit by bit.
   if (to - from >= turn * (1 - 1e-12)) points.back() = points.front();
   knots.push_back(1);
   return {2, std::move(knots), std::move(points), std::move(weights)};

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr int most_halvings = 40;  // of a span: beyond them its parameter has no digits left
+constexpr int max_bisections = 40;  // of a span: beyond it, the parameter's precision is exhausted
 
 double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -24,7 +24,7 @@ bool is_flat(const BezierPiece& piece, double tolerance, double turn) {
   for (const Eigen::Vector4d& point : piece.points) x.push_back(projected(point));
   for (const Vec3& point : x)
     if (distance_to_segment(point, x.front(), x.back()) > tolerance) return false;
-  // Legs within half the turn of the chord are within the turn of each other.
+  // If all legs are within half of `turn` of the chord, they are within `turn` of each other.
   const Vec3 chord = x.back() - x.front();
   for (std::size_t k = 0; k + 1 < x.size(); ++k) {
     const Vec3 leg = x[k + 1] - x[k];
@@ -35,14 +35,15 @@ bool is_flat(const BezierPiece& piece, double tolerance, double turn) {
 }
 
 void add(const BezierPiece& piece, double tolerance, double turn, int halvings, std::vector<double>& ends) {
-  if (halvings < most_halvings && !is_flat(piece, tolerance, turn)) {
+  if (halvings < max_bisections && !is_flat(piece, tolerance, turn)) {
     for (const BezierPiece& half : piece.halves()) add(half, tolerance, turn, halvings + 1, ends);
     return;
   }
   ends.push_back(piece.to);
-  if (ends.size() > max_polygon)
-    throw InputError(fmt::format("a curve of more than {} pieces within {} m; allow a larger tolerance",
-                                 max_polygon, tolerance));
+  if (ends.size() > max_polyline_points)
+    throw InputError(
+        fmt::format("a curve needs more than {} segments for a tolerance of {} m; increase the tolerance",
+                    max_polyline_points, tolerance));
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
 #pragma once
-// A curve as a polygon that is near enough.
+// Approximation of a curve by a polyline.
 
 #include "common/curves/nurbs_curve.h"
 
 namespace prosector {
 
-/// The most points of a polygon.
-inline constexpr std::size_t max_polygon = 20000;
-/// Returns parameters, rising from begin() to end(), at which the curve's points make a polygon. It is
-/// nowhere farther than `tolerance` from the curve, and along each of its pieces the curve turns by at most
-/// `turn` (rad). Both hold because a piece lies in the hull of its control points, and its tangents among the
-/// legs between them (Farin, Curves and Surfaces for CAGD, 5th ed. 2002, ch. 4 and 13). Throws InputError
-/// where that takes more than max_polygon points.
+/// Maximum number of points of the polyline.
+inline constexpr std::size_t max_polyline_points = 20000;
+/// Returns increasing parameters from begin() to end() of the points of a polyline that approximates the
+/// curve. The distance between both is at most `tolerance`, and the curve turns by at most `turn` (rad) along
+/// a segment. Both bounds are guaranteed: a curve piece is within the convex hull of its control points, and
+/// its tangents within the cone of the control polygon's legs. Source: Farin, Curves and Surfaces for CAGD,
+/// 5th ed. 2002, ch. 4 and 13. Throws InputError if more than max_polyline_points points are needed.
 std::vector<double> flatten(const NurbsCurve& curve, double tolerance, double turn);
 
 }  // namespace prosector

@@ -107,7 +107,7 @@ std::array<BezierPiece, 2> BezierPiece::halves() const {
 std::vector<BezierPiece> bezier_pieces(const NurbsCurve& curve) {
   const auto p = static_cast<std::size_t>(curve.degree());
   NurbsCurve whole = curve;
-  std::vector<double> ends;  // of the spans that have a length
+  std::vector<double> ends;  // ends of the non-empty spans
   for (const double u : curve.knots())
     if (u >= curve.begin() && u <= curve.end() && (ends.empty() || u > ends.back())) ends.push_back(u);
   for (const double u : ends)

@@ -1,6 +1,6 @@
 #pragma once
-// Rational B-spline curves, which Bézier curves and all conics are special cases of (Piegl & Tiller, The
-// NURBS Book, 2nd ed. 1997, ch. 4; Farin, Curves and Surfaces for CAGD, 5th ed. 2002).
+// Rational B-spline curves (NURBS), which include Bézier curves and all conics (Piegl & Tiller, The NURBS
+// Book, 2nd ed. 1997, ch. 4; Farin, Curves and Surfaces for CAGD, 5th ed. 2002).
 
 #include <span>
 #include <vector>
@@ -12,7 +12,7 @@ namespace prosector {
 
 inline constexpr std::size_t max_control_points = 4096;
 
-/// A place on a curve and its derivatives by the parameter.
+/// A point on a curve, and the derivatives by the parameter.
 struct CurvePoint {
   Vec3 x = Vec3::Zero();
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();
@@ -20,8 +20,8 @@ struct CurvePoint {
 
 class NurbsCurve {
  public:
-  /// Takes as many `weights` as points, or none: all 1. Throws InputError for points or weights that aren't
-  /// finite, weights that aren't positive, another number of them, and what check_knots() refuses.
+  /// Takes one weight per point, or none: all 1. Throws InputError for points or weights that aren't finite,
+  /// weights that aren't positive, a wrong number of weights, and knots that check_knots() refuses.
   NurbsCurve(int degree, std::vector<double> knots, std::vector<Vec3> points,
              std::vector<double> weights = {});
 
@@ -29,7 +29,7 @@ class NurbsCurve {
 
   int degree() const { return degree_; }
   std::span<const double> knots() const { return knots_; }
-  /// Homogeneous: (w x, w y, w z, w).
+  /// Returns the control points in homogeneous coordinates: (w x, w y, w z, w).
   std::span<const Eigen::Vector4d> points() const { return points_; }
   double begin() const { return knots_[static_cast<std::size_t>(degree_)]; }
   double end() const { return knots_[points_.size()]; }
@@ -38,7 +38,7 @@ class NurbsCurve {
   Vec3 at(double u) const { return evaluate(u).x; }
   CurvePoint evaluate(double u) const;
 
-  /// Returns this curve with one more knot (Boehm 1980; A5.1); `u` inside the domain.
+  /// Returns the same curve with one knot inserted at `u` (Boehm 1980; A5.1); `u` must be inside the domain.
   NurbsCurve with_knot(double u) const;
   NurbsCurve moved(const Pose& pose) const;
 
@@ -50,25 +50,25 @@ class NurbsCurve {
   std::vector<Eigen::Vector4d> points_;
 };
 
-/// A rational Bézier curve over `from` … `to` of the curve that it is a piece of.
+/// A rational Bézier segment of a curve, over the curve's parameters `from` … `to`.
 struct BezierPiece {
   std::vector<Eigen::Vector4d> points;  // homogeneous
   double from = 0, to = 1;
 
-  /// Evaluates the piece at a share s of it, by de Casteljau's algorithm.
+  /// Evaluates the segment at the fraction s of its length in the parameter, by de Casteljau's algorithm.
   Vec3 at(double s) const;
-  /// Returns both halves, by de Casteljau's algorithm.
+  /// Subdivides the segment at its middle by de Casteljau's algorithm.
   std::array<BezierPiece, 2> halves() const;
 };
 
-/// Returns the curve's spans, in order.
+/// Returns the curve's non-empty knot spans as Bézier segments, in order.
 std::vector<BezierPiece> bezier_pieces(const NurbsCurve& curve);
 
 inline Vec3 projected(const Eigen::Vector4d& homogeneous) {
   return homogeneous.head<3>() / homogeneous.w();
 }
 
-/// Checks all that a curve or a surface asks of its control points; fills empty `weights` with ones.
+/// Checks the control points and weights of a curve or surface; fills empty `weights` with ones.
 void check_points(std::span<const Vec3> points, std::vector<double>& weights);
 
 }  // namespace prosector

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Adds the knots of the domain, each once, as shares of it.
+/// Adds each distinct knot of the domain as a fraction of the domain.
 void add_seams(std::span<const double> knots, double begin, double end, std::vector<double>& seams) {
   for (const double knot : knots)
     if (knot >= begin && knot <= end) seams.push_back((knot - begin) / (end - begin));
@@ -21,8 +21,8 @@ void sort_once(std::vector<double>& seams) {
   seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
 }
 
-/// Evaluates a side at a share of its domain; derivatives are by the share.
-CurvePoint share_of(const NurbsCurve& side, double share) {
+/// Evaluates a side at a fraction of its domain; derivatives are by that fraction.
+CurvePoint evaluate_fraction(const NurbsCurve& side, double share) {
   const double length = side.end() - side.begin();
   CurvePoint out = side.evaluate(side.begin() + share * length);
   out.first *= length;
@@ -36,7 +36,7 @@ NurbsSurface::NurbsSurface(Direction u, Direction v, std::size_t columns, std::s
     : directions_{std::move(u), std::move(v)} {
   check_points(points, weights);
   if (columns == 0 || points.size() % columns != 0)
-    throw InputError(fmt::format("{} points don't fill rows of {} columns", points.size(), columns));
+    throw InputError(fmt::format("{} points do not fill rows of {} columns", points.size(), columns));
   counts_ = {columns, points.size() / columns};
   for (const std::size_t k : {0U, 1U}) try {
       check_knots(directions_[k].knots, counts_[k], directions_[k].degree);
@@ -96,14 +96,14 @@ RevolvedPatch::RevolvedPatch(NurbsCurve profile) : profile_(std::move(profile)) 
     const Vec3 x = projected(point);
     if (std::abs(x.z()) > 1e-9 * extent || x.x() < -1e-9 * extent)
       throw InputError(
-          fmt::format("point {} of the side is ({:.4g}, {:.4g}, {:.4g}): what is turned about y "
-                      "lies at x >= 0 and z = 0",
+          fmt::format("point {} of the side is ({:.4g}, {:.4g}, {:.4g}): the profile of a revolved patch "
+                      "must have x >= 0 and z = 0",
                       k, x.x(), x.y(), x.z()));
   }
 }
 
 PatchPoint RevolvedPatch::evaluate(double u, double v) const {
-  const CurvePoint p = share_of(profile_, v);
+  const CurvePoint p = evaluate_fraction(profile_, v);
   const double c = std::cos(2 * M_PI * u), s = std::sin(2 * M_PI * u);
   const auto turned = [&](const Vec3& x) { return Vec3(x.x() * c, x.y(), -x.x() * s); };
   return {turned(p.x), 2 * M_PI * Vec3(-p.x.x() * s, 0, -p.x.x() * c), turned(p.first)};
@@ -122,20 +122,20 @@ CoonsPatch::CoonsPatch(std::array<NurbsCurve, 4> sides) : sides_(std::move(sides
     for (const Eigen::Vector4d& point : side.points()) box.extend(projected(point));
   for (const double u : {0.0, 1.0})
     for (const double v : {0.0, 1.0}) {
-      const Vec3 along_u = share_of(sides_[v > 0], u).x, along_v = share_of(sides_[2 + (u > 0)], v).x;
+      const Vec3 along_u = evaluate_fraction(sides_[v > 0], u).x,
+                 along_v = evaluate_fraction(sides_[2 + (u > 0)], v).x;
       if ((along_u - along_v).norm() <= 1e-6 * box.sizes().norm()) continue;
       throw InputError(fmt::format("sides {} and {} are {:.3g} m apart at the corner u = {}, v = {}",
                                    v > 0 ? 2 : 1, u > 0 ? 4 : 3, (along_u - along_v).norm(), u, v));
     }
 }
 
-// The ruled surface between the first two sides, plus that between the others, less the bilinear one between
-// the corners.
+// Sum of the two ruled surfaces between opposite sides, minus the bilinear surface between the corners.
 PatchPoint CoonsPatch::evaluate(double u, double v) const {
-  const CurvePoint low = share_of(sides_[0], u), high = share_of(sides_[1], u);
-  const CurvePoint left = share_of(sides_[2], v), right = share_of(sides_[3], v);
-  const Vec3 a = share_of(sides_[0], 0).x, b = share_of(sides_[0], 1).x;
-  const Vec3 c = share_of(sides_[1], 0).x, d = share_of(sides_[1], 1).x;
+  const CurvePoint low = evaluate_fraction(sides_[0], u), high = evaluate_fraction(sides_[1], u);
+  const CurvePoint left = evaluate_fraction(sides_[2], v), right = evaluate_fraction(sides_[3], v);
+  const Vec3 a = evaluate_fraction(sides_[0], 0).x, b = evaluate_fraction(sides_[0], 1).x;
+  const Vec3 c = evaluate_fraction(sides_[1], 0).x, d = evaluate_fraction(sides_[1], 1).x;
   PatchPoint out;
   out.x = (1 - v) * low.x + v * high.x + (1 - u) * left.x + u * right.x -
           ((1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d));

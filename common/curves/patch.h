@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of surfaces over 0 … 1 in u and v.
+// Surface patches over 0 … 1 in u and v.
 
 #include <array>
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// A place on a surface and its derivatives by u and v.
+/// A point on a surface, and the derivatives by u and v.
 struct PatchPoint {
   Vec3 x = Vec3::Zero(), u = Vec3::Zero(), v = Vec3::Zero();
 };
@@ -18,7 +18,8 @@ class Patch {
   virtual ~Patch() = default;
   /// Evaluates the surface at u and v in 0 … 1.
   virtual PatchPoint evaluate(double u, double v) const = 0;
-  /// Returns where the derivatives may jump, 0 and 1 included, rising: along u, then along v.
+  /// Returns the increasing parameters at which derivatives may be discontinuous, 0 and 1 included: first
+  /// along u, then along v.
   virtual std::array<std::vector<double>, 2> seams() const = 0;
 };
 
@@ -29,8 +30,8 @@ class NurbsSurface final : public Patch {
     int degree;
     std::vector<double> knots;
   };
-  /// Takes `points` row by row, as many along u as `columns`. Throws InputError as NurbsCurve does, and for
-  /// points that don't fill their rows; `u` or `v` named.
+  /// Takes `points` row by row, `columns` points along u in each row. Throws InputError as NurbsCurve does,
+  /// naming `u` or `v`, and for points that don't fill whole rows.
   NurbsSurface(Direction u, Direction v, std::size_t columns, std::span<const Vec3> points,
                std::vector<double> weights = {});
 
@@ -43,8 +44,8 @@ class NurbsSurface final : public Patch {
   std::vector<Eigen::Vector4d> points_;
 };
 
-/// A curve in the x-y plane, along v, turned once about the y axis, along u from x towards −z (Piegl &
-/// Tiller, 8.5).
+/// Surface of revolution: a profile curve in the x-y plane, along v, rotated once about the y axis, along u
+/// from x towards −z (Piegl & Tiller, 8.5).
 class RevolvedPatch final : public Patch {
  public:
   /// Throws InputError for a curve that leaves the plane or crosses the axis.
@@ -57,12 +58,12 @@ class RevolvedPatch final : public Patch {
   NurbsCurve profile_;
 };
 
-/// The bilinearly blended surface between four curves (Coons 1967; Farin, Curves and Surfaces for CAGD, 5th
-/// ed. 2002, ch. 22).
+/// Coons patch: the bilinearly blended surface between four curves (Coons 1967; Farin, Curves and Surfaces
+/// for CAGD, 5th ed. 2002, ch. 22).
 class CoonsPatch final : public Patch {
  public:
-  /// Takes the sides along u at v = 0 and v = 1, then along v at u = 0 and u = 1. Throws InputError naming
-  /// the corner where two of them are farther apart than a millionth of their extent.
+  /// Takes the sides along u at v = 0 and v = 1, then along v at u = 0 and u = 1. Throws InputError that
+  /// names the corner if two sides are farther apart there than 1e-6 of their extent.
   explicit CoonsPatch(std::array<NurbsCurve, 4> sides);
 
   PatchPoint evaluate(double u, double v) const override;

@@ -12,10 +12,10 @@
 namespace prosector {
 namespace {
 
-constexpr double least_step = 1e-6;  // of a parameter: finer, a patch is as it is
+constexpr double min_parameter_step = 1e-6;  // of a parameter: finer steps are not subdivided
 
-/// Returns how far the patch is from the straight line between two of its points, a quarter, half and three
-/// quarters of the way along.
+/// Returns the largest distance of the patch from the straight line between two of its points, sampled at a
+/// quarter, half and three quarters of the parameter step.
 double sag(const Patch& patch, double u0, double v0, double u1, double v1) {
   const Vec3 a = patch.evaluate(u0, v0).x, b = patch.evaluate(u1, v1).x;
   double worst = 0;
@@ -28,9 +28,9 @@ double sag(const Patch& patch, double u0, double v0, double u1, double v1) {
   return worst;
 }
 
-/// Returns how far the patch rises out of the plane of two triangles along their common side. It is measured
-/// along the patch's own normal, since beside that the triangles may lie elsewhere in the surface.
-double rise(const Patch& patch, double u0, double v0, double u1, double v1) {
+/// Returns the largest height of the patch above the diagonal shared by two triangles. Measured along the
+/// patch's normal, because a tangential offset isn't an error: the triangles may be elsewhere in the surface.
+double diagonal_deviation(const Patch& patch, double u0, double v0, double u1, double v1) {
   const Vec3 a = patch.evaluate(u0, v0).x, b = patch.evaluate(u1, v1).x;
   double worst = 0;
   for (const double s : {0.25, 0.5, 0.75}) {
@@ -41,12 +41,13 @@ double rise(const Patch& patch, double u0, double v0, double u1, double v1) {
   return worst;
 }
 
-/// Halves what lies between two lines of `lines` where `is_coarse` says so; true: there was any.
+/// Inserts a line halfway between two neighbouring `lines` if `is_coarse` is true for them. Returns whether
+/// any was inserted.
 template <class IsCoarse>
 bool halve(std::vector<double>& lines, const IsCoarse& is_coarse) {
   std::vector<double> out = {lines.front()};
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
-    if (lines[k + 1] - lines[k] > least_step && is_coarse(lines[k], lines[k + 1]))
+    if (lines[k + 1] - lines[k] > min_parameter_step && is_coarse(lines[k], lines[k + 1]))
       out.push_back((lines[k] + lines[k + 1]) / 2);
     out.push_back(lines[k + 1]);
   }
@@ -55,7 +56,7 @@ bool halve(std::vector<double>& lines, const IsCoarse& is_coarse) {
   return changed;
 }
 
-/// Returns the lines and what lies halfway between them.
+/// Returns the lines with a line halfway between each two neighbours.
 std::vector<double> with_middles(const std::vector<double>& lines) {
   std::vector<double> out;
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
@@ -67,12 +68,13 @@ std::vector<double> with_middles(const std::vector<double>& lines) {
 }
 
 void check_size(const PatchGrid& grid, double tolerance) {
-  if (grid.u.size() * grid.v.size() > max_grid)
-    throw InputError(fmt::format("a patch of {} × {} points within {} m; allow a larger tolerance",
-                                 grid.u.size(), grid.v.size(), tolerance));
+  if (grid.u.size() * grid.v.size() > max_grid_points)
+    throw InputError(
+        fmt::format("a patch needs {} × {} points for a tolerance of {} m; increase the tolerance",
+                    grid.u.size(), grid.v.size(), tolerance));
 }
 
-/// A patch at its grid's points, along u first, with unit normals.
+/// A patch sampled at its grid's points, u fastest, with unit normals.
 struct SampledPatch {
   std::uint32_t nu, nv;
   std::vector<Vec3> places, normals;
@@ -91,7 +93,7 @@ SampledPatch sample(const Patch& patch, const PatchGrid& grid) {
       largest = std::max(largest, out.normals.back().norm());
     }
   if (!(largest > 0)) throw InputError("a patch without area");
-  // At a pole one direction has no length: the mean of the whole line next to it stands in.
+  // At a pole one derivative is zero: use the mean normal of the adjacent grid line instead.
   const std::vector<Vec3> own = out.normals;
   for (std::uint32_t j = 0; j < out.nv; ++j)
     for (std::uint32_t i = 0; i < out.nu; ++i) {
@@ -99,7 +101,7 @@ SampledPatch sample(const Patch& patch, const PatchGrid& grid) {
       const PatchPoint& p = points[j * out.nu + i];
       if (normal.norm() <= 1e-9 * largest) {
         normal.setZero();
-        // A closed line's last point is its first.
+        // The last point of a closed line equals its first.
         if (p.u.norm() <= p.v.norm())
           for (std::uint32_t k = 0; k + 1 < out.nu; ++k) normal += own[(j > 0 ? j - 1 : j + 1) * out.nu + k];
         else
@@ -110,8 +112,8 @@ SampledPatch sample(const Patch& patch, const PatchGrid& grid) {
   return out;
 }
 
-/// Tells whether the first line across u (or v) lies where the last one does, and the surface goes on there.
-bool closes(const SampledPatch& p, bool along_u) {
+/// Returns whether the first and the last grid line across u (or v) coincide and the surface is smooth there.
+bool is_closed_along(const SampledPatch& p, bool along_u) {
   double extent = 0;
   for (const Vec3& x : p.places) extent = std::max(extent, (x - p.places.front()).norm());
   const std::uint32_t count = along_u ? p.nv : p.nu;
@@ -124,7 +126,7 @@ bool closes(const SampledPatch& p, bool along_u) {
   return true;
 }
 
-/// Makes one vertex of those in the same place, and drops triangles that have become edges.
+/// Merges vertices at equal positions, and drops triangles that degenerate to edges.
 void weld_poles(TriangleMesh& mesh) {
   struct Before {
     bool operator()(const Vec3& a, const Vec3& b) const {
@@ -149,8 +151,9 @@ void weld_poles(TriangleMesh& mesh) {
 
 }  // namespace
 
-// A cell's triangles are off by what its sides sag, and by what its diagonal does.
-PatchGrid fit_grid(const Patch& patch, double tolerance) {
+// The error of a cell's triangles has two parts: the sag of the cell's sides, and the height over the
+// diagonal.
+PatchGrid refine_grid(const Patch& patch, double tolerance) {
   auto [u, v] = patch.seams();
   PatchGrid grid{std::move(u), std::move(v)};
   for (bool changed = true; changed;) {
@@ -165,13 +168,13 @@ PatchGrid fit_grid(const Patch& patch, double tolerance) {
     });
     check_size(grid, tolerance);
     if (changed) continue;
-    // What is left is the cells' twist.
+    // The remaining error is the twist of the cells.
     const PatchGrid fitted = grid;
-    std::set<double> coarse_v;  // where what is halved begins
+    std::set<double> coarse_v;  // start of the intervals to halve
     changed = halve(grid.u, [&](double a, double b) {
       bool any = false;
       for (std::size_t k = 0; k + 1 < fitted.v.size(); ++k) {
-        if (rise(patch, a, fitted.v[k], b, fitted.v[k + 1]) <= tolerance) continue;
+        if (diagonal_deviation(patch, a, fitted.v[k], b, fitted.v[k + 1]) <= tolerance) continue;
         coarse_v.insert(fitted.v[k]);
         any = true;
       }
@@ -183,12 +186,12 @@ PatchGrid fit_grid(const Patch& patch, double tolerance) {
   return grid;
 }
 
-TriangleMesh slab_over(const Patch& patch, double thickness, double tolerance) {
-  // Where the patch bends, one face is larger than the patch, and its triangles are farther off.
-  const PatchGrid grid = fit_grid(patch, tolerance / 2);
+TriangleMesh slab_mesh(const Patch& patch, double thickness, double tolerance) {
+  // Where the patch bends, one face of the slab is larger than the patch, and its triangles deviate more.
+  const PatchGrid grid = refine_grid(patch, tolerance / 2);
   const SampledPatch sampled = sample(patch, grid);
   const auto& [nu, nv, places, normals] = sampled;
-  const bool ring_u = closes(sampled, true), ring_v = closes(sampled, false);
+  const bool ring_u = is_closed_along(sampled, true), ring_v = is_closed_along(sampled, false);
   const std::uint32_t wu = ring_u ? nu - 1 : nu, wv = ring_v ? nv - 1 : nv;
   const auto at = [wu, wv](std::uint32_t i, std::uint32_t j) { return j % wv * wu + i % wu; };
   TriangleMesh out;
@@ -205,7 +208,7 @@ TriangleMesh slab_over(const Patch& patch, double thickness, double tolerance) {
     for (std::uint32_t i = 0; i + 1 < nu; ++i) {
       const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
       add_quad(a, b, c, d);
-      // The same diagonal, seen from the other side.
+      // The same diagonal, with the opposite orientation.
       out.triangles.push_back({below + a, below + c, below + b});
       out.triangles.push_back({below + a, below + d, below + c});
     }

@@ -1,25 +1,25 @@
 #pragma once
-// Pieces of surfaces as triangles.
+// Triangulation of surface patches.
 
 #include "common/curves/patch.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
-/// Lines of a grid over a patch, rising from 0 to 1.
+/// Grid lines over a patch: increasing parameters from 0 to 1.
 struct PatchGrid {
   std::vector<double> u, v;
 };
 
-/// The most points of a grid.
-inline constexpr std::size_t max_grid = 250 * 1000;
-/// Makes a grid so fine that between any two neighbouring lines the patch is within `tolerance` (m) of the
-/// triangles of the grid's cells. It judges by the cells' quarters and middles. Throws InputError where that
-/// takes more than max_grid points.
-PatchGrid fit_grid(const Patch& patch, double tolerance);
+/// Maximum number of grid points.
+inline constexpr std::size_t max_grid_points = 250 * 1000;
+/// Refines a grid until the patch is within `tolerance` (m) of the triangles of the grid's cells. The
+/// distance is sampled at the quarter points and middle of the cells' sides and diagonals. Throws InputError
+/// if more than max_grid_points points are needed.
+PatchGrid refine_grid(const Patch& patch, double tolerance);
 
-/// Makes a closed surface around the patch: either face half of `thickness` (m) away from it along its
-/// normal, and a rim. Throws InputError where the patch has no area, and as fit_grid() does.
-TriangleMesh slab_over(const Patch& patch, double thickness, double tolerance);
+/// Builds a closed surface around the patch: two faces at half of `thickness` (m) along the normal on each
+/// side, and a rim. Throws InputError if the patch has no area, or in the cases of refine_grid().
+TriangleMesh slab_mesh(const Patch& patch, double thickness, double tolerance);
 
 }  // namespace prosector

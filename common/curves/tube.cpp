@@ -13,15 +13,15 @@ namespace {
 
 constexpr double pi = M_PI;
 constexpr int least_sides = 8, most_sides = 256;
-constexpr double widest_turn = pi / 6;  // rad between two rings, however small the tube is
+constexpr double widest_turn = pi / 6;  // rad between two rings, for any tube diameter
 constexpr std::size_t most_vertices = 1000 * 1000;
 
-/// Returns half the angle of a chord whose circle of `radius` is at most `error` away.
+/// Returns half the angle of a chord whose distance to a circle of `radius` is at most `error`.
 double half_angle(double radius, double error) {
   return std::acos(std::clamp(1 - error / radius, 0.0, 1.0));
 }
 
-/// Places without two in the same spot, and the curve's direction there.
+/// Distinct positions along a curve, and its unit tangents there.
 struct Axis {
   std::vector<Vec3> places, tangents;
   bool closed = false;
@@ -39,7 +39,7 @@ Axis axis_of(const NurbsCurve& curve, double tolerance, double turn) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec3& x = points[k].x;
     if (!out.places.empty() && (x - out.places.back()).norm() <= 1e-9 * extent) continue;
-    // Where control points coincide the curve has a direction, but no derivative.
+    // Where control points coincide, the derivative is zero: use the difference of the neighbouring points.
     const Vec3 ahead = points[std::min(k + 1, points.size() - 1)].x - points[k > 0 ? k - 1 : 0].x;
     const bool still = points[k].first.norm() <= 1e-9 * extent;
     out.places.push_back(x);
@@ -56,8 +56,8 @@ Vec3 any_across(const Vec3& tangent) {
   return tangent.cross(Vec3::Unit(least)).normalized();
 }
 
-/// Turns the sides, more and more along a ring, so that the last is the first.
-void close_sides(const Axis& axis, std::vector<Vec3>& sides) {
+/// Rotates the sides by an angle that grows along a ring, so that the last side equals the first.
+void close_frames(const Axis& axis, std::vector<Vec3>& sides) {
   const Vec3& tangent = axis.tangents.front();
   const double off =
       std::atan2(sides.back().cross(sides.front()).dot(tangent), sides.back().dot(sides.front()));
@@ -75,7 +75,8 @@ std::vector<Vec3> rotation_minimising_sides(std::span<const Vec3> places, std::s
                                             const Vec3& first) {
   std::vector<Vec3> out = {first};
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    // Reflected in the plane halfway to the next place, then in the one that takes the tangent there.
+    // Reflect in the bisector plane to the next position, then in the plane that maps the tangent to the one
+    // there.
     const Vec3 v1 = places[k + 1] - places[k];
     const double c1 = v1.squaredNorm();
     const Vec3 side = out[k] - (2 / c1) * v1.dot(out[k]) * v1;
@@ -89,18 +90,18 @@ std::vector<Vec3> rotation_minimising_sides(std::span<const Vec3> places, std::s
 }
 
 TriangleMesh tube_around(const NurbsCurve& curve, double diameter, double tolerance) {
-  // A third of the error each: of the axis, of what it turns along a piece, and around.
+  // A third of the tolerance each for: the axis, the turn along a segment, and the circumference.
   const double radius = diameter / 2, share = tolerance / 3;
   const double turn = std::min(widest_turn, 2 * half_angle(radius, share));
   Axis axis = axis_of(curve, share, turn);
   const auto sides = static_cast<std::uint32_t>(
       std::clamp(std::ceil(pi / half_angle(radius, share)), 1.0 * least_sides, 1.0 * most_sides));
   if (axis.places.size() * sides > most_vertices)
-    throw InputError(fmt::format("a tube of {} vertices within {} m; allow a larger tolerance",
+    throw InputError(fmt::format("a tube needs {} vertices for a tolerance of {} m; increase the tolerance",
                                  axis.places.size() * sides, tolerance));
   std::vector<Vec3> across =
       rotation_minimising_sides(axis.places, axis.tangents, any_across(axis.tangents.front()));
-  if (axis.closed) close_sides(axis, across);
+  if (axis.closed) close_frames(axis, across);
   const auto rings = static_cast<std::uint32_t>(axis.places.size()) - (axis.closed ? 1 : 0);
 
   TriangleMesh out;
@@ -128,8 +129,8 @@ TriangleMesh tube_around(const NurbsCurve& curve, double diameter, double tolera
   return out;
 }
 
-std::vector<Vec3> evenly_along(const NurbsCurve& curve, double length) {
-  // Lengths along a polygon so fine that its own is short of the curve's by a thousandth at most.
+std::vector<Vec3> equidistant_points(const NurbsCurve& curve, double length) {
+  // Arc lengths along a fine polyline, whose length is at most a thousandth shorter than the curve.
   const std::vector<double> fine = flatten(curve, length / 20, 0.1);
   std::vector<double> at = {0};
   std::vector<Vec3> places = {curve.at(fine.front())};

@@ -23,22 +23,24 @@
 #include "common/draft/toml_text.h"
 #include "common/error.h"
 #include "common/file_endings.h"
+#include "common/ids.h"
 #include "common/regular_file.h"
 #include "common/scene/label_table.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
+#include "common/scene_messages.h"
 #include "common/surface_files.h"
 #include "common/valid_text.h"
 
 namespace prosector {
 namespace {
 
-constexpr double tets_of_all = 8000, least_tets = 300, most_tets = 4000;  // that a draft's bodies have
-constexpr double tet_share = 0.128;                         // of the cube of its cell: a tetrahedron's volume
+constexpr double tets_of_all = 8000, least_tets = 300, most_tets = 4000;  // all bodies; one body
+constexpr double tet_share = 0.128;  // volume of a tetrahedron over the cube of its cell
 constexpr double finest_cell = 1e-3, coarsest_cell = 0.05;  // m
 constexpr double least_size = 1e-3, most_size = 10;         // m
-constexpr double drawn_toughness = 10;  // J/m²: a drawn blade cuts such tissue though nobody holds it taut
-constexpr double hold = 2e5;            // N/m⁴: what ties an organ to its place, as of [[atlas]]
+constexpr double drawn_toughness = 10;  // J/m²: low, so that a drawn blade cuts tissue that is not held taut
+constexpr double hold = 2e5;  // N/m⁴: stiffness of the springs that hold an organ in place, as in [[atlas]]
 constexpr std::array<std::string_view, 2> tet_endings = {".msh", ".vtk"};
 
 struct Unit {
@@ -49,16 +51,16 @@ struct Unit {
 constexpr std::array<Unit, 3> units = {
     {{"millimetres", "mm", 1e-3}, {"centimetres", "cm", 1e-2}, {"metres", "m", 1}}};
 
-/// One file of a surface or of tetrahedra, and what is known of it.
+/// One surface or tetrahedral mesh file and its properties.
 struct Part {
   std::filesystem::path file;
   std::string name;
   const Material* material = nullptr;
   bool rigid = false;
-  std::size_t tets = 0;  // that the file has; 0: a surface
-  TriangleMesh surface;  // in the file's unit; of tetrahedra their boundary
+  std::size_t tets = 0;  // number of tetrahedra in the file; 0: a surface
+  TriangleMesh surface;  // file units; boundary surface of a tetrahedral mesh
   Eigen::AlignedBox3d box;
-  double volume = 0;               // in the file's unit, of what a soft body is filled with
+  double volume = 0;               // file units: volume of the soft body's solids
   std::vector<std::string> notes;  // on how the file was read
 };
 
@@ -68,8 +70,8 @@ Eigen::AlignedBox3d box_of(const TriangleMesh& surface, const Pose& pose, double
   return out;
 }
 
-/// Returns how a scene in `folder` names the file: from there, or wholly where it lies elsewhere.
-std::string named_from(const std::filesystem::path& file, const std::filesystem::path& folder) {
+/// Returns the path of the file in the scene: relative to `folder`, or absolute if the file is elsewhere.
+std::string path_in_scene(const std::filesystem::path& file, const std::filesystem::path& folder) {
   const auto whole = std::filesystem::weakly_canonical(file);
   const auto relative = whole.lexically_relative(std::filesystem::weakly_canonical(folder));
   return relative.empty() || relative.native().starts_with("..") ? whole.string() : relative.string();
@@ -81,7 +83,7 @@ std::string spaced_name(const std::filesystem::path& file) {
   return name;
 }
 
-/// Returns the name that a body of this file gets, cut to what names may have.
+/// Returns the name of the body made from this file, cut to max_name_length.
 std::string name_of(const std::filesystem::path& file) {
   std::string name = spaced_name(file);
   if (name.size() > max_name_length && valid_utf8(name)) {
@@ -89,8 +91,8 @@ std::string name_of(const std::filesystem::path& file) {
     while (!valid_utf8(name) || name.ends_with(' ')) name.pop_back();
   }
   if (!valid_name(name))
-    throw InputError(fmt::format("{}: its name must do as a body's: 1 to {} bytes of UTF-8", file.string(),
-                                 max_name_length));
+    throw InputError(fmt::format("{}: its name must be usable as a body's name: 1 to {} bytes of UTF-8",
+                                 file.string(), max_name_length));
   return name;
 }
 
@@ -110,7 +112,7 @@ std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder
       out.push_back(entry.path());
   if (out.empty())
     throw InputError(
-        fmt::format("{}: holds no surface and no tetrahedral mesh; allowed: files that end in {} {}",
+        fmt::format("{}: contains no surface or tetrahedral mesh; allowed: files that end in {} {}",
                     folder.string(), fmt::join(surface_endings, " "), fmt::join(tet_endings, " ")));
   if (out.size() >= max_bodies)
     throw InputError(
@@ -119,9 +121,9 @@ std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder
   return out;
 }
 
-/// Finds the solid that fills a soft body. Throws InputError where the surface isn't closed, or where the
-/// largest of its separate solids is too small a share.
-void take_solid(Part& part) {
+/// Finds the solid of a soft body. Throws InputError if the surface isn't closed, or if the largest of its
+/// separate solids is too small a fraction.
+void find_solid(Part& part) {
   if (const SurfaceFaults faults = surface_faults(part.surface))
     throw InputError(faults.in_words() + " (--rigid)");
   SolidShells shells = solid_shells(part.surface);
@@ -135,11 +137,10 @@ void take_solid(Part& part) {
   part.volume = shells.solids.front();
   const double left_out = 100 * (1 - part.volume / all);
   const std::string said = fmt::format(
-      "holds {} separate solids, the largest of which has {:.3g} % of their volume. A body is one piece: "
-      "write each "
-      "into a file of its own",
+      "contains {} separate solids, the largest with {:.3g} % of their volume. A body is one piece: write "
+      "each to its own file",
       shells.solids.size(), 100 - left_out);
-  if (left_out > accepted_volume_error) throw InputError(said + ", or keep its shape (--rigid)");
+  if (left_out > accepted_volume_error) throw InputError(said + ", or make it rigid (--rigid)");
   part.notes.push_back(said);
 }
 
@@ -161,16 +162,16 @@ Part read_part(const std::filesystem::path& file, bool rigid) {
   }
   if (const std::string full = spaced_name(file); full != out.name)
     out.notes.push_back(
-        fmt::format("its name is longer than {} bytes: called \"{}\"", max_name_length, out.name));
-  out.material = &material_of(spaced_name(file));
-  if (out.tets > 0 && out.material->rigid) out.material = &materials().back();  // tetrahedra deform
+        fmt::format("its name is longer than {} bytes: shortened to \"{}\"", max_name_length, out.name));
+  out.material = &material_for_part(spaced_name(file));
+  if (out.tets > 0 && out.material->rigid) out.material = &materials().back();  // it is soft
   out.rigid = rigid || out.material->rigid;
-  if (!out.rigid && out.tets == 0) take_solid(out);
+  if (!out.rigid && out.tets == 0) find_solid(out);
   out.box = box_of(out.surface, Pose{}, 1);
   return out;
 }
 
-/// Reads all files, and says of every one that can't be used why.
+/// Reads all files. Throws InputError with the reason for each file that can't be used.
 std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, const DraftOptions& options) {
   std::vector<Part> out;
   std::string bad;
@@ -197,8 +198,8 @@ std::string exact_numbers(const Vec3& x) {
   return fmt::format("[{}, {}, {}]", x[0], x[1], x[2]);
 }
 
-/// Returns the point of the files that becomes the bodies' origin (file units): zero, or where they lie far
-/// from it the middle of all.
+/// Returns the point that becomes the bodies' origin (file units): zero, or the centre of all bodies if they
+/// are far from the files' origin.
 Vec3 origin_for(const Eigen::AlignedBox3d& box, double unit, std::vector<std::string>& notes) {
   constexpr double far = 10;  // m
   if (unit * box.center().norm() <= far) return Vec3::Zero();
@@ -217,14 +218,14 @@ double unit_of(const std::vector<Part>& parts, const DraftOptions& options, std:
     usual.push_back(part.material->usual_size);
     extents.push_back(part.box.sizes().maxCoeff());
   }
-  if (!options.unit) unit = guessed_unit(usual, extents);
+  if (!options.unit) unit = guess_unit(usual, extents);
   const auto known = std::ranges::find(units, unit, &Unit::metres);
   const Vec3 size = all.sizes();
-  notes.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} in the file{}: {} {}, {:.3g} m across{}", size[0],
-                              size[1], size[2], parts.size() > 1 ? "s" : "", options.unit ? "in" : "taken as",
-                              known == units.end() ? fmt::format("units of {} m", unit) : known->name,
-                              unit * size.maxCoeff(),
-                              options.unit ? "" : "; if that is wrong: --unit mm, cm or m"));
+  notes.push_back(
+      fmt::format("{:.4g} x {:.4g} x {:.4g} in the file{}: {} {}, {:.3g} m across{}", size[0], size[1],
+                  size[2], parts.size() > 1 ? "s" : "", options.unit ? "in" : "assumed to be",
+                  known == units.end() ? fmt::format("units of {} m", unit) : known->name,
+                  unit * size.maxCoeff(), options.unit ? "" : "; if that is wrong: --unit mm, cm or m"));
   const double across = unit * size.maxCoeff();
   if (!(across >= least_size && across <= most_size))
     throw InputError(fmt::format("{} m across; allowed: {} to {} m; choose --unit mm, cm or m", across,
@@ -232,7 +233,7 @@ double unit_of(const std::vector<Part>& parts, const DraftOptions& options, std:
   return unit;
 }
 
-/// Returns a cell for a solid that holds this volume within this surface (m³, m²).
+/// Returns the cell size (m) for a solid of this volume (m³) and surface area (m²).
 double cell_for(double volume, double area, double tets) {
   const double by_count = std::cbrt(volume / (tet_share * tets));
   const double thickness = 2 * volume / area;
@@ -260,17 +261,17 @@ std::string head(const std::string& name, const std::string& description) {
   return fmt::format("name = {}\ndescription = {}\n\n", toml_text(name), toml_text(description));
 }
 
-/// Writes what bodies of a surface have in common.
+/// Returns the TOML keys that rigid and soft bodies from a surface file share.
 template <class Desc>
 std::string body_text(const char* table, const Part& part, double unit, const Vec3& origin, const Pose& pose,
                       bool z_up, const std::filesystem::path& folder) {
   Desc desc;
-  make_of(*part.material, desc);
+  apply_material(*part.material, desc);
   return fmt::format(
       "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\n{}position = {}\n{}anatomy = true\n"
       "group = \"anatomy\"  # what lies against each other at rest needs no contacts\n"
       "touches = [\"default\", \"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
-      table, toml_text(part.name), toml_text(named_from(part.file, folder)), toml_number(unit),
+      table, toml_text(part.name), toml_text(path_in_scene(part.file, folder)), toml_number(unit),
       origin.isZero() ? "" : fmt::format("mesh_origin = {}\n", exact_numbers(origin)), toml_numbers(pose.p),
       rotation_text(z_up), toml_number(desc.density), part.material->rigid ? "bone" : "tissue",
       toml_numbers(desc.appearance.color), toml_number(desc.appearance.wetness));
@@ -279,15 +280,14 @@ std::string body_text(const char* table, const Part& part, double unit, const Ve
 std::string soft_text(const Part& part, double unit, const Pose& pose, double tets,
                       std::vector<std::string>& notes) {
   SoftDesc desc;
-  make_of(*part.material, desc);
+  apply_material(*part.material, desc);
   const double volume = part.volume * unit * unit * unit;
   const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
   const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
-  notes.push_back(
-      fmt::format("{}: {:.4g} ml of {}{}, {}", part.name, 1e6 * volume, part.material->name,
-                  part.material == &materials().back() ? " (its name says no material that is known)" : "",
-                  part.tets > 0 ? fmt::format("{} tetrahedra as in the file", part.tets)
-                                : fmt::format("cell {:.2g} mm", 1e3 * cell)));
+  notes.push_back(fmt::format("{}: {:.4g} ml of {}{}, {}", part.name, 1e6 * volume, part.material->name,
+                              part.material == &materials().back() ? " (no known material in its name)" : "",
+                              part.tets > 0 ? fmt::format("{} tetrahedra as in the file", part.tets)
+                                            : fmt::format("cell {:.2g} mm", 1e3 * cell)));
   const std::string cells = part.tets > 0 ? ""
                                           : fmt::format("cell = {}\nsurface_cell = {}\n", toml_number(cell),
                                                         toml_number(0.5 * cell));
@@ -299,11 +299,11 @@ std::string soft_text(const Part& part, double unit, const Pose& pose, double te
       toml_numbers(box.center()), toml_number(0.55 * box.sizes().norm()), toml_number(hold));
 }
 
-/// Lays a scalpel beside the bodies, unless none is wanted.
+/// Adds a scalpel next to the bodies, unless disabled.
 void add_scalpel(const Eigen::AlignedBox3d& box, const DraftOptions& options, Draft& out) {
   if (!options.scalpel) return;
-  out.toml += scalpel_beside(box);
-  out.notes.emplace_back("a scalpel lies on the table, to the right (without: --no-scalpel)");
+  out.toml += scalpel_toml(box);
+  out.notes.emplace_back("a scalpel is on the table, to the right (omit it with --no-scalpel)");
 }
 
 Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
@@ -322,17 +322,17 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
   Pose pose{Vec3::Zero(), rotation(z_up)};
   Eigen::AlignedBox3d box;
   for (const Part& part : parts) box.extend(box_of(part.surface, pose, unit));
-  pose.p = onto_table(box);
+  pose.p = shift_onto_table(box);
   box.translate(pose.p);
   const auto soft = static_cast<double>(std::ranges::count(parts, false, &Part::rigid));
   const double tets = std::clamp(tets_of_all / std::max(soft, 1.), least_tets, most_tets);
   out.toml = head(name, parts.size() == 1 ? "Drafted from " + files.front().filename().string()
                                           : fmt::format("Drafted from {} files", parts.size())) +
-             setting_for(box);
+             setting_toml(box);
   for (const Part& part : parts) {
     if (part.rigid) {
       out.toml += body_text<RigidDesc>("rigid", part, unit, origin, pose, z_up, folder);
-      out.notes.push_back(fmt::format("{}: keeps its shape ({})", part.name, part.material->name));
+      out.notes.push_back(fmt::format("{}: rigid ({})", part.name, part.material->name));
     } else {
       out.toml += body_text<SoftDesc>("soft", part, unit, origin, pose, z_up, folder) +
                   soft_text(part, unit, pose, tets, out.notes);
@@ -342,8 +342,9 @@ Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem:
   return out;
 }
 
-/// Finds the table of a label map: map.nii.gz beside map.csv, map.txt, map.nii.csv or map.nii.txt.
-std::filesystem::path labels_beside(const std::filesystem::path& map) {
+/// Returns the label table of a label map: for map.nii.gz the first of map.nii.csv, map.nii.txt, map.csv,
+/// map.txt that exists.
+std::filesystem::path find_label_table(const std::filesystem::path& map) {
   std::filesystem::path stem = map;
   if (has_ending(stem.native(), ".gz")) stem.replace_extension();
   for (const auto& base : {stem, std::filesystem::path(stem).replace_extension()})
@@ -353,9 +354,9 @@ std::filesystem::path labels_beside(const std::filesystem::path& map) {
   return {};
 }
 
-/// Returns how many of the neighbours along x that both have labels have different ones: few within
-/// structures, most in a picture's grey values.
-double unlike_neighbours(const Volume& volume) {
+/// Returns the fraction of x-neighbours, both labelled, that have different labels. It is low for label maps
+/// and high for grey-value images.
+double unequal_neighbour_fraction(const Volume& volume) {
   std::size_t pairs = 0, unlike = 0;
   for (std::size_t i = 1; i < volume.values.size(); ++i) {
     const float a = volume.values[i - 1], b = volume.values[i];
@@ -366,11 +367,12 @@ double unlike_neighbours(const Volume& volume) {
   return pairs == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pairs);
 }
 
-/// Returns the box of all structures but specks, in the volume's frame (m).
+/// Returns the bounding box of all structures with at least min_structure_voxels voxels, in the volume's
+/// frame (m).
 Eigen::AlignedBox3d labelled_box(const Volume& volume, const std::map<int, std::size_t>& voxels) {
   std::set<float> labels;
   for (const auto& [label, count] : voxels)
-    if (count >= least_voxels) labels.insert(static_cast<float>(label));
+    if (count >= min_structure_voxels) labels.insert(static_cast<float>(label));
   Eigen::AlignedBox3d out;
   std::size_t at = 0;
   for (std::int64_t k = 0; k < volume.dims[2]; ++k)
@@ -382,8 +384,8 @@ Eigen::AlignedBox3d labelled_box(const Volume& volume, const std::map<int, std::
   return out;
 }
 
-/// Returns, as TOML, how the patient of a volume with the axes right, anterior, superior lies once it is
-/// turned.
+/// Returns the [patient] table as TOML for a volume with the axes right, anterior, superior, rotated by
+/// `turn`.
 std::string patient_of(const Quat& turn) {
   return fmt::format("\n[patient]\nright = {}\nhead = {}\n", toml_numbers(turn * Vec3::UnitX()),
                      toml_numbers(turn * Vec3::UnitZ()));
@@ -395,19 +397,18 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   const Volume volume = load_volume(map);
   out.notes = volume.notes;
   const auto voxels = count_labels(volume, map.string());
-  const auto is_structure = [](const auto& entry) { return entry.second >= least_voxels; };
+  const auto is_structure = [](const auto& entry) { return entry.second >= min_structure_voxels; };
   if (std::ranges::none_of(voxels, is_structure))
-    throw InputError(fmt::format("{}: no label has as many as {} voxels", map.string(), least_voxels));
-  if (unlike_neighbours(volume) > 0.5)
-    throw InputError(
-        fmt::format("{}: most neighbouring voxels differ: grey values, no label map. Write a [[soft]] or "
-                    "[[rigid]] body with "
-                    "this volume and a threshold (docs/look-up/scene.md), or label it first",
-                    map.string()));
-  const auto labels = options.labels.empty() ? labels_beside(map) : options.labels;
+    throw InputError(fmt::format("{}: no label has {} voxels or more", map.string(), min_structure_voxels));
+  if (unequal_neighbour_fraction(volume) > 0.5)
+    throw InputError(fmt::format(
+        "{}: not a label map: most neighbouring voxels differ, as in grey values. Write a [[soft]] or "
+        "[[rigid]] body with this volume and a threshold (docs/look-up/scene.md), or segment it first",
+        map.string()));
+  const auto labels = options.labels.empty() ? find_label_table(map) : options.labels;
   out.notes.push_back(
       labels.empty()
-          ? fmt::format("{} labels, by number: name them in a table (--labels FILE)", voxels.size())
+          ? fmt::format("{} labels, by number: provide their names in a table (--labels FILE)", voxels.size())
           : fmt::format("{} labels, names from {}", voxels.size(), labels.string()));
   if (!labels.empty()) (void)load_labels(labels);
   const bool z_up = options.z_up.value_or(true);
@@ -416,15 +417,15 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   const Eigen::AlignedBox3d in_volume = labelled_box(volume, voxels);
   for (int corner = 0; corner < 8; ++corner)
     box.extend(pose * Vec3(in_volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
-  pose.p = onto_table(box);
+  pose.p = shift_onto_table(box);
   box.translate(pose.p);
-  out.toml = head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
+  out.toml = head(name, "Drafted from " + map.filename().string()) + setting_toml(box) +
              (volume.oriented ? patient_of(pose.q) : "") +
              fmt::format(
                  "\n[[atlas]]\nvolume = {}\n{}max_volume_error = \"40 %\"  # thin structures lose volume at "
                  "this cell; the server reports how much\nposition = {}\n{}",
-                 toml_text(named_from(map, folder)),
-                 labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
+                 toml_text(path_in_scene(map, folder)),
+                 labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(path_in_scene(labels, folder))),
                  toml_numbers(pose.p), rotation_text(z_up));
   add_scalpel(box, options, out);
   return out;
@@ -435,22 +436,22 @@ Draft draft(const std::filesystem::path& source, const std::filesystem::path& fo
   const std::filesystem::path whole = std::filesystem::weakly_canonical(source);
   if (std::filesystem::is_directory(source))
     return draft_surfaces(name_of(whole), bodies_in(source), folder, options);
-  refuse_special_file(source);
+  require_regular_file(source);
   if (!std::filesystem::exists(source))
     throw InputError(fmt::format("{}: no such file or folder", source.string()));
   if (is_body_file(source)) return draft_surfaces(name_of(whole), {source}, folder, options);
   if (has_ending(source.native(), volume_endings))
     return draft_atlas(name_of(std::filesystem::path(whole).replace_extension()), source, folder, options);
   throw InputError(
-      fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a tetrahedral mesh ({}), "
-                  "a folder of these, or a label map ({})",
+      fmt::format("{}: unsupported; allowed: a surface ({}), a tetrahedral mesh ({}), a folder of these, or "
+                  "a label map ({})",
                   source.string(), fmt::join(surface_endings, " "), fmt::join(tet_endings, " "),
                   fmt::join(volume_endings, " ")));
 }
 
 }  // namespace
 
-double guessed_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents) {
+double guess_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents) {
   const auto off = [&](double metres) {
     double out = 0;
     for (std::size_t i = 0; i < extents.size(); ++i) out += std::log(metres * extents[i] / usual_sizes[i]);
@@ -462,7 +463,7 @@ double guessed_unit(const std::vector<double>& usual_sizes, const std::vector<do
 Draft draft_scene(const std::filesystem::path& source, const std::filesystem::path& folder,
                   const DraftOptions& options) {
   Draft out = draft(source, folder, options);
-  parse_scene(out.toml, folder / "draft.toml");  // what is written is a scene
+  parse_scene(out.toml, folder / "draft.toml");  // Check that the result is a valid scene.
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's first draft, made from files of anatomy: what `prosector-scene new` writes.
+// Draft scene made from anatomy files: the output of `prosector-scene new`.
 
 #include <filesystem>
 #include <optional>
@@ -9,31 +9,31 @@
 namespace prosector {
 
 struct DraftOptions {
-  std::optional<double> unit = {};    // m: of surface files; none: guessed by size
-  std::optional<bool> z_up = {};      // of the files' frame; none: volumes yes, surfaces no
-  bool rigid = false;                 // every surface keeps its shape, and may be open
-  bool scalpel = true;                // one lies beside what can be cut
-  std::filesystem::path labels = {};  // of a label map; empty: looked for beside it
+  std::optional<double> unit = {};  // m: unit of surface files; nullopt: guessed from their size
+  std::optional<bool> z_up = {};  // the files' frame has z up; nullopt: true for volumes, false for surfaces
+  bool rigid = false;             // all surfaces become rigid bodies, which may be open
+  bool scalpel = true;            // add a scalpel next to the bodies that can be cut
+  std::filesystem::path labels = {};  // of a label map; empty: searched next to it
 };
 
 struct Draft {
   std::string toml;
-  std::vector<std::string> notes;  // lines for people: what was assumed, and how to say otherwise
+  std::vector<std::string> notes;  // messages for users: assumptions made, and how to change them
 };
 
-/// Makes a scene of what `source` holds: a surface, a tetrahedral mesh, all of these in a folder, or a label
-/// map. The scene has the bodies by name and material, cells by their size, a table under them and a scalpel
-/// beside what can be cut. A camera shows them all, in light. Paths in it are those from `folder`, where it
-/// will be written. Throws InputError for
-///   a source that is none of these, or holds no surface or tetrahedral mesh
-///   surfaces that aren't closed, unless they may be open; every one of a folder is named
-///   two files of one name
-///   sizes that no unit makes a body of 1 mm to 10 m
+/// Creates a scene from `source`: a surface, a tetrahedral mesh, a folder of both, or a label map. The scene
+/// has bodies with material by file name and cell size by body size, a table, a scalpel next to bodies that
+/// can be cut, a camera and lights. Paths in the scene are relative to `folder`, where it will be written.
+/// Throws InputError for
+///   a source that is none of these, or has no surface or tetrahedral mesh
+///   surfaces that aren't closed, unless they may be open; all such files of a folder are named
+///   two files with the same name
+///   sizes for which no unit gives a body of 1 mm to 10 m
 Draft draft_scene(const std::filesystem::path& source, const std::filesystem::path& folder,
                   const DraftOptions& options);
 
-/// Guesses the unit (m) of files in which parts of these usual sizes (m) have these extents: mm, cm or m,
-/// whichever comes nearest.
-double guessed_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents);
+/// Guesses the unit (m) of files from the usual sizes (m) of their parts and the extents in the file: the one
+/// of mm, cm and m that fits best.
+double guess_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents);
 
 }  // namespace prosector

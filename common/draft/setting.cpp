@@ -5,17 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/appearance.h"
 #include "common/draft/toml_text.h"
-#include "common/messages.h"
+#include "common/math.h"
 
 namespace prosector {
 
-Vec3 onto_table(const Eigen::AlignedBox3d& box) {
+Vec3 shift_onto_table(const Eigen::AlignedBox3d& box) {
   const Vec3 middle = box.center();
   return {-middle[0], table_top + above_table - box.min()[1], -middle[2]};
 }
 
-std::string scalpel_beside(const Eigen::AlignedBox3d& box) {
+std::string scalpel_toml(const Eigen::AlignedBox3d& box) {
   constexpr double beside = 0.06, half_handle = 0.002;  // m
   return fmt::format(
       R"(
@@ -49,7 +50,7 @@ roughness = 0.2
       scalpel_name, toml_numbers({box.max()[0] + beside, table_top + half_handle, 0}));
 }
 
-std::string setting_for(const Eigen::AlignedBox3d& box) {
+std::string setting_toml(const Eigen::AlignedBox3d& box) {
   const double radius = 0.5 * box.sizes().norm();
   const Vec3 middle = box.center();
   const double far = 1.15 * radius / std::sin(0.5 * CameraInfo{}.fov);

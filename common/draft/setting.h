@@ -1,6 +1,5 @@
 #pragma once
-// What stands around the bodies of a draft: a table under them, a scalpel beside them, a camera that shows
-// them all, lights.
+// The surroundings of a draft scene's bodies: a table, a scalpel, a camera that shows all bodies, and lights.
 
 #include <string>
 #include <string_view>
@@ -10,18 +9,18 @@
 namespace prosector {
 
 inline constexpr double table_top = 0.9;     // m above the floor
-inline constexpr double above_table = 2e-3;  // m: of what stands on it
+inline constexpr double above_table = 2e-3;  // m: gap between the table and the bodies on it
 
-/// Returns camera, table and lights as TOML, for bodies that fill `box` (m, in the room).
-std::string setting_for(const Eigen::AlignedBox3d& box);
+/// Returns camera, table and lights as TOML. `box` (m, room frame) bounds the bodies.
+std::string setting_toml(const Eigen::AlignedBox3d& box);
 
 inline constexpr std::string_view scalpel_name = "scalpel",
                                   table_name = "table";  // of the draft's own bodies
 
-/// Returns a scalpel as TOML that lies on the table, to the right of bodies that fill `box` (m, in the room).
-std::string scalpel_beside(const Eigen::AlignedBox3d& box);
+/// Returns as TOML a scalpel on the table, to the right of the bodies bounded by `box` (m, room frame).
+std::string scalpel_toml(const Eigen::AlignedBox3d& box);
 
-/// Returns the shift that puts what fills `box` onto the middle of the table.
-Vec3 onto_table(const Eigen::AlignedBox3d& box);
+/// Returns the translation that moves `box` onto the middle of the table.
+Vec3 shift_onto_table(const Eigen::AlignedBox3d& box);
 
 }  // namespace prosector

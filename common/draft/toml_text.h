@@ -1,5 +1,5 @@
 #pragma once
-// Values as TOML writes them.
+// Formatting of values as TOML.
 
 #include <string>
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-/// Returns a string in quotes, with what TOML wants escaped.
+/// Returns a quoted string with TOML escapes.
 std::string toml_text(std::string_view text);
 
-/// Returns a number, rounded to five digits.
+/// Returns a number rounded to five significant digits.
 std::string toml_number(double x);
 std::string toml_numbers(const Vec3& v);
 

@@ -12,7 +12,7 @@ constexpr Range degree{1, max_degree};
 constexpr Range size{0, 10, true};
 constexpr Range tolerance{1e-6, 1, false};
 constexpr const char* about_knots =
-    "bspline: points + degree + 1 of them, rising; none given: uniform, with ends that are met";
+    "bspline: points + degree + 1 values, non-decreasing; default: uniform and clamped at the ends";
 
 template <class Struct, auto... Path>
 Field list(std::string_view key, Hashed hashed, std::string_view unit, Range range,
@@ -25,27 +25,27 @@ Field list(std::string_view key, Hashed hashed, std::string_view unit, Range ran
 template <class Struct>
 Table with_tolerance(Table table) {
   table.fields.push_back(number<Struct, &Struct::tolerance>(
-      "tolerance", compiled, "m", tolerance, "how far its triangles may be from the true surface, at most"));
+      "tolerance", compiled, "m", tolerance, "maximum distance of its triangles from the true surface"));
   return table;
 }
 
-/// Keeps the key for scenes written for 0.1.
+/// Adds the unused key `tolerance`, for compatibility with scenes of version 0.1.
 template <class Struct>
 Table with_unused_tolerance(Table table) {
-  table.fields.push_back(number<Struct, &Struct::tolerance>(
-      "tolerance", not_hashed, "m", tolerance,
-      "deprecated: it has no effect; `cell` of the body sets how finely the line or surface is followed"));
+  table.fields.push_back(
+      number<Struct, &Struct::tolerance>("tolerance", not_hashed, "m", tolerance,
+                                         "deprecated, no effect; the body's `cell` sets the resolution"));
   return table;
 }
 
-/// Returns the fields of a curve given by control points, whether a tube is laid around it or it is a side.
+/// Returns the fields of a curve given by control points: a tube's centre line, or a side of a patch.
 std::vector<Field> spline_rows(std::vector<std::string_view> kinds, std::string_view about) {
   using C = CurveDesc;
   return {words<C, &C::kind>("kind", compiled, std::move(kinds), about),
           list<C, &C::points>("points", compiled, "m", coordinate, "control points of a bezier or bspline"),
-          list<C, &C::weights>("weights", compiled, "", weight, "of the points; none given: all 1"),
+          list<C, &C::weights>("weights", compiled, "", weight, "weights of the points; default: all 1"),
           number<C, &C::degree>("degree", compiled, "", degree,
-                                "bspline; a bezier's is one less than its points"),
+                                "degree of a bspline; a bezier's is its number of points minus one"),
           list<C, &C::knots>("knots", compiled, "", knot, about_knots)};
 }
 
@@ -65,7 +65,7 @@ Table curve_table(std::string_view name, std::string_view about) {
                                               "conics: t where the arc begins; ellipse: rad"),
                           number<C, &C::to>("to", compiled, "", {-10, 10},
                                             "conics: t where it ends; ellipse: at most 2π more"),
-                          number<C, &C::diameter>("diameter", compiled, "m", size, "of the tube")})
+                          number<C, &C::diameter>("diameter", compiled, "m", size, "diameter of the tube")})
     t.fields.push_back(std::move(field));
   add_pose<C>(t.fields, "the curve's origin in the body's frame");
   return t;
@@ -73,9 +73,8 @@ Table curve_table(std::string_view name, std::string_view about) {
 
 Table side_table(std::string_view name) {
   return {name,
-          "The side of a revolved patch, or a Coons patch's four, which meet at the corners. "
-          "Their order is: along u at v = 0, along u at v = 1, along v at u = 0, "
-          "along v at u = 1.",
+          "The profile of a revolved patch, or one of a Coons patch's four sides, which meet at the corners. "
+          "Order: along u at v = 0, along u at v = 1, along v at u = 0, along v at u = 1.",
           spline_rows({"bezier", "bspline"}, ""),
           {},
           fresh<CurveDesc>};
@@ -87,16 +86,16 @@ Table patch_table(std::string_view name, std::string_view about, const Table& (*
       name,
       about,
       {words<P, &P::kind>("kind", compiled, {"bezier", "bspline", "coons", "revolved"},
-                          "a tensor product, a Coons patch between four sides, or one side in the x-y "
-                          "plane, at x >= 0, turned about y"),
+                          "a tensor product, a Coons patch between four sides, or one profile in the x-y "
+                          "plane, at x >= 0, revolved about y"),
        list<P, &P::points>("points", compiled, "m", coordinate, "control points, row by row along u"),
-       number<P, &P::columns>("columns", compiled, "", {2, max_control_points}, "how many points a row has"),
-       list<P, &P::weights>("weights", compiled, "", weight, "of the points; none given: all 1"),
+       number<P, &P::columns>("columns", compiled, "", {2, max_control_points}, "number of points in a row"),
+       list<P, &P::weights>("weights", compiled, "", weight, "weights of the points; default: all 1"),
        number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline"),
        number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline"),
        list<P, &P::knots_u>("knots_u", compiled, "", knot, about_knots),
        list<P, &P::knots_v>("knots_v", compiled, "", knot, about_knots),
-       number<P, &P::thickness>("thickness", compiled, "m", size, "half of it on either side")},
+       number<P, &P::thickness>("thickness", compiled, "m", size, "thickness, half of it on either side")},
       {{"side", side, true, 4, items<P, &P::sides>}},
       fresh<P>};
   add_pose<P>(t.fields, "the patch's origin in the body's frame");
@@ -117,7 +116,7 @@ const Table& soft_side_table() {
 
 const Table& rigid_curve_table() {
   static const Table table = with_tolerance<CurveDesc>(curve_table(
-      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring where the curve closes smoothly."));
+      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring if the curve closes smoothly."));
   return table;
 }
 
@@ -129,15 +128,13 @@ const Table& rigid_patch_table() {
 
 const Table& soft_curve_table() {
   static const Table table = with_unused_tolerance<CurveDesc>(curve_table(
-      "[[soft.curve]]",
-      "The line along which a rope lies at rest, with its diameter; free of forces it is straight."));
+      "[[soft.curve]]", "Centre line of a rope at rest, with its diameter; its unloaded shape is straight."));
   return table;
 }
 
 const Table& soft_patch_table() {
   static const Table table = with_unused_tolerance<PatchDesc>(patch_table(
-      "[[soft.patch]]",
-      "The surface over which a sheet lies at rest, with its thickness; free of forces it is flat.",
+      "[[soft.patch]]", "Middle surface of a sheet at rest, with its thickness; its unloaded shape is flat.",
       soft_side_table));
   return table;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One function per kind of value; each row of a field table is one call. Private to common/scene.
+// Functions that make the rows of the field tables, one per value type. Private to common/scene.
 
 #include <memory>
 #include <optional>
@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/ids.h"
 #include "common/scene/scene_fields.h"
 
 namespace prosector {
@@ -17,7 +18,8 @@ inline constexpr Range coordinate{-max_coordinate, max_coordinate};
 inline constexpr Range unit_interval{0, 1};
 inline constexpr Range friction{0, 10};
 
-/// Returns the field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
+/// Returns a pointer to the member reached by a chain of member pointers: in<RigidDesc, &RigidDesc::pose,
+/// &Pose::p>.
 template <class Struct, auto... Path>
 FieldRef in(void* object) {
   return &(*static_cast<Struct*>(object).*....*Path);
@@ -37,7 +39,7 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Adds a struct to the list `Member`, or makes the one that `Member` may hold, and returns it.
+/// Appends a struct to the list `Member`, or emplaces the optional `Member`; returns the struct.
 template <class Struct, auto Member>
 void* add_item(void* object) {
   auto& member = static_cast<Struct*>(object)->*Member;
@@ -50,7 +52,7 @@ void* add_item(void* object) {
     return &member;
 }
 
-/// Returns the structs that `Member` holds: a list's elements, an optional's value, or itself.
+/// Returns the structs in `Member`: a list's elements, an optional's value, or the member itself.
 template <class Struct, auto Member>
 std::vector<void*> present_items(void* object) {
   auto& member = static_cast<Struct*>(object)->*Member;
@@ -139,7 +141,7 @@ Field names(std::string_view key, Hashed hashed, std::string_view description) {
           .description = description};
 }
 
-/// Adds the pose that rigid parts, rigid bodies and soft bodies share.
+/// Adds the pose fields shared by rigid parts, rigid bodies and soft bodies.
 template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
   fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", compiled, "m", coordinate, frames));

@@ -21,7 +21,7 @@ void add(ByteWriter& out, const std::vector<T>& list) {
   for (const T& value : list) out.add(value);
 }
 
-/// Returns a field's value as bytes; of lists after their length.
+/// Returns a field's value as bytes; a list is preceded by its length.
 std::vector<std::uint8_t> bytes_of(const FieldRef& ref) {
   ByteWriter out;
   std::visit([&](const auto* value) { add(out, *value); }, ref);
@@ -42,13 +42,13 @@ void add_table(const Table& table, void* object, ByteWriter& out) {
       out.add(std::string(child.key));
       add_table(child.table(), item, out);
     }
-  out.add(std::string());  // ends the table: no key is empty
+  out.add(std::string());  // marks the end of the table: no key is empty
 }
 
 }  // namespace
 
 void add_values(const SceneDesc& scene, ByteWriter& out) {
-  SceneDesc copy = scene;  // the tables hand out pointers to what may be changed
+  SceneDesc copy = scene;  // the tables return non-const pointers
   add_table(scene_table(), &copy, out);
 }
 

@@ -1,13 +1,13 @@
 #pragma once
-// The values of a scene as bytes, for hashes.
+// Serialisation of a scene's values for hashing.
 
 #include "common/byte_stream.h"
 #include "common/scene/scene.h"
 
 namespace prosector {
 
-/// Adds the keys that are hashed by value (Hashed) and differ from their defaults, in the tables' order.
-/// Scenes have equal bytes if and only if these keys have equal values.
+/// Appends the keys that are hashed by value (Hashed::by_value) and differ from their defaults, in table
+/// order. Two scenes give equal bytes if and only if these keys have equal values.
 void add_values(const SceneDesc& scene, ByteWriter& out);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// What is allowed in a scene, but hardly what its author wants.
+// Hints about scene content that is allowed but probably not intended.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Returns lines for people, each saying what is odd and what to write instead; none: nothing is.
+/// Returns messages for the author, each with an oddity and its remedy; empty if there is none.
 std::vector<std::string> scene_hints(const SceneDesc& scene);
 
 }  // namespace prosector

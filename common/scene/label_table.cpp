@@ -10,9 +10,11 @@
 #include <map>
 
 #include "common/error.h"
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "common/regular_file.h"
 #include "common/scene/suggest.h"
+#include "common/scene_messages.h"
 #include "common/valid_text.h"
 
 namespace prosector {
@@ -28,20 +30,20 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-/// Returns the number that is all of `text`.
-std::optional<int> whole_number(std::string_view text) {
+/// Returns the integer if `text` is exactly one, else nullopt.
+std::optional<int> parse_integer(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
-double linear(int byte) {  // of sRGB (IEC 61966-2-1)
+double linear(int byte) {  // sRGB to linear (IEC 61966-2-1)
   const double c = byte / 255.;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/// Reads a table line by line; what it refuses names the file and the line.
+/// Parses a label table line by line; errors name the file and the line.
 class LabelReader {
  public:
   LabelReader(std::string_view text, const std::string& file) : text_(text) { table_.file = file; }
@@ -51,12 +53,12 @@ class LabelReader {
       if (columns_.empty() && table_.labels.empty() && is_header(line_))
         read_header();
       else if (columns_.empty())
-        read_listed();
+        parse_list_line();
       else
         read_row();
     }
     if (table_.labels.empty())
-      throw InputError(fmt::format("{}: names nothing; allowed: at least one label", table_.file));
+      throw InputError(fmt::format("{}: no labels; at least one is needed", table_.file));
     return std::move(table_);
   }
 
@@ -64,14 +66,14 @@ class LabelReader {
   enum class Kind { id, name, term, color, local };
   struct Column {
     Kind kind;
-    std::string language;  // of a local one
+    std::string language;  // of a column name.LANGUAGE
   };
 
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(fmt::format("{}:{}: {}", table_.file, number_, what));
   }
 
-  /// Moves to the next line that says something; false: there is none.
+  /// Advances to the next line that is neither empty nor a comment. Returns false at the end.
   bool next_line() {
     while (!text_.empty()) {
       const std::size_t end = std::min(text_.find('\n'), text_.size());
@@ -87,10 +89,10 @@ class LabelReader {
   }
 
   static bool is_header(std::string_view line) {
-    return !whole_number(line.substr(0, line.find_first_of(" \t,")));
+    return !parse_integer(line.substr(0, line.find_first_of(" \t,")));
   }
 
-  /// Splits the line at commas; a cell in double quotes may hold commas, and quotes written twice.
+  /// Splits the line at commas. A cell in double quotes may contain commas, and quotes written twice.
   std::vector<std::string> cells() const {
     std::vector<std::string> out(1);
     bool quoted = false;
@@ -105,7 +107,7 @@ class LabelReader {
       else
         out.back() += c;
     }
-    if (quoted) fail("a quote that nothing closes");
+    if (quoted) fail("unclosed quote");
     for (std::string& cell : out) cell = trimmed(cell);
     return out;
   }
@@ -113,8 +115,7 @@ class LabelReader {
   void read_header() {
     std::vector<std::string> seen;
     for (const std::string& cell : cells()) {
-      if (std::ranges::find(seen, cell) != seen.end())
-        fail(fmt::format("column \"{}\" is there twice", cell));
+      if (std::ranges::find(seen, cell) != seen.end()) fail(fmt::format("duplicate column \"{}\"", cell));
       columns_.push_back(column(cell));
       seen.push_back(cell);
     }
@@ -137,7 +138,7 @@ class LabelReader {
     if (title.starts_with(local)) {
       const std::string language = title.substr(local.size());
       if (is_language_tag(language)) return {Kind::local, language};
-      fail(fmt::format("column \"{}\": \"{}\" is no language tag; allowed: for instance de, tr, pt-BR", title,
+      fail(fmt::format("column \"{}\": \"{}\" is not a language tag; allowed: e.g. de, tr, pt-BR", title,
                        language));
     }
     constexpr std::array<std::string_view, 4> known = {"id", "name", "ta", "color"};
@@ -148,7 +149,7 @@ class LabelReader {
   void read_row() {
     const std::vector<std::string> row = cells();
     if (row.size() != columns_.size())
-      fail(fmt::format("{} cells; the first row names {} columns", row.size(), columns_.size()));
+      fail(fmt::format("{} cells; the header row has {} columns", row.size(), columns_.size()));
     Label label;
     for (std::size_t i = 0; i < row.size(); ++i)
       if (!row[i].empty()) read_cell(columns_[i], row[i], label);
@@ -179,7 +180,7 @@ class LabelReader {
   }
 
   int id(std::string_view cell) const {
-    const std::optional<int> value = whole_number(cell);
+    const std::optional<int> value = parse_integer(cell);
     if (!value || *value < 1 || *value > max_label)
       fail(fmt::format("id = \"{}\": must be a whole number in [1, {}]", cell, max_label));
     return *value;
@@ -189,13 +190,13 @@ class LabelReader {
     unsigned rgb = 0;
     const auto [end, error] = std::from_chars(cell.data() + 1, cell.data() + cell.size(), rgb, 16);
     if (cell.size() != 7 || cell.front() != '#' || error != std::errc{} || end != cell.data() + cell.size())
-      fail(fmt::format("color = \"{}\": must be #rrggbb, for instance #b8443a", cell));
+      fail(fmt::format("color = \"{}\": must be #rrggbb, e.g. #b8443a", cell));
     return {linear(static_cast<int>(rgb >> 16)), linear(static_cast<int>(rgb >> 8 & 0xff)),
             linear(static_cast<int>(rgb & 0xff))};
   }
 
-  /// Reads a line such as "12 Frontal_Inf 2301" or "12 Frontal_Inf 221 130 101 255".
-  void read_listed() {
+  /// Parses a line such as "12 Frontal_Inf 2301" or "12 Frontal_Inf 221 130 101 255".
+  void parse_list_line() {
     std::vector<std::string_view> words;
     for (std::string_view rest = line_; !rest.empty();) {
       const std::size_t end = std::min(rest.find_first_of(blank), rest.size());
@@ -203,21 +204,21 @@ class LabelReader {
       rest = trimmed(rest.substr(end));
     }
     if (words.size() < 2) fail("a number without a name; allowed: a number, a name, a code or a colour");
-    if (words.front() == "0") return;  // what belongs to no structure
+    if (words.front() == "0") return;  // background
     Label label;
     label.id = id(words[0]);
     label.name = words[1];
     std::ranges::replace(label.name, '_', ' ');
-    label.color = listed_color(words);
+    label.color = parse_listed_color(words);
     add(std::move(label));
   }
 
-  std::optional<Vec3> listed_color(const std::vector<std::string_view>& words) const {
+  std::optional<Vec3> parse_listed_color(const std::vector<std::string_view>& words) const {
     if (words.size() <= 3) return std::nullopt;  // a code, or nothing
-    if (words.size() > 6) fail("more than a number, a name and a colour; a name's blanks are written _");
+    if (words.size() > 6) fail("more than a number, a name and a colour; write spaces in names as _");
     Vec3 color;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::optional<int> byte = words.size() > 2 + k ? whole_number(words[2 + k]) : std::nullopt;
+      const std::optional<int> byte = words.size() > 2 + k ? parse_integer(words[2 + k]) : std::nullopt;
       if (!byte || *byte < 0 || *byte > 255) fail("a colour is three or four whole numbers in [0, 255]");
       color[static_cast<int>(k)] = linear(*byte);
     }
@@ -234,9 +235,9 @@ class LabelReader {
     if (label.name.empty()) fail("name is missing");
     check_name("name", label.name);
     if (label.id > 0 && !ids_.emplace(label.id, number_).second)
-      fail(fmt::format("id {} is there already, in line {}; ids must differ", label.id, ids_[label.id]));
+      fail(fmt::format("id {} is already used in line {}; ids must differ", label.id, ids_[label.id]));
     if (!names_.emplace(label.name, number_).second)
-      fail(fmt::format("name \"{}\" is there already, in line {}; names must differ", label.name,
+      fail(fmt::format("name \"{}\" is already used in line {}; names must differ", label.name,
                        names_[label.name]));
     table_.labels.push_back(std::move(label));
   }
@@ -245,7 +246,7 @@ class LabelReader {
   int number_ = 0;
   LabelTable table_;
   std::vector<Column> columns_;
-  std::map<int, int> ids_;  // and the lines that they are in
+  std::map<int, int> ids_;  // line number of each id
   std::map<std::string, int> names_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Tables of names: of a label map's structures, or of a scene's bodies, in several languages.
+// Label tables: names of a label map's structures, or of a scene's bodies, in several languages.
 
 #include <filesystem>
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace prosector {
 
-/// One row: a structure or body, and what it is called.
+/// One row: a structure or body and its names.
 struct Label {
-  int id = 0;  // of a label map; 0: known by its name alone
+  int id = 0;  // number in the label map; 0: identified by name only
   std::string name;
   std::vector<LocalName> names;  // in other languages
   std::string term;              // entry of Terminologia Anatomica (1998); empty: none
@@ -22,21 +22,21 @@ struct Label {
 };
 
 struct LabelTable {
-  std::string file;  // for messages
+  std::string file;  // for error messages
   std::vector<Label> labels;
 
-  /// Returns the row of this number, or name; null: there is none.
+  /// Returns the row with this number, or this name; null if there is none.
   const Label* find(int id) const;
   const Label* find(std::string_view name) const;
 };
 
-/// Reads a table from text; `file` is for messages. Two forms are read:
-///   CSV whose first row names the columns: name, and any of id, ta, color, name.LANGUAGE. Colours are
+/// Parses a table; `file` is used in messages. Two formats are accepted:
+///   CSV whose first row names the columns: name, and optionally id, ta, color, name.LANGUAGE. Colours are
 ///   #rrggbb (sRGB).
-///   lines of a number and a name, as atlases come with: "12 Frontal_Inf", then a code, or red, green, blue
-///   (and alpha) in 0 … 255. Underscores become blanks.
-/// Empty lines, and lines that begin with #, are skipped. Throws InputError with file, line and what is
-/// allowed.
+///   lines of a number and a name, as supplied with atlases: "12 Frontal_Inf", optionally followed by a code,
+///   or by red, green, blue (and alpha) in 0 … 255. Underscores become spaces.
+/// Empty lines and lines that begin with # are skipped. Throws InputError with file, line and the allowed
+/// values.
 LabelTable parse_labels(std::string_view text, const std::string& file);
 
 /// Reads a table from a file of at most 4 MiB.

@@ -1,4 +1,4 @@
-// The only file that knows toml++: walks a document along the field tables.
+// Scene loader: walks a TOML document along the field tables. The only file that uses toml++.
 
 #include "common/scene/load_scene.h"
 
@@ -26,7 +26,7 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
-/// Returns how a value reads in a message: as it was written, cut short.
+/// Returns a value for messages: as it was written, truncated.
 std::string written(const toml::node& node) {
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });
@@ -39,7 +39,7 @@ class Reader {
  public:
   Reader(const std::filesystem::path& file, SourceLines& lines) : file_(file), lines_(lines) {}
 
-  /// Reads `source` into the struct `object` that `table` describes. `path` names it for SourceLines.
+  /// Reads `source` into the struct `object` that `table` describes. `path` identifies it in SourceLines.
   void read(const toml::table& source, const Table& table, void* object, const std::string& path,
             const std::string& where) {
     lines_.set(path, line_of(source));
@@ -102,7 +102,7 @@ class Reader {
     }
   }
 
-  /// Returns `[[soft]] "liver"`, or `[[light]] 2` where the author gave no name.
+  /// Returns `[[soft]] "liver"`, or `[[light]] 2` if there is no name.
   static std::string describe(const toml::table& source, const Table& table, std::size_t i,
                               const std::string& parent) {
     const std::string own = source["name"].is_string()
@@ -119,12 +119,12 @@ class Reader {
                        allowed(field, ref)));
   }
 
-  /// Returns the field's unit for messages; none for text, which carries its own unit, or lacks it.
+  /// Returns the field's unit for messages; empty for text, which contains its own unit or lacks one.
   static std::string unit_of(const toml::node& node, const Field& field) {
     return field.unit.empty() || node.is_string() ? "" : fmt::format(" {}", field.unit);
   }
 
-  // ---- One `store` per type; false: not what the field allows.
+  // ---- One `store` per type; it returns false if the field does not allow the value.
 
   static bool store(const toml::node& node, const Field& field, double& out) {
     if (!node.is_number()) return false;
@@ -171,7 +171,7 @@ class Reader {
   static bool store(const toml::node& node, const Field& field, std::vector<std::string>& out) {
     const toml::array* list = node.as_array();
     if (list == nullptr) return false;
-    out.clear();  // of what stands there where the author says nothing
+    out.clear();  // removes the default entries
     for (const toml::node& name : *list)
       if (!store(name, field, out.emplace_back())) return false;
     return true;
@@ -188,7 +188,7 @@ class Reader {
     return true;
   }
 
-  /// Stores a number, blanks, the field's unit: "2 %", "0.5ms".
+  /// Parses a number, optional spaces, and the field's unit: "2 %", "0.5ms".
   static bool store(const toml::node& node, const Field& field, Quantity& out) {
     if (!node.is_string()) return false;
     const std::string text = *node.value<std::string>();
@@ -232,7 +232,7 @@ class Reader {
     Quat q(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     const double largest = q.coeffs().cwiseAbs().maxCoeff();
     if (largest < 1e-6) return false;
-    q.coeffs() /= largest;  // so that squares neither overflow nor vanish
+    q.coeffs() /= largest;  // avoids overflow and underflow of the squares
     out = q.normalized();
     return true;
   }
@@ -257,7 +257,7 @@ SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file) 
   Reader reader(file, lines);
   reader.read(document, scene_table(), &scene, "", "");
   scene.file = file;
-  note_fixed_choices(scene, lines);
+  set_fixed_choices(scene, lines);
   check_scene(scene, lines);
   return scene;
 }

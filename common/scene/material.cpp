@@ -9,9 +9,9 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80) != 0;
 }
 
-/// Returns the words of a part's name in small letters; what isn't a letter parts them, and so does a capital
-/// after a small letter.
-std::vector<std::string> words_of(std::string_view part) {
+/// Returns the words of a part's name in lower case. Words are separated by characters that aren't letters,
+/// or start at a capital after a lower-case letter.
+std::vector<std::string> words_in_name(std::string_view part) {
   std::vector<std::string> out(1);
   bool was_small = false;
   for (char c : part) {
@@ -26,10 +26,10 @@ std::vector<std::string> words_of(std::string_view part) {
 
 }  // namespace
 
-// Stiffness, density, toughness and size are starting values: liver, kidney, spleen, pancreas from magnetic
-// resonance elastography (E = 3G), densities after Kaye & Laby; toughness of liver from Gokgol et al. 2012,
-// of soft parts without a measured one the same. Hollow organs are solid here: their walls are thinner than
-// a cell.
+// Stiffness, density, toughness and size are starting values. Stiffness of liver, kidney, spleen and
+// pancreas: magnetic resonance elastography (E = 3G). Densities: Kaye & Laby. Toughness: liver from Gokgol et
+// al. 2012, also used for soft parts without a measured value. Hollow organs are modelled as solid, since
+// their walls are thinner than a cell.
 const std::vector<Material>& materials() {
   static const std::vector<Material> table = {
       {"liver", {"liver", "hepar"}, false, 5400, 1060, 164, {0.35, 0.08, 0.055}, 0.5, 0.22},
@@ -132,15 +132,15 @@ const Material* find_material(std::string_view name) {
   return found == materials().end() ? nullptr : &*found;
 }
 
-const Material& material_of(std::string_view part) {
-  const std::vector<std::string> words = words_of(part);
+const Material& material_for_part(std::string_view part) {
+  const std::vector<std::string> words = words_in_name(part);
   for (const Material& material : materials())
     for (const std::string& word : words)
       if (std::ranges::find(material.words, word) != material.words.end()) return material;
   return materials().back();
 }
 
-void make_of(const Material& material, SoftDesc& body) {
+void apply_material(const Material& material, SoftDesc& body) {
   body.youngs_modulus = material.youngs_modulus;
   body.density = material.density;
   body.toughness = material.toughness;
@@ -149,7 +149,7 @@ void make_of(const Material& material, SoftDesc& body) {
   body.appearance.wetness = material.wetness;
 }
 
-void make_of(const Material& material, RigidDesc& body) {
+void apply_material(const Material& material, RigidDesc& body) {
   body.density = material.density;
   body.appearance.surface = material.rigid ? Surface::bone : Surface::tissue;
   body.appearance.color = material.color;

@@ -1,5 +1,5 @@
 #pragma once
-// What parts of a body are made of, by name: starting values for scenes that nobody has written by hand.
+// Materials of anatomical parts, selected by the part's name: starting values for generated scenes.
 
 #include <string>
 #include <string_view>
@@ -10,33 +10,34 @@
 
 namespace prosector {
 
-/// A material. Values are starting values: measured ones of one organ differ by a factor of two and more.
+/// A material. Its values are starting values: measured values of one organ differ by a factor of two and
+/// more.
 struct Material {
   std::string_view name;
-  std::vector<std::string_view> words;  // of names of parts that are made of it, small letters
-  bool rigid = false;                   // bone, teeth: bodies of it keep their shape
+  std::vector<std::string_view> words;  // lower-case words in the names of parts made of it
+  bool rigid = false;                   // bone, teeth: bodies of this material are rigid
   double youngs_modulus = 0;            // Pa
   double density = 1000;                // kg/m³
   double toughness = 0;                 // J/m²
   Vec3 color = Vec3::Zero();            // linear red, green, blue
   double wetness = 0;
-  double usual_size = 0;  // m: longest side of a part of an adult's, about
+  double usual_size = 0;  // m: longest side of an adult's part, about
 };
 
-/// Returns the table. Its last entry, "tissue", is what a part is made of whose name says nothing.
+/// Returns the table of materials. The last entry, "tissue", is used for part names without a known word.
 const std::vector<Material>& materials();
 
-/// Returns the names in the table, for a scene's keys.
+/// Returns the names of all materials, for scene keys.
 std::vector<std::string_view> material_names();
 
-/// Returns the material called so; null: there is none.
+/// Returns the material with that name; null if there is none.
 const Material* find_material(std::string_view name);
 
-/// Returns what a part is made of by a word of its name ("left_kidney 2": kidney); else "tissue".
-const Material& material_of(std::string_view part);
+/// Returns the material selected by a word of the part's name ("left_kidney 2": kidney); otherwise "tissue".
+const Material& material_for_part(std::string_view part);
 
-/// Puts the material into a body's description: mechanics and looks.
-void make_of(const Material& material, SoftDesc& body);
-void make_of(const Material& material, RigidDesc& body);
+/// Sets the material's mechanical and visual properties in a body's description.
+void apply_material(const Material& material, SoftDesc& body);
+void apply_material(const Material& material, RigidDesc& body);
 
 }  // namespace prosector

@@ -6,21 +6,22 @@
 #include <string_view>
 #include <vector>
 
-#include "common/curves/from_scene.h"
 #include "common/error.h"
+#include "common/scene/scene_curves.h"
 #include "common/scene/suggest.h"
+#include "common/scene_messages.h"
 #include "common/surface_files.h"
 
 namespace prosector {
 namespace {
 
-constexpr double least_edge = 1e-4;  // m, of a blade
+constexpr double least_edge = 1e-4;  // m: minimum length of a blade's edge
 
-/// A body, whichever kind, and where it was written.
+/// A body of any kind, and its location in the scene file.
 struct Entry {
   std::string table;        // "soft[0]"
   std::string where;        // [[soft]] "liver"
-  const std::string* name;  // null: of an atlas, which has many
+  const std::string* name;  // null: an atlas, which has many names
   const std::string* parent;
   const std::string* group;
   const std::vector<std::string>* touches;
@@ -44,9 +45,9 @@ class Checker {
       check_soft(scene_.soft[i], bodies_[scene_.rigid.size() + i]);
     check_lights();
     if (scene_.camera.eye == scene_.camera.target)
-      fail("camera", "target", "[camera]", "target is the eye's own place: there is nothing to look at");
-    if (scene_.patient && !is_frame(*scene_.patient))
-      fail("patient", "head", "[patient]", "right and head are perpendicular directions, not zero");
+      fail("camera", "target", "[camera]", "target must differ from eye");
+    if (scene_.patient && !is_valid_patient_frame(*scene_.patient))
+      fail("patient", "head", "[patient]", "right and head must be perpendicular and non-zero");
   }
 
  private:
@@ -72,7 +73,7 @@ class Checker {
       const auto [first, fresh] = seen.emplace(*body.name, &body);
       if (!fresh)
         fail(body, "name",
-             fmt::format("this name is taken by the body of line {}; names must differ",
+             fmt::format("this name is already used by the body in line {}; names must differ",
                          lines_.of(first->second->table, "name")));
     }
   }
@@ -110,10 +111,11 @@ class Checker {
     for (const Entry& body : all) {
       if (std::find(groups.begin(), groups.end(), *body.group) != groups.end()) continue;
       if (groups.size() == max_collision_groups)
-        fail(body, "group",
-             fmt::format(
-                 "group = \"{}\": there are {} collision groups already, {} and {} included; no more fit",
-                 *body.group, groups.size(), default_group, hand_group));
+        fail(
+            body, "group",
+            fmt::format(
+                "group = \"{}\": {} collision groups exist already, {} and {} included, which is the maximum",
+                *body.group, groups.size(), default_group, hand_group));
       groups.push_back(*body.group);
     }
     for (const Entry& body : all)
@@ -123,19 +125,17 @@ class Checker {
                fmt::format("touches \"{}\": no body is in this group{}", name, suggest(name, groups)));
   }
 
-  /// Refuses what detection at this fidelity has no use for.
+  /// Refuses `continuous` if the body has no collision shape.
   template <class Desc>
   void check_fidelity(const Desc& desc, const Entry& body) const {
     if (desc.collision == "none" && desc.continuous)
-      fail(body, "continuous", "continuous needs something that collides: collision is \"none\"");
+      fail(body, "continuous", "continuous needs a collision shape: collision is \"none\"");
   }
 
   template <class Desc>
   void check_label(const Desc& desc, const Entry& body) const {
     if (desc.label == 0)
-      fail(body, "label",
-           "label = 0 marks what belongs to no structure; allowed: 1 to 65535, or -1: what is above "
-           "threshold");
+      fail(body, "label", "label = 0 is the background; allowed: 1 to 65535, or -1: voxels above threshold");
     if (desc.label > 0 && desc.volume.empty()) fail(body, "label", "label needs a volume");
   }
 
@@ -144,16 +144,16 @@ class Checker {
     const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty() + swept;
     if (sources != 1)
       fail(body, rigid.volume.empty() ? "mesh" : "volume",
-           sources == 0 ? "has no geometry: give one of mesh, volume, [[rigid.part]]s, and curves or patches"
+           sources == 0 ? "no geometry: give one of mesh, volume, [[rigid.part]]s, and curves or patches"
                         : "has several of mesh, volume, [[rigid.part]]s, and curves or patches: give one");
     if (!rigid.fallback.empty() && (!rigid.parts.empty() || swept))
-      fail(body, "fallback", "fallback stands in for a mesh or volume file, but there is none");
+      fail(body, "fallback", "fallback replaces a missing mesh or volume file, but none is given");
     check_curves(rigid, body);
     check_label(rigid, body);
     if (rigid.break_force > 0 && rigid.fractures.empty())
       fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
     if (rigid.fixed && (rigid.part || rigid.break_force > 0))
-      fail(body, "fixed", "what is fixed can be neither anatomy, which can be detached, nor break");
+      fail(body, "fixed", "a fixed body cannot be anatomy, which can be detached, and cannot break");
     for (std::size_t i = 0; i < rigid.fractures.size(); ++i)
       if (rigid.fractures[i].normal.isZero(1e-9))
         fail(fmt::format("{}.fracture[{}]", body.table, i), "normal",
@@ -176,27 +176,26 @@ class Checker {
       fail(body, soft.shape.empty() ? "mesh" : "shape",
            fmt::format("has {} of volume, mesh and shape: give exactly one", sources));
     if (!soft.fallback.empty() && !soft.shape.empty())
-      fail(body, "fallback", "fallback stands in for a volume or mesh file, but there is only a shape");
+      fail(body, "fallback", "fallback replaces a missing volume or mesh file, but only a shape is given");
     check_label(soft, body);
     if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
     check_fidelity(soft, body);
     if (soft.self_contact && soft.collision != "mesh")
       fail(body, "self_contact",
-           fmt::format("self_contact is for what collides as mesh: collision is \"{}\"", soft.collision));
+           fmt::format("self_contact needs collision = \"mesh\": collision is \"{}\"", soft.collision));
     check_grading(soft, body);
     check_refinement(soft, body);
     if (soft.shape == "rope" && soft.collision == "hull")
-      fail(body, "collision",
-           "a rope has no triangles to be in the hull of: must be one of none, sphere, aabb, obb, mesh");
+      fail(body, "collision", "a rope has no hull: must be one of none, sphere, aabb, obb, mesh");
     if (soft.tension && soft.shape == "rope")
       fail(body, "tension",
            "tension is of an outermost layer, which a rope has not; allowed for solid bodies and sheets");
     check_regions(soft, body);
     check_curves(soft, body);
     if (!soft.curves.empty() && soft.shape != "rope")
-      fail(body, "curve[0]", "[[soft.curve]] needs a rope to lie along it: shape = \"rope\"");
+      fail(body, "curve[0]", "[[soft.curve]] needs a rope: shape = \"rope\"");
     if (!soft.patches.empty() && soft.shape != "sheet")
-      fail(body, "patch[0]", "[[soft.patch]] needs a sheet to lie over it: shape = \"sheet\"");
+      fail(body, "patch[0]", "[[soft.patch]] needs a sheet: shape = \"sheet\"");
     double shares = 0;
     for (const RelaxationDesc& term : soft.relaxation) shares += term.share;
     if (shares >= 1)
@@ -205,7 +204,7 @@ class Checker {
     check_need(soft, body);
   }
 
-  /// Checks that each of them is a curve or a surface.
+  /// Checks that each curve and patch description can be built.
   template <class Desc>
   void check_curves(const Desc& desc, const Entry& body) const {
     const auto check = [&](const char* key, std::size_t i, const auto& make) {
@@ -252,30 +251,28 @@ class Checker {
            fmt::format("refine_cell is {}, not smaller than cell, {}", soft.refine_cell, soft.cell));
   }
 
-  /// Bodies chosen by need: what of the rung may stand beside it.
+  /// Checks the keys that may be given together with `accuracy` or `budget`.
   void check_need(const SoftDesc& soft, const Entry& body) const {
     if (!soft.accuracy && !soft.budget) return;
     const char* need = soft.accuracy ? "accuracy" : "budget";
     if (soft.accuracy && soft.budget)
-      fail(body, "budget", "accuracy and budget are both given: give one, the server chooses the other");
+      fail(body, "budget", "accuracy and budget are both given: give only one of them");
     const auto& judged = soft.accuracy_of;
     if (judged.empty() || std::any_of(judged.begin(), judged.end(), [](const std::string& act) {
           return act != "shape" && act != "touch";
         }))
-      fail(body, "accuracy_of", "accuracy_of names what is judged; allowed: \"shape\", \"touch\", or both");
+      fail(body, "accuracy_of", "accuracy_of: allowed: \"shape\", \"touch\", or both");
     if (soft.shape == "sheet" || soft.shape == "rope")
       fail(body, need,
-           fmt::format(
-               "{} is for solid bodies: a {} has no continuum that rungs are measured against; allowed "
-               "instead: model = \"mass_spring\" or \"xpbd\", an integrator, and a cell",
-               need, soft.shape));
+           fmt::format("{} is for solid bodies, since a {} has no continuum reference solution; allowed "
+                       "instead: model = \"mass_spring\" or \"xpbd\", an integrator, and a cell",
+                       need, soft.shape));
     for (const char* key : {"newton_iterations", "solver_iterations", "solver_tolerance", "substeps"})
       if (lines_.has(body.table, key))
-        fail(body, key,
-             fmt::format("{} is chosen by the server where {} is given: leave one of them out", key, need));
+        fail(body, key, fmt::format("the server chooses {} if {} is given: omit one of them", key, need));
     if (soft.fixed.integrator && soft.integrator != SoftDesc{}.integrator)
       fail(body, "integrator",
-           fmt::format("integrator = \"{}\": where {} is given, allowed: {}", soft.integrator, need,
+           fmt::format("integrator = \"{}\": allowed with {}: {}", soft.integrator, need,
                        SoftDesc{}.integrator));
   }
 
@@ -291,7 +288,7 @@ class Checker {
       if (!light.carrier.empty() && std::none_of(scene_.rigid.begin(), scene_.rigid.end(), is_it))
         fail(table, "body", where, fmt::format("body = \"{}\": no [[rigid]] has this name", light.carrier));
       if (!light.name.empty() && !seen.emplace(light.name, i).second)
-        fail(table, "name", where, "this name is taken by another light; names must differ");
+        fail(table, "name", where, "this name is already used by another light; names must differ");
     }
   }
 
@@ -313,13 +310,13 @@ bool SourceLines::has(const std::string& table, const std::string& key) const {
   return lines_.contains(table + "." + key);
 }
 
-void note_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
+void set_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
   for (std::size_t i = 0; i < scene.soft.size(); ++i) {
     SoftDesc& soft = scene.soft[i];
     const std::string table = fmt::format("soft[{}]", i);
     soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
                   lines.has(table, "solver"),
-                  // A file of tetrahedra is as fine as it is.
+                  // A tetrahedral mesh file has a fixed cell size.
                   lines.has(table, "cell") || (!soft.mesh.empty() && !is_surface_file(soft.mesh)),
                   lines.has(table, "grade")};
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What no single field can tell: names, the scene graph, which keys go together.
+// Checks across several fields: names, the scene graph, valid combinations of keys.
 
 #include <map>
 #include <string>
@@ -8,24 +8,25 @@
 
 namespace prosector {
 
-/// Line of each table and key that the author wrote: "soft[0]", "soft[0].parent", "soft[0].attach[1]".
+/// Source line of each table and key in the scene file: "soft[0]", "soft[0].parent", "soft[0].attach[1]".
 class SourceLines {
  public:
   void set(const std::string& path, int line) { lines_[path] = line; }
-  /// Returns the key's line, or its table's where the key was not given.
+  /// Returns the line of the key, or of its table if the key is not given.
   int of(const std::string& table, const std::string& key) const;
-  /// Tells whether the key was given.
+  /// Returns whether the key is given.
   bool has(const std::string& table, const std::string& key) const;
 
  private:
   std::map<std::string, int> lines_;
 };
 
-/// Fills SoftDesc::fixed of bodies that are chosen by need.
-void note_fixed_choices(SceneDesc& scene, const SourceLines& lines);
+/// Sets SoftDesc::fixed of all bodies from the keys that are given.
+void set_fixed_choices(SceneDesc& scene, const SourceLines& lines);
 
-/// Throws InputError when bodies' names clash, parents are unknown or form a cycle, or a direction is zero.
-/// Throws when a body has no geometry or two, or is chosen by need and by rung.
+/// Throws InputError if names of bodies clash, a parent is unknown, the parents form a cycle, or a direction
+/// is zero. Also throws if a body has no geometry or two, or mixes `accuracy` or `budget` with an
+/// incompatible configuration.
 void check_scene(const SceneDesc& scene, const SourceLines& lines);
 
 }  // namespace prosector

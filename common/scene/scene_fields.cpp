@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "common/scene/body_fields.h"
+#include "common/scene_messages.h"
 
 namespace prosector {
 namespace {
@@ -12,16 +13,15 @@ const Table& session_table() {
   using S = SessionDesc;
   static const Table table{
       "[session]",
-      "Who may be there.",
-      {name<S, &S::name>("name", not_hashed, false, "name under which clients find the session"),
+      "Session name and limits.",
+      {name<S, &S::name>("name", not_hashed, false, "session name, by which clients find it"),
        number<S, &S::capacity>("capacity", not_hashed, "people", {1, 1024},
-                               "how many fit, observers included"),
+                               "maximum number of participants, observers included"),
        number<S, &S::observers>("observers", not_hashed, "people", {0, 1024},
-                                "how many of them may be observers"),
-       number<S, &S::input_timeout>(
-           "input_timeout", not_hashed, "s", {0.05, 60},
-           "time after which a hand that its tracker no longer sees is let go; a silent "
-           "client's hands stay for 5 s at least")},
+                                "maximum number of observers among them"),
+       number<S, &S::input_timeout>("input_timeout", not_hashed, "s", {0.05, 60},
+                                    "time after which a hand that is no longer tracked is released; hands of "
+                                    "a silent client stay for at least 5 s")},
       {},
       fresh<S>};
   return table;
@@ -31,14 +31,14 @@ const Table& hand_table() {
   using H = HandDesc;
   static const Table table{
       "[hand]",
-      "The virtual coupling that pulls a physical hand to the tracked one.",
-      {number<H, &H::mass>("mass", by_value, "kg", {0.01, 10}, "the physical hand's mass"),
+      "The virtual coupling that pulls the simulated hand to the tracked pose.",
+      {number<H, &H::mass>("mass", by_value, "kg", {0.01, 10}, "mass of the simulated hand"),
        number<H, &H::stiffness>("stiffness", by_value, "N/m", {0, 1e5, true},
-                                "of the pull towards the tracked pose"),
+                                "stiffness of the coupling to the tracked pose"),
        number<H, &H::max_force>("max_force", by_value, "N", {0, 1000, true},
-                                "bound of that pull; a fifth of it is that of each finger"),
+                                "maximum coupling force; one fifth of it for each finger"),
        number<H, &H::tear_force>("tear_force", by_value, "N", {0, 1e4, true},
-                                 "between a hand and what it holds, above which it loses hold"),
+                                 "force between a hand and the held body above which the grasp is lost"),
        number<H, &H::friction>("friction", by_value, "", friction, "Coulomb coefficient of the skin")},
       {},
       fresh<H>};
@@ -49,10 +49,10 @@ const Table& room_table() {
   using R = RoomDesc;
   static const Table table{
       "[room]",
-      "The room around the scene, 7 m by 7 m; what leaves it comes back to its place. Hands pass through its "
-      "sides.",
+      "The room around the scene, 7 m by 7 m. A body that leaves it is moved back to its initial position. "
+      "Hands pass through its sides.",
       {plain<R, &R::floor>("floor", by_value,
-                           "true: bodies rest on it; false: they fall through what is drawn of it"),
+                           "true: bodies rest on it; false: they fall through the drawn floor"),
        plain<R, &R::walls>("walls", by_value, "true: they stop bodies; false: bodies pass through them")},
       {},
       fresh<R>};
@@ -63,10 +63,10 @@ const Table& camera_table() {
   using C = CameraInfo;
   static const Table table{
       "[camera]",
-      "Where someone who follows nobody looks from.",
-      {number<C, &C::eye>("eye", not_hashed, "m", coordinate, "place of the eye in the room"),
+      "Default view of clients.",
+      {number<C, &C::eye>("eye", not_hashed, "m", coordinate, "position of the eye in the room"),
        number<C, &C::target>("target", not_hashed, "m", coordinate,
-                             "point that it looks at; not the eye's own place"),
+                             "point that it looks at; must differ from eye"),
        number<C, &C::fov>("fov", not_hashed, "rad", {0, 3, true}, "vertical field of view")},
       {},
       fresh<C>};
@@ -77,8 +77,8 @@ const Table& patient_table() {
   using P = PatientFrame;
   static const Table table{
       "[patient]",
-      "How the patient lies. With it the axes in the picture's corner say R and L (right, left), A and P "
-      "(anterior, posterior), S and I (superior, inferior) instead of x, y and z.",
+      "Orientation of the patient. The axes in the corner of the view are then labelled R, L (right, left), "
+      "A, P (anterior, posterior), S, I (superior, inferior).",
       {number<P, &P::right>("right", not_hashed, "", {-1000, 1000},
                             "direction towards the patient's right; of any length"),
        number<P, &P::head>("head", not_hashed, "", {-1000, 1000},
@@ -96,15 +96,15 @@ const Table& light_table() {
       {name<L, &L::name>("name", not_hashed, false, "unique among the lights"),
        words<L, &L::kind>("kind", not_hashed, {"directional", "point", "spot"}, ""),
        name<L, &L::carrier>("body", not_hashed, false,
-                            "body that it goes with; position and direction are in its frame then"),
-       number<L, &L::position>("position", not_hashed, "m", coordinate, "point, spot: place in the room"),
+                            "body that it is fixed to; position and direction are then in its frame"),
+       number<L, &L::position>("position", not_hashed, "m", coordinate, "point, spot: position in the room"),
        number<L, &L::direction>("direction", not_hashed, "", {-1000, 1000},
-                                "directional, spot: where the light goes; any length but zero"),
+                                "directional, spot: direction of the light; any non-zero length"),
        number<L, &L::color>("color", not_hashed, "", unit_interval, "linear red, green, blue"),
-       number<L, &L::intensity>("intensity", not_hashed, "", {0, 1000}, "times the colour"),
+       number<L, &L::intensity>("intensity", not_hashed, "", {0, 1000}, "factor of the colour"),
        number<L, &L::cone>("cone", not_hashed, "rad", {0, 1.57, true}, "spot: half angle"),
        number<L, &L::softness>("softness", not_hashed, "", unit_interval,
-                               "spot: share of the cone over which it fades")},
+                               "spot: fraction of the cone over which it fades")},
       {},
       fresh<L>};
   return table;
@@ -122,15 +122,15 @@ const Table& scene_table() {
       "",
       "Keys at the top of the file, before the first table.",
       {name<SD, &SD::name>("name", not_hashed, true, "the scene's name"),
-       text<SD, &SD::description>("description", not_hashed, "for people"),
+       text<SD, &SD::description>("description", not_hashed, "description for users"),
        text<SD, &SD::labels>("labels", not_hashed,
-                             "table of the bodies' names in languages, with ids of Terminologia Anatomica; "
-                             "how it is written: see [[atlas]]"),
+                             "table of body names in several languages, with ids of Terminologia Anatomica; "
+                             "format: see [[atlas]]"),
        number<SD, &SD::gravity>("gravity", by_value, "m/s²", {-100, 100}, "y is up"),
        number<SD, &SD::tick_rate>("tick_rate", by_value, "Hz", {10, 1000}, "steps per simulated second"),
-       number<SD, &SD::contact_stiffness>(
-           "contact_stiffness", by_value, "", {0, 1e4, true},
-           "of contact with a soft body, times that body's own stiffness over one surface cell")},
+       number<SD, &SD::contact_stiffness>("contact_stiffness", by_value, "", {0, 1e4, true},
+                                          "contact stiffness with a soft body, relative to that body's own "
+                                          "stiffness over one surface cell")},
       {{"session", session_table, false, 1, items<SD, &SD::session>},
        {"hand", hand_table, false, 1, items<SD, &SD::hand>},
        {"room", room_table, false, 1, items<SD, &SD::room>},
@@ -156,8 +156,7 @@ std::string allowed(const Field& field, const FieldRef& value) {
     std::string operator()(LightKind*) const { return ""; }
     std::string operator()(Surface*) const { return ""; }
     std::string operator()(Quantity*) const {
-      return fmt::format("text: a number in {} and its unit, for instance \"2 {}\"", interval(f.range),
-                         f.unit);
+      return fmt::format("text: a number in {} and its unit, e.g. \"2 {}\"", interval(f.range), f.unit);
     }
     std::string operator()(std::vector<std::string>*) const {
       return fmt::format("a list of names, each {} bytes at most", f.max_length);

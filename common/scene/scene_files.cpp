@@ -4,7 +4,7 @@
 
 namespace prosector {
 
-std::vector<std::string> files_named_by(const SceneDesc& scene) {
+std::vector<std::string> referenced_files(const SceneDesc& scene) {
   std::set<std::string> out = {scene.labels};
   for (const RigidDesc& body : scene.rigid) out.insert({body.mesh, body.volume});
   for (const SoftDesc& body : scene.soft) out.insert({body.mesh, body.volume});

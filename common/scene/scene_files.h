@@ -1,5 +1,5 @@
 #pragma once
-// The files that a scene names.
+// Files referenced by a scene.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace prosector {
 
-/// Returns the files as the scene names them: meshes, volumes, label maps, tables of labels. Each is there
+/// Returns the paths as written in the scene: meshes, volumes, label maps, label tables. Each path occurs
 /// once.
-std::vector<std::string> files_named_by(const SceneDesc& scene);
+std::vector<std::string> referenced_files(const SceneDesc& scene);
 
 }  // namespace prosector

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Returns Levenshtein's distance, row by row (Wagner & Fischer 1974).
+/// Returns the Levenshtein distance, computed row by row (Wagner & Fischer 1974).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -29,14 +29,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string suggest(std::string_view word, std::span<const std::string_view> known) {
-  constexpr std::size_t longest_key = 64;  // a longer word is no typing error, and distance is quadratic
+  constexpr std::size_t longest_key = 64;  // longer words are not typing errors, and the cost is quadratic
   std::string_view nearest;
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
   if (word.size() <= longest_key)
     for (const std::string_view k : known)
       if (const std::size_t d = edit_distance(word, k); d < best) best = d, nearest = k;
   if (!nearest.empty()) return fmt::format("; did you mean \"{}\"?", nearest);
-  return fmt::format("; known are: {}", fmt::join(known, ", "));
+  return fmt::format("; known: {}", fmt::join(known, ", "));
 }
 
 }  // namespace prosector

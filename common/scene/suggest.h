@@ -1,5 +1,5 @@
 #pragma once
-// The nearest known word to a mistyped one.
+// Spelling suggestions for unknown words.
 
 #include <span>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Returns `; did you mean "cell"?` or, when nothing is near, the list of what is known.
+/// Returns `; did you mean "cell"?`, or the list of known words if none is similar.
 std::string suggest(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace prosector

@@ -44,7 +44,7 @@ int main() try {
 
   for (int tick = 1; tick <= 60; ++tick) {
     ball.pose.p.y() = 0.08 - 0.03 * tick / 60;
-    simulation.step({.drives = {{ball_id, ball.pose}}});
+    simulation.step({.kinematic_targets = {{ball_id, ball.pose}}});
   }
   for (const Exchange& pressed : simulation.exchanges())
     std::printf("ball: presses with %.3f N over %u points\n", pressed.normal_impulse * scene.tick_rate,

@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <numbers>
 
-#include "drivers/camera/camera_frames.h"
+#include "drivers/camera/base/camera_frames.h"
 
 namespace prosector {
 namespace {
 
-constexpr StillLimits tracker_still = {0.4, 1e-3, 0.01, 10};
-constexpr StillLimits camera_still = {0.4, 1e-3, 0.01, 4};  // slow cameras give few pictures
-constexpr std::int64_t settle_ns = 150'000'000;             // for which both must be still
-constexpr std::int64_t stale_ns = 300'000'000;              // a tracker's pose that is older says nothing
-constexpr double new_turn = 8 * std::numbers::pi / 180;     // from each pose before
-constexpr std::array<const char*, 4> ways = {
-    "tip its upper side towards the camera", "turn it in the picture like a wheel",
-    "turn its left side towards the camera", "tip its lower side towards the camera"};
+constexpr StillnessLimits tracker_still = {0.4, 1e-3, 0.01, 10};
+constexpr StillnessLimits camera_still = {0.4, 1e-3, 0.01, 4};  // slow cameras deliver few images
+constexpr std::int64_t settle_ns = 150'000'000;                 // time for which both must be still
+constexpr std::int64_t stale_ns = 300'000'000;                  // age above which a tracker's pose is ignored
+constexpr double new_turn = 8 * std::numbers::pi / 180;         // rad, least rotation from every earlier pose
+constexpr std::array<const char*, 4> tilt_instructions = {
+    "tilt its upper side towards the camera", "rotate it about the viewing direction",
+    "tilt its left side towards the camera", "tilt its lower side towards the camera"};
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool AlignGuide::is_new(const Pose& camera_board) const {
   });
 }
 
-void AlignGuide::take_board(std::int64_t time_ns, const Pose& camera_board) {
+void AlignGuide::add_board_pose(std::int64_t time_ns, const Pose& camera_board) {
   if (pairs_.size() == poses_) return;
   camera_.take(time_ns, camera_board);
   trouble_.clear();
@@ -48,7 +48,7 @@ void AlignGuide::take_board(std::int64_t time_ns, const Pose& camera_board) {
   if (time_ns - still_ns_ < settle_ns) return;
   const TrackedPair pair = {tracker_.mean(), camera_.mean()};
   if (!is_new(pair.camera_board)) {
-    trouble_ = "it was held so before: turn it further";
+    trouble_ = "this orientation was used before: rotate it further";
     return;
   }
   pairs_.push_back(pair);
@@ -65,8 +65,8 @@ GuideStep AlignGuide::step() const {
   out.progress = std::min(tracker_.filled(), camera_.filled());
   out.trouble = trouble_;
   if (!out.done)
-    out.instruction =
-        fmt::format("Hold the board before the camera, {}, and hold still", ways[out.index % ways.size()]);
+    out.instruction = fmt::format("Hold the board in front of the camera, {}, and hold still",
+                                  tilt_instructions[out.index % tilt_instructions.size()]);
   return out;
 }
 
@@ -78,12 +78,11 @@ GuideOutcome AlignGuide::outcome() const {
   const TrackerFit fit = fit_tracker(pairs_);
   GuideOutcome out;
   out.words.push_back(
-      fmt::format("{} poses, {} of them left out; a receiver is off by {:.2f} mm, {:.2f}° RMS; two ways to "
-                  "reckon differ by "
-                  "{:.2f} mm",
-                  pairs_.size(), fit.left_out.size(), 1e3 * fit.place_off,
-                  fit.turn_off * 180 / std::numbers::pi, 1e3 * fit.ways_apart));
-  out.words.push_back(fmt::format("error to expect: {:.2f} mm RMS amid the boards, {:.2f} mm at the camera",
+      fmt::format("{} poses, {} of them rejected; receiver error {:.2f} mm, {:.2f}° RMS; two calculations "
+                  "differ by {:.2f} mm",
+                  pairs_.size(), fit.left_out.size(), 1e3 * fit.position_rms,
+                  fit.rotation_rms * 180 / std::numbers::pi, 1e3 * fit.method_difference));
+  out.words.push_back(fmt::format("expected error: {:.2f} mm RMS amid the boards, {:.2f} mm at the camera",
                                   1e3 * fit.expected_error(fit.centre),
                                   1e3 * fit.expected_error(fit.tracker_camera.p)));
   const Pose room_device = fit.tracker_camera * device_camera;

@@ -1,25 +1,25 @@
 #pragma once
-// Guides a person who holds a board on a tracker's receiver before a camera, so that the camera's place in
-// the tracker's frame is found.
+// Guides a user holding a board on a tracker's receiver in front of a camera. The result is the camera's pose
+// in the tracker's frame.
 
 #include <array>
 
 #include "drivers/camera/calibration/tracker_fit.h"
 #include "drivers/fitting/guide.h"
-#include "drivers/fitting/still_window.h"
+#include "drivers/fitting/stillness_detector.h"
 
 namespace prosector {
 
 class AlignGuide final : public Guide {
  public:
-  /// Takes so many poses of a receiver (from 0).
+  /// Collects `poses` poses of the receiver `station` (from 0).
   AlignGuide(std::size_t station, std::size_t poses);
 
   void take(const DeviceSample& sample) override;
-  /// Takes where the camera (OpenCV's frame) sees the board.
-  void take_board(std::int64_t time_ns, const Pose& camera_board);
-  /// Tells whether the tracker has told a pose.
-  bool has_tracker() const { return tracked_ns_ > 0; }
+  /// Adds the board's pose in the camera's frame (OpenCV's convention).
+  void add_board_pose(std::int64_t time_ns, const Pose& camera_board);
+  /// Returns whether the tracker has reported a pose.
+  bool has_tracker_pose() const { return tracked_ns_ > 0; }
   GuideStep step() const override;
   void back() override;
   GuideOutcome outcome() const override;
@@ -28,9 +28,9 @@ class AlignGuide final : public Guide {
   bool is_new(const Pose& camera_board) const;
 
   std::size_t station_, poses_;
-  StillWindow tracker_, camera_;
-  std::int64_t tracked_ns_ = 0;  // of the newest pose
-  std::int64_t still_ns_ = 0;    // since when both are held still; 0: they aren't
+  StillnessDetector tracker_, camera_;
+  std::int64_t tracked_ns_ = 0;  // time of the newest tracker pose
+  std::int64_t still_ns_ = 0;    // time since which both are still; 0: not still
   std::vector<TrackedPair> pairs_;
   std::string trouble_;
 };

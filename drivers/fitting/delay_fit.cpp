@@ -16,7 +16,7 @@ namespace {
 constexpr double grid_step = 2e-3;  // s
 constexpr int refinements = 12;
 
-/// A series that can be asked at any time.
+/// A series with linear interpolation between samples.
 class Series {
  public:
   explicit Series(std::span<const TimedValue> values, std::int64_t origin_ns) {
@@ -62,7 +62,7 @@ std::vector<double> correlations(const VecX& early, const VecX& late, Eigen::Ind
   return out;
 }
 
-/// Tells whether another peak nearly as high lies apart from the best, with a valley between.
+/// Reports whether the correlation has another peak nearly as high as the best, with a valley between them.
 bool ambiguous(const std::vector<double>& c, std::size_t best) {
   constexpr double nearly = 0.97, valley = 0.9;
   for (const int way : {-1, 1}) {
@@ -76,7 +76,7 @@ bool ambiguous(const std::vector<double>& c, std::size_t best) {
   return false;
 }
 
-/// Returns over how many grid points what is left correlates with itself.
+/// Returns the correlation length of the residual, in grid points.
 double correlation_length(const VecX& left) {
   const double power = left.squaredNorm();
   double sum = 1;
@@ -88,7 +88,7 @@ double correlation_length(const VecX& left) {
   return sum;
 }
 
-/// Moves the delay to where b(t) = g·a(t − τ) + c holds best.
+/// Refines the delay by least squares on b(t) = g·a(t − τ) + c.
 void refine(const Series& early, const Series& late, double from, Eigen::Index count, DelayFit& fit) {
   const VecX b = sampled(late, from, count);
   for (int k = 0; k < refinements; ++k) {
@@ -100,7 +100,7 @@ void refine(const Series& early, const Series& late, double from, Eigen::Index c
     m.col(0) = -slope;
     m.col(1) = a;
     m.col(2).setOnes();
-    // With the unknowns g·τ', g, c: linear.
+    // The problem is linear in the unknowns g·τ', g, c.
     const Vec3 x = (m.transpose() * m).ldlt().solve(m.transpose() * b);
     fit.gain = x[1];
     const double step = x[1] != 0 ? x[0] / x[1] : 0;
@@ -117,7 +117,7 @@ void refine(const Series& early, const Series& late, double from, Eigen::Index c
 
 DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue> late,
                    const DelayLimits& limits) {
-  if (early.empty() || late.empty()) throw InputError("one of the two devices told nothing");
+  if (early.empty() || late.empty()) throw InputError("one of the two devices sent no data");
   const std::int64_t origin = early.front().time_ns;
   const Series a(early, origin), b(late, origin);
   const double from = a.empty() || b.empty() ? 0 : std::max(a.begin(), b.begin());
@@ -125,7 +125,7 @@ DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue
   DelayFit fit;
   fit.seconds = to - from;
   if (fit.seconds < limits.least_overlap + 2 * limits.longest)
-    throw InputError(fmt::format("both devices together told {:.1f} s: {:.1f} s are needed",
+    throw InputError(fmt::format("both devices together sent {:.1f} s of data: {:.1f} s are needed",
                                  std::max(fit.seconds, 0.0), limits.least_overlap + 2 * limits.longest));
   const auto count = static_cast<Eigen::Index>(fit.seconds / grid_step);
   const auto lags = static_cast<Eigen::Index>(limits.longest / grid_step);
@@ -134,11 +134,12 @@ DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue
   fit.correlation = c[best];
   if (fit.correlation < limits.least_correlation)
     throw InputError(
-        fmt::format("the two don't tell the same motion (correlation {:.2f}, {:.2f} is needed): move "
-                    "both together, to and fro",
+        fmt::format("the two do not report the same motion (correlation {:.2f}, {:.2f} is needed): move both "
+                    "together, back and forth",
                     fit.correlation, limits.least_correlation));
   if (ambiguous(c, best))
-    throw InputError("the motion repeats itself within the longest delay: move unevenly, now fast, now slow");
+    throw InputError(
+        "the motion is periodic within the longest delay: move unevenly, sometimes fast, sometimes slow");
   fit.delay = grid_step * (static_cast<double>(best) - static_cast<double>(lags));
   refine(a, b, from + limits.longest, count - 2 * lags, fit);
   return fit;

@@ -1,40 +1,40 @@
 #pragma once
-// How much later one device tells a motion than another: by cross-correlation of their series.
+// Delay of one device's measurement of a motion relative to another's, by cross-correlation.
 //
-// Both series are laid on one grid of times by straight lines, freed of their means, and correlated at all
-// lags up to the longest. Around the best lag b(t) = g·a(t − τ) + c is solved by least squares for τ, g and c
-// (Gauss and Newton), which is finer than the grid. The error that is expected of τ follows from what is
-// left, r:
+// Both series are linearly interpolated to a common time grid, their means are subtracted, and they are
+// correlated at all lags up to the longest. Around the best lag, b(t) = g·a(t − τ) + c is solved by least
+// squares for τ, g and c (Gauss and Newton). This resolves τ finer than the grid. The expected error of τ
+// follows from the residual r:
 //   σ_τ² = var(r) · m / (g² Σ ȧ²)
-// m is the number of grid points over which r correlates with itself, for neighbours aren't independent.
+// m is the correlation length of r in grid points, because neighbours aren't independent.
 
 #include <cstdint>
 #include <span>
 
 namespace prosector {
 
-/// A number that two devices tell of one motion, at a time.
+/// A sample of a motion, measured by one of the two devices.
 struct TimedValue {
   std::int64_t time_ns = 0;
   double value = 0;
 };
 
 struct DelayLimits {
-  double longest = 0.5;      // s, either way
+  double longest = 0.5;      // s, largest absolute delay
   double least_overlap = 2;  // s
   double least_correlation = 0.8;
 };
 
 struct DelayFit {
-  double delay = 0;  // s: `late` is later than `early` by so much
-  double error = 0;  // s RMS, expected
+  double delay = 0;  // s: delay of `late` relative to `early`
+  double error = 0;  // s, expected RMS error
   double correlation = 0;
-  double gain = 1;     // of `late` over `early`
-  double seconds = 0;  // of both together
+  double gain = 1;     // amplitude of `late` divided by that of `early`
+  double seconds = 0;  // s, overlap of both series
 };
 
-/// Fits. Throws InputError that says what to do where the series hardly overlap, hold no motion, don't fit
-/// each other, or repeat themselves within the longest delay.
+/// Fits the delay. Throws InputError with advice if the series hardly overlap, contain no motion, don't
+/// match, or repeat themselves within the longest delay.
 DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue> late,
                    const DelayLimits& limits = {});
 

@@ -13,7 +13,7 @@ namespace {
 
 using Projection = Eigen::Matrix<double, 3, 4>;
 
-/// Moves and scales points so that their mean is 0 and their RMS distance √dimension.
+/// Returns the transformation to mean 0 and RMS distance √dimension.
 template <int N>
 Eigen::Matrix<double, N + 1, N + 1> normaliser(const Eigen::Matrix<double, N, Eigen::Dynamic>& points) {
   const Eigen::Matrix<double, N, 1> mean = points.rowwise().mean();
@@ -25,7 +25,7 @@ Eigen::Matrix<double, N + 1, N + 1> normaliser(const Eigen::Matrix<double, N, Ei
   return out;
 }
 
-/// Solves for the matrix up to its scale.
+/// Solves for the projection matrix up to scale.
 Projection solve_projection(std::span<const SeenPoint> seen) {
   const auto n = static_cast<Eigen::Index>(seen.size());
   Eigen::Matrix3Xd points(3, n);
@@ -49,15 +49,15 @@ Projection solve_projection(std::span<const SeenPoint> seen) {
   constexpr double least_ratio = 1e-3;
   if (svd.singularValues()[10] < least_ratio * svd.singularValues()[0])
     throw InputError(
-        "the points lie nearly in one plane or at one distance: take some near and some far, all over the "
-        "picture");
+        "the points are nearly in one plane or at one distance: take some near and some far, over the whole "
+        "image");
   const VecX v = svd.matrixV().col(11);
   Projection p;
   p << v.segment<4>(0).transpose(), v.segment<4>(4).transpose(), v.segment<4>(8).transpose();
   return of_pixels.inverse() * p * of_points;
 }
 
-/// Splits M into upper triangular K with positive diagonal and a rotation R.
+/// Decomposes M into an upper triangular K with positive diagonal and a rotation R.
 void split(const Mat3& m, Mat3& k, Mat3& r) {
   Mat3 flip = Mat3::Zero();
   flip(0, 2) = flip(1, 1) = flip(2, 0) = 1;
@@ -75,28 +75,28 @@ void split(const Mat3& m, Mat3& k, Mat3& r) {
 
 }  // namespace
 
-EyeDistance eye_distance_by_sight(double marks_apart, double screen, double rod, double mark_error,
-                                  double length_error) {
-  if (!(rod > 0 && screen > rod)) throw InputError("the rod must stand between the eyes and the screen");
+EyeDistance eye_distance_by_sighting(double marks_apart, double screen, double rod, double mark_error,
+                                     double length_error) {
+  if (!(rod > 0 && screen > rod)) throw InputError("the rod must be between the eyes and the screen");
   const double ratio = rod / (screen - rod);
   const double e = marks_apart * ratio;
   if (!(e >= least_eye_distance && e <= most_eye_distance))
-    throw InputError(
-        fmt::format("that would be {:.0f} mm between the eyes; people have {:.0f} to {:.0f}: measure the "
-                    "lengths once more",
-                    1e3 * e, 1e3 * least_eye_distance, 1e3 * most_eye_distance));
+    throw InputError(fmt::format(
+        "the result is {:.0f} mm between the eyes; usual are {:.0f} to {:.0f}: repeat the measurements",
+        1e3 * e, 1e3 * least_eye_distance, 1e3 * most_eye_distance));
   const double by_screen = e / (screen - rod), by_rod = e * (1 / rod + 1 / (screen - rod));
   return {e, std::sqrt(std::pow(ratio * mark_error, 2) + std::pow(by_screen * length_error, 2) +
                        std::pow(by_rod * length_error, 2))};
 }
 
-double pixel_by_card(double card_pixels) {
-  constexpr double finest = 2e-5, coarsest = 2e-3;  // m: a telephone's screen, a wall of lamps
+double pixel_size_from_card(double card_pixels) {
+  constexpr double finest = 2e-5, coarsest = 2e-3;  // m per pixel: a phone's screen, an LED wall
   const double pixel = card_width / card_pixels;
   if (!(pixel >= finest && pixel <= coarsest))
-    throw InputError(fmt::format(
-        "a card of {} pixels is that of no screen: lay it on the screen and drag both marks to its ends",
-        card_pixels));
+    throw InputError(
+        fmt::format("a card of {} pixels is not plausible for any screen: hold it to the screen and drag "
+                    "both marks to its ends",
+                    card_pixels));
   return pixel;
 }
 
@@ -109,9 +109,9 @@ double EyeFit::fov_vertical() const {
 }
 
 EyeFit fit_eye(std::span<const SeenPoint> seen, int width, int height) {
-  if (seen.size() < least_seen_points)
-    throw InputError(fmt::format("{} points seen: at least {} are needed, and 20 are better", seen.size(),
-                                 least_seen_points));
+  if (seen.size() < min_seen_points)
+    throw InputError(
+        fmt::format("{} points: at least {} are needed, 20 are better", seen.size(), min_seen_points));
   EyeFit fit;
   fit.projection = solve_projection(seen);
   double ahead = 0;
@@ -119,12 +119,12 @@ EyeFit fit_eye(std::span<const SeenPoint> seen, int width, int height) {
   if (ahead < 0) fit.projection = -fit.projection;
   Mat3 m = fit.projection.leftCols<3>();
   if (m.determinant() < 0)
-    throw InputError("the points are mirrored: are pixels counted from the upper left corner?");
+    throw InputError("the points are mirrored: pixels must be counted from the upper left corner");
   Mat3 k, r;
   split(m, k, r);
   fit.projection /= k(2, 2);
   k /= k(2, 2);
-  // The camera of K looks along +z with y down; ours along −z with y up.
+  // The camera of K faces +z with y down; ours faces −z with y up.
   const Mat3 ours = r.transpose() * Vec3(1, -1, -1).asDiagonal();
   fit.eye = {-fit.projection.leftCols<3>().inverse() * fit.projection.col(3), Quat(ours).normalized()};
   fit.left = -k(0, 2) / k(0, 0);
@@ -142,11 +142,11 @@ EyesFit join_eyes(const EyeFit& left, const EyeFit& right) {
   EyesFit out;
   const Vec3 across = right.eye.p - left.eye.p;
   out.distance = across.norm();
-  // A pair of eyes is drawn with symmetric fields of view about its own middle (client/view/camera.h).
+  // Eyes are drawn with fields of view symmetric about their own axis (client/view/camera.h).
   const auto full = [](double a, double b) { return 2 * std::atan((b - a) / 2); };
   out.fov_horizontal = (full(left.left, left.right) + full(right.left, right.right)) / 2;
   out.fov_vertical = (full(left.bottom, left.top) + full(right.bottom, right.top)) / 2;
-  // Pictures that coincide at D are shifted by e/(2D) each, the left one's to the right.
+  // Images that coincide at distance D are shifted by e/(2D) each, the left one to the right.
   const double shift = ((left.left + left.right) - (right.left + right.right)) / 4;
   constexpr double least_shift = 1e-3;
   out.convergence = shift > least_shift ? out.distance / (2 * shift) : 0;

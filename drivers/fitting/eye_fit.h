@@ -1,5 +1,5 @@
 #pragma once
-// Where a user's eyes are and what they see: the distance between them by a sight, and a display's projection
+// Calibration of a user's eyes: the interpupillary distance by a sighting method, and a display's projection
 // by SPAAM.
 
 #include <Eigen/Core>
@@ -9,55 +9,57 @@
 
 namespace prosector {
 
-/// The distance between the pupils by a thin rod in front of the screen: each eye alone sees it at another
-/// place of a ruler on the screen, x apart. With D from the eyes to the screen and d from them to the rod:
+/// Interpupillary distance, measured with a thin rod in front of the screen. Each eye alone sees the rod at a
+/// different mark of a ruler on the screen; the marks are x apart. With the distances D from the eyes to the
+/// screen and d from the eyes to the rod:
 ///   e = x · d / (D − d)
-/// Lengths in m. People have 52 to 78 mm (Dodgson 2004).
+/// Lengths in m. Adults have 52 to 78 mm (Dodgson 2004).
 struct EyeDistance {
   double distance = 0;
-  double error = 0;  // RMS, expected
+  double error = 0;  // expected RMS error
 };
 inline constexpr double least_eye_distance = 0.045, most_eye_distance = 0.085;  // m
-/// Returns the distance for marks that are right within `mark_error`, and lengths within `length_error`.
-/// Throws InputError for what no eyes have.
-EyeDistance eye_distance_by_sight(double marks_apart, double screen, double rod, double mark_error = 1e-3,
-                                  double length_error = 5e-3);
+/// Computes the interpupillary distance and its error, for RMS errors `mark_error` of the marks and
+/// `length_error` of the lengths. Throws InputError for an implausible result.
+EyeDistance eye_distance_by_sighting(double marks_apart, double screen, double rod, double mark_error = 1e-3,
+                                     double length_error = 5e-3);
 
-inline constexpr double card_width = 85.60e-3;  // m, of a bank card (ISO/IEC 7810 ID-1)
-/// Returns metres of a pixel of the screen, from the width that a bank card takes there. Throws InputError
-/// for what no screen has.
-double pixel_by_card(double card_pixels);
+inline constexpr double card_width = 85.60e-3;  // m, width of a bank card (ISO/IEC 7810 ID-1)
+/// Returns the size of a screen pixel, m, from the width of a bank card on the screen in pixels. Throws
+/// InputError for an implausible result.
+double pixel_size_from_card(double card_pixels);
 
-/// A known point in the head receiver's frame, and the pixel of one eye's picture that covered it. The pixel
-/// counts from the upper left corner.
+/// A known point in the head receiver's frame, and the pixel of one eye's image that covered it. Pixels count
+/// from the upper left corner.
 struct SeenPoint {
   Vec3 point;
   Eigen::Vector2d pixel;
 };
-inline constexpr std::size_t least_seen_points = 12;
+inline constexpr std::size_t min_seen_points = 12;
 
-/// One eye's camera as SPAAM finds it (Tuceryan and Navab 2000): the 3×4 matrix that maps points to pixels.
-/// It is solved from normalised pairs by the least singular vector (DLT; Hartley 1997), and split into K, R
-/// and the eye's place.
+/// One eye's projection by SPAAM (Tuceryan and Navab 2000): the 3×4 matrix that maps points to pixels. It is
+/// the least singular vector of normalised pairs (DLT; Hartley 1997), and is decomposed into K, R and the
+/// eye's position.
 struct EyeFit {
-  Eigen::Matrix<double, 3, 4> projection;           // pixels from points
-  Pose eye;                                         // in the head receiver's frame; −z looks ahead, +y up
-  double left = 0, right = 0, bottom = 0, top = 0;  // tangents of the picture's edges, as DrawCamera has them
+  Eigen::Matrix<double, 3, 4> projection;  // maps points to pixels
+  Pose eye;                                // pose in the head receiver's frame; −z looks forward, +y up
+  double left = 0, right = 0, bottom = 0, top = 0;  // tangents of the image's edges, as in DrawCamera
   double residual = 0;                              // pixels RMS
   double fov_horizontal() const;                    // rad
   double fov_vertical() const;
 };
 
-/// Fits. Throws InputError that says what to do where there are fewer than 12 pairs, or they lie in a plane.
+/// Fits the projection. Throws InputError with advice if there are fewer than 12 pairs or all points lie in a
+/// plane.
 EyeFit fit_eye(std::span<const SeenPoint> seen, int width, int height);
 
-/// What a stereo display needs of both eyes.
+/// Parameters of both eyes for a stereo display.
 struct EyesFit {
   double distance = 0;        // m
-  double fov_horizontal = 0;  // rad, mean of both
+  double fov_horizontal = 0;  // rad, mean of both eyes
   double fov_vertical = 0;
-  double convergence = 0;  // m; 0: parallel pictures
-  Pose head;               // the point between the eyes in the receiver's frame: the head station's mount
+  double convergence = 0;  // m; 0: parallel views
+  Pose head;  // pose of the point between the eyes in the receiver's frame: the head station's mount
 };
 EyesFit join_eyes(const EyeFit& left, const EyeFit& right);
 

@@ -8,11 +8,11 @@
 namespace prosector {
 namespace {
 
-// A head is never as still as what lies on a table.
-constexpr StillLimits head_limits = {.seconds = 0.3, .motion = 4e-3, .turn = 0.01, .least = 10};
+// A head moves more than an object on a table.
+constexpr StillnessLimits head_limits = {.seconds = 0.3, .motion = 4e-3, .turn = 0.01, .least = 10};
 constexpr std::array<const char*, 2> distances = {"at arm's length", "from three steps away"};
 
-constexpr double least_way = 0.01;  // m, of the mark in the head's frame from one cross to the next
+constexpr double least_way = 0.01;  // m, least motion of the mark in the head's frame between crosses
 
 }  // namespace
 
@@ -20,13 +20,13 @@ EyesGuide::EyesGuide(const ClientConfig& config, const Vec3& mark, int width, in
     : mark_(mark),
       width_(width),
       height_(height),
-      crosses_(std::clamp(crosses, least_seen_points, most_crosses)),
-      station_(station_with_role(config, StationRole::head)),
+      crosses_(std::clamp(crosses, min_seen_points, max_crosses)),
+      station_(station_of_role(config, StationRole::head)),
       window_(head_limits) {}
 
 DeviceConfig EyesGuide::device(const ClientConfig& config) {
   DeviceConfig out = config.tracker_device;
-  out.mount[station_with_role(config, StationRole::head)] = {};
+  out.placement.mount[station_of_role(config, StationRole::head)] = {};
   return out;
 }
 
@@ -34,10 +34,10 @@ void EyesGuide::take(const DeviceSample& sample) {
   if (sample.station == station_ && sample.has_trusted_pose()) window_.take(sample.time_ns, sample.pose);
 }
 
-/// Returns where the present cross is: in a grid of 5 × 4, neighbours far from each other.
+/// Returns the position of the current cross, on a 5 × 4 grid. Successive crosses are far apart.
 Eigen::Vector2d EyesGuide::cross() const {
   constexpr std::size_t columns = 5, rows = 4, stride = 7;
-  const std::size_t place = covered() % crosses_ * stride % most_crosses;
+  const std::size_t place = covered() % crosses_ * stride % max_crosses;
   return {width_ * (static_cast<double>(place % columns) + 0.5) / columns,
           height_ * (static_cast<double>(place / columns) + 0.5) / rows};
 }
@@ -52,7 +52,7 @@ bool EyesGuide::confirm() {
   const Vec3 point = window_.mean().inverse() * mark_;
   const std::vector<SeenPoint>& last = seen_[seen_[1].empty() ? 0 : 1];
   if (!last.empty() && (point - last.back().point).norm() < least_way) {
-    trouble_ = "the head is where it was: lay this cross over the mark first";
+    trouble_ = "the head has not moved: align this cross with the mark first";
     return false;
   }
   seen_[right_eye() ? 1 : 0].push_back({point, cross()});
@@ -67,7 +67,7 @@ GuideStep EyesGuide::step() const {
   out.trouble = trouble_;
   if (out.done) return out;
   out.instruction =
-      fmt::format("With the {} eye alone, lay the cross over the mark {}, hold still and confirm",
+      fmt::format("With the {} eye only, align the cross with the mark {}, hold still and confirm",
                   right_eye() ? "right" : "left", distances[out.index % distances.size()]);
   out.target = mark_;
   out.pixel = cross();

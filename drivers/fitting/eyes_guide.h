@@ -1,36 +1,36 @@
 #pragma once
-// Guides a person who lays crosses on the screen of a head-mounted display over a mark in the room, first
-// with the left eye, then with the right one (SPAAM).
+// Guides a user of a head-mounted display through aligning crosses on its screen with a mark in the room
+// (SPAAM), first with the left eye, then with the right eye.
 
 #include <array>
 
 #include "drivers/fitting/eye_fit.h"
 #include "drivers/fitting/guide.h"
-#include "drivers/fitting/still_window.h"
+#include "drivers/fitting/stillness_detector.h"
 
 namespace prosector {
 
-inline constexpr std::size_t most_crosses = 20;  // of each eye
+inline constexpr std::size_t max_crosses = 20;  // per eye
 
 class EyesGuide final : public Guide {
  public:
-  /// Takes the mark's place (m, room), the size of each eye's picture in pixels, and how many crosses each
-  /// eye lays over the mark: least_seen_points to most_crosses.
+  /// Starts with the mark's position (m, room), the size of each eye's image in pixels, and the number of
+  /// crosses per eye. `crosses` is min_seen_points to max_crosses.
   EyesGuide(const ClientConfig& config, const Vec3& mark, int width, int height,
-            std::size_t crosses = most_crosses);
-  /// Returns how to open the tracker: the head's pose is its receiver's.
+            std::size_t crosses = max_crosses);
+  /// Returns the configuration to open the tracker with: the head's pose is that of its receiver.
   static DeviceConfig device(const ClientConfig& config);
 
   void take(const DeviceSample& sample) override;
-  /// Takes the mark as covered by the cross now. Returns false where the head wasn't still, or is where it
-  /// was for the last cross; step() says so.
+  /// Records that the cross covers the mark now. Returns false if the head wasn't still or hasn't moved since
+  /// the last cross; step() reports the reason.
   bool confirm();
   GuideStep step() const override;
   void back() override;
   GuideOutcome outcome() const override;
-  /// Tells whether it is the right eye's turn.
+  /// Returns whether the right eye is being calibrated.
   bool right_eye() const { return covered() >= crosses_; }
-  /// Fits what an eye saw so far. Throws InputError as fit_eye() does.
+  /// Fits the projection of one eye from its records so far. Throws InputError like fit_eye().
   EyeFit fit(bool right) const { return fit_eye(seen_[right ? 1 : 0], width_, height_); }
 
  private:
@@ -39,14 +39,14 @@ class EyesGuide final : public Guide {
 
   Vec3 mark_;
   int width_, height_;
-  std::size_t crosses_;  // of each eye
+  std::size_t crosses_;  // per eye
   std::size_t station_;
-  StillWindow window_;
+  StillnessDetector window_;
   std::array<std::vector<SeenPoint>, 2> seen_;  // left eye, right eye
   std::string trouble_;
 };
 
-/// Returns what both eyes' fits say, without a head's mount.
+/// Returns the outcome for both eyes' fits, without a head mount.
 GuideOutcome eyes_outcome(const EyeFit& left, const EyeFit& right, const EyesFit& eyes);
 
 }  // namespace prosector

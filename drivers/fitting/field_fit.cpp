@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "drivers/fitting/like_field.h"
+#include "drivers/fitting/simulated_field.h"
 #include "drivers/fitting/spline_system.h"
 
 namespace prosector {
@@ -16,16 +16,17 @@ constexpr std::size_t folds = 5;
 constexpr std::array<double, 3> smoothings = {1e-3, 1e-2, 1e-1};
 constexpr int most_tried_degree = 6;
 constexpr double least_box = 0.05;  // m, each side
-constexpr std::size_t judged_places = 4000;
+constexpr std::size_t evaluation_points = 4000;
 constexpr unsigned judged_seed = 1;
 constexpr double about_as_good = 1.2;
 
-/// Returns what a spline's kernel of the map is: −|r|, which is positive where Pᵀ w = 0.
-double falling(double distance) {
+/// Returns the kernel −|r| of the map's spline, which is positive definite where Pᵀ w = 0.
+double negative_distance(double distance) {
   return -distance;
 }
 
-/// Returns rows of what the map must give: shift, and the turn from the reported to the true orientation.
+/// Returns one row per sample of the corrections that the map must give: the translation, and the rotation
+/// from the reported to the true orientation.
 FieldTerms wanted(std::span<const FieldSample> samples) {
   FieldTerms out(static_cast<Eigen::Index>(samples.size()), 7);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -37,24 +38,24 @@ FieldTerms wanted(std::span<const FieldSample> samples) {
   return out;
 }
 
-/// Sets the box that the reported places fill.
+/// Sets the map's box to the bounding box of the reported positions.
 void set_box(std::span<const FieldSample> samples, FieldMap& map) {
   const auto [centre, half] = box_of(samples, [](const FieldSample& s) { return s.reported.p; });
   map.centre = centre;
   map.half = half;
 }
 
-/// Returns every fifth sample from `fold` on, or all others.
+/// Returns the samples of one fold, or all others.
 std::vector<FieldSample> part(std::span<const FieldSample> samples, std::size_t fold, bool left_out) {
   std::vector<FieldSample> out;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    // Neighbours on a grid fall into different folds.
+    // Neighbours on a grid belong to different folds.
     if (((i * 7 + i / folds) % folds == fold) == left_out) out.push_back(samples[i]);
   return out;
 }
 
-/// Returns what a form leaves at points left out of its fit, m RMS.
-double cross_validated(std::span<const FieldSample> samples, const FieldTrial& form) {
+/// Returns the cross-validation error of a form, m RMS.
+double cross_validation_error(std::span<const FieldSample> samples, const FieldTrial& form) {
   double squares = 0;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     const FieldMap map = fit_field_form(part(samples, fold, false), form);
@@ -74,8 +75,8 @@ std::vector<FieldTrial> forms_for(std::size_t samples) {
   return out;
 }
 
-/// Returns the form of least error to expect; among those that are about as good, that which is best at
-/// points left out.
+/// Returns the form with the least expected error. Among forms about as good, returns the one with the least
+/// cross-validation error.
 FieldTrial choose(std::span<const FieldTrial> trials) {
   double least = trials.front().expected.position;
   for (const FieldTrial& t : trials) least = std::min(least, t.expected.position);
@@ -124,34 +125,35 @@ FieldMap fit_field_form(std::span<const FieldSample> samples, const FieldTrial& 
     map.weights.resize(0, 7);
     return map;
   }
-  const Eigen::MatrixXd solution = solve_spline(places, polynomials, falling, form.smoothing, right).solution;
+  const Eigen::MatrixXd solution =
+      solve_spline(places, polynomials, negative_distance, form.smoothing, right).solution;
   map.nodes = std::move(places);
-  map.weights = -solution.topRows(n);  // the map adds w |r|
+  map.weights = -solution.topRows(n);  // the map adds w |r|, so the sign is inverted
   map.polynomial = solution.bottomRows(terms);
   return map;
 }
 
 FieldFit fit_field(std::span<const FieldSample> samples, const PoseErrors& noise) {
-  if (samples.size() < least_field_samples)
-    throw InputError(
-        fmt::format("{} places: at least {} are needed (a grid of 3 an axis), and 343 are better",
-                    samples.size(), least_field_samples));
+  if (samples.size() < min_field_samples)
+    throw InputError(fmt::format("{} points: at least {} are needed (a grid of 3 per axis), 343 are better",
+                                 samples.size(), min_field_samples));
   FieldFit fit;
   set_box(samples, fit.map);
   if (fit.map.half.minCoeff() < least_box / 2)
     throw InputError(fmt::format(
-        "the places fill a box of {:.0f} × {:.0f} × {:.0f} mm: each side must be at least {:.0f} mm",
+        "the points fill a box of {:.0f} × {:.0f} × {:.0f} mm: each side must be at least {:.0f} mm",
         2e3 * fit.map.half.x(), 2e3 * fit.map.half.y(), 2e3 * fit.map.half.z(), 1e3 * least_box));
   const PoseErrors raw = pose_errors(samples, nullptr);
   fit.before = raw.position;
   fit.turn_before = raw.turn;
-  const LikeField like(samples, noise);
+  const SimulatedField like(samples, noise);
   std::mt19937_64 random(judged_seed);
-  const std::vector<FieldSample> again = like.again(random), judged = like.anywhere(random, judged_places);
+  const std::vector<FieldSample> again = like.again(random),
+                                 judged = like.anywhere(random, evaluation_points);
   for (FieldTrial form : forms_for(samples.size())) {
     const FieldMap map = fit_field_form(again, form);
     form.expected = pose_errors(judged, &map);
-    form.left_out = cross_validated(samples, form);
+    form.left_out = cross_validation_error(samples, form);
     fit.trials.push_back(form);
   }
   fit.chosen = choose(fit.trials);

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_spacing = 0.02, least_reach = 0.06;  // m
 constexpr std::size_t most_per_axis = 12;
 
-/// Returns the grid's points, to and fro, so that each is beside the one before.
+/// Returns the grid's points in boustrophedon order, so that consecutive points are neighbours.
 std::vector<Vec3> points_of(const FieldGrid& grid) {
   std::vector<Vec3> out;
   const auto at = [&](Eigen::Index axis, std::size_t i) {
@@ -33,7 +33,7 @@ std::vector<Vec3> points_of(const FieldGrid& grid) {
   return out;
 }
 
-/// Returns the least distance of neighbours. Throws InputError for a grid that is none.
+/// Returns the least distance between neighbours. Throws InputError for an invalid grid.
 double spacing_of(const FieldGrid& grid) {
   double least = 1e9;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -51,8 +51,8 @@ double spacing_of(const FieldGrid& grid) {
 }  // namespace
 
 FieldGuide::FieldGuide(const ClientConfig& config, StationRole role, const FieldGrid& grid, std::string file)
-    : room_device_(config.tracker_device.room_device),
-      station_(station_with_role(config, role)),
+    : room_device_(config.tracker_device.placement.room_device),
+      station_(station_of_role(config, role)),
       grid_(grid),
       file_(std::move(file)),
       catcher_(0.4 * spacing_of(grid), {.seconds = 0.3}),
@@ -62,9 +62,9 @@ FieldGuide::FieldGuide(const ClientConfig& config, StationRole role, const Field
 
 DeviceConfig FieldGuide::device(const ClientConfig& config) {
   DeviceConfig out = config.tracker_device;
-  out.room_device = {};
-  out.mount.fill({});
-  out.field_map.clear();
+  out.placement.room_device = {};
+  out.placement.mount.fill({});
+  out.placement.field_map.clear();
   return out;
 }
 
@@ -78,7 +78,8 @@ void FieldGuide::take(const DeviceSample& sample) {
     caught_.push_back({*place, catcher_.error()});
   else
     trouble_ = fmt::format(
-        "the receiver seems to be {:.0f} mm from this point: go there, or align with the room first",
+        "the receiver seems to be {:.0f} mm from this point: move it there, or run the room calibration "
+        "first",
         1e3 * off);
 }
 
@@ -90,8 +91,9 @@ GuideStep FieldGuide::step() const {
   out.trouble = trouble_;
   if (out.done) return out;
   const Vec3& p = points_[out.index];
-  out.instruction = fmt::format(
-      "Put the receiver at {:.3f}, {:.3f}, {:.3f} m, turned as before, and hold still", p.x(), p.y(), p.z());
+  out.instruction =
+      fmt::format("Hold the receiver at {:.3f}, {:.3f}, {:.3f} m, in the same orientation, and keep it still",
+                  p.x(), p.y(), p.z());
   out.target = p;
   out.progress = catcher_.held();
   return out;
@@ -103,7 +105,7 @@ std::vector<FieldSample> FieldGuide::samples() const {
   if (grid_.orientation) {
     turn = device_room.q * *grid_.orientation;
   } else {
-    // Nearest to the transmitter the field is least bent.
+    // The pose nearest to the transmitter is used, because the field is least distorted there.
     double nearest = 1e9;
     for (const auto& [x, error] : caught_)
       if (x.p.norm() < nearest) {
@@ -138,11 +140,11 @@ GuideOutcome FieldGuide::outcome() const {
 GuideOutcome FieldGuide::outcome_of(const FieldFit& f) const {
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
-  out.words.push_back(fmt::format(
-      "before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS to expect between the points",
-      1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
+  out.words.push_back(
+      fmt::format("before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS expected between the points",
+                  1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
   out.words.push_back("chosen: " + f.chosen.name() +
-                      "; expected between the points, and at points left out:");
+                      "; expected between the points, and at points not used for the fit:");
   for (const FieldTrial& t : f.trials)
     out.words.push_back(fmt::format("  {:<26} {:6.2f} mm {:6.2f}°, {:6.2f} mm", t.name(),
                                     1e3 * t.expected.position, degrees * t.expected.turn, 1e3 * t.left_out));

@@ -1,36 +1,37 @@
 #pragma once
-// Guides a person who puts a receiver onto the points of a grid, so that a bent field is mapped.
+// Guides a user placing a receiver on the points of a grid, to map a distorted magnetic field.
 
 #include "drivers/fitting/field_fit.h"
 #include "drivers/fitting/guide.h"
-#include "drivers/fitting/place_catcher.h"
+#include "drivers/fitting/position_recorder.h"
 
 namespace prosector {
 
-/// The grid's box in the room, and how many points it has along each axis.
+/// The grid's box in the room, and the number of points along each axis.
 struct FieldGrid {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // m, room
   std::array<std::size_t, 3> count = {5, 5, 5};
-  std::optional<Quat> orientation;  // of the receiver at each point, room; none: the same at all, but unknown
+  std::optional<Quat> orientation;  // of the receiver at each point, room frame; none: unknown but constant
 };
 
 class FieldGuide final : public Guide {
  public:
-  /// Takes the grid, and as `file` where the map will be, as the configuration names it. Throws InputError
-  /// for a grid that is none.
+  /// Starts with the grid. `file`: path of the map to be written, as in the configuration. Throws InputError
+  /// for an invalid grid.
   FieldGuide(const ClientConfig& config, StationRole role, const FieldGrid& grid, std::string file);
-  /// Returns how to open the tracker: poses are the receivers' in its own frame, without a map.
+  /// Returns the configuration to open the tracker with: receiver poses in the tracker's frame, without a
+  /// map.
   static DeviceConfig device(const ClientConfig& config);
 
   void take(const DeviceSample& sample) override;
   GuideStep step() const override;
   void back() override;
   GuideOutcome outcome() const override;
-  /// Fits, which takes seconds with a thousand points.
+  /// Fits the map; takes seconds with a thousand points.
   FieldFit fit() const;
-  /// Returns what came out, of a fit that is there already.
+  /// Returns the outcome of a fit.
   GuideOutcome outcome_of(const FieldFit& fit) const;
-  /// Returns what was reported where, in the device's frame: what a picture shows.
+  /// Returns the reported and true poses in the device's frame, for display.
   std::vector<FieldSample> samples() const;
 
  private:
@@ -38,15 +39,15 @@ class FieldGuide final : public Guide {
   std::size_t station_;
   FieldGrid grid_;
   std::string file_;
-  std::vector<Vec3> points_;  // room; neighbours follow each other
-  /// A place that was caught, in the device's frame.
+  std::vector<Vec3> points_;  // room; consecutive points are neighbours
+  /// A recorded position, in the device's frame.
   struct Caught {
     Pose pose;
-    PoseErrors error;  // expected
+    PoseErrors error;  // expected error
   };
   std::vector<Caught> caught_;
-  PlaceCatcher catcher_;
-  double reach_;  // m: from a point, as reported, that still counts as there
+  PositionRecorder catcher_;
+  double reach_;  // m, greatest reported distance from a grid point that counts as on it
   std::string trouble_;
 };
 

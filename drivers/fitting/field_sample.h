@@ -1,5 +1,5 @@
 #pragma once
-// What a receiver reported at a place that is known.
+// Samples of a tracker's field map: reported and true poses.
 
 #include <algorithm>
 #include <span>
@@ -8,24 +8,24 @@
 
 namespace prosector {
 
-/// What the receiver reported at a place, and what its pose is known to be; device frame.
+/// A pose reported by the receiver and its true pose, in the device's frame.
 struct FieldSample {
   Pose reported;
   Pose truth;
 };
 
-/// Returns the turn from one orientation to another, the shorter way round.
+/// Returns the rotation from one orientation to another, by the smaller angle.
 inline Quat turn_from(const Quat& from, const Quat& to) {
   Quat turn = to * from.conjugate();
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   return turn;
 }
 
-/// A box along the axes.
+/// An axis-aligned box.
 struct SampledBox {
   Vec3 centre, half;  // m
 };
-/// Returns the box that places fill: `of` gives a sample's.
+/// Returns the bounding box of the samples' positions; `of` returns a sample's position.
 template <class Place>
 SampledBox box_of(std::span<const FieldSample> samples, const Place& of) {
   Vec3 low = of(samples.front()), high = low;

@@ -14,17 +14,17 @@ namespace {
 constexpr std::array<const char*, fingers> finger_names = {"thumb", "index finger", "middle finger",
                                                            "ring finger", "little finger"};
 constexpr std::array<GlovePose, 2 + fingers> poses = {
-    {{"flat", "Stretch all fingers, the thumb, too, and hold still", {}},
-     {"fist", "Make a fist, the thumb bent over it, and hold still", {true, true, true, true, true}},
-     {"thumb", "Bend the thumb alone", {true, false, false, false, false}},
-     {"index", "Bend the index finger alone", {false, true, false, false, false}},
-     {"middle", "Bend the middle finger alone", {false, false, true, false, false}},
-     {"ring", "Bend the ring finger alone; its neighbours may follow", {false, false, false, true, false}},
+    {{"flat", "Extend all fingers and the thumb, and hold still", {}},
+     {"fist", "Make a fist with the thumb bent over it, and hold still", {true, true, true, true, true}},
+     {"thumb", "Bend only the thumb", {true, false, false, false, false}},
+     {"index", "Bend only the index finger", {false, true, false, false, false}},
+     {"middle", "Bend only the middle finger", {false, false, true, false, false}},
+     {"ring", "Bend only the ring finger; its neighbours may follow", {false, false, false, true, false}},
      {"little",
-      "Bend the little finger alone; its neighbour may follow",
+      "Bend only the little finger; its neighbour may follow",
       {false, false, false, false, true}}}};
-constexpr double full_bend = std::numbers::pi / 2;  // rad, of a joint over the whole span
-constexpr double much_repeat = 0.25;                // flexion
+constexpr double full_bend = std::numbers::pi / 2;  // rad, of a joint over the sensor's whole span
+constexpr double much_repeat = 0.25;                // flexion, largest deviation without a warning
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -32,10 +32,11 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// Says where a finger that was bent alone moved another sensor most.
-void check_alone(std::span<const HeldCounts> held, GloveFit& fit) {
+/// Adds warnings: another sensor moved most when one finger was bent, or the finger was bent much less or
+/// more than in the fist.
+void check_alone(std::span<const PoseCounts> held, GloveFit& fit) {
   for (std::size_t f = 0; f < fingers; ++f) {
-    const HeldCounts& alone = held[2 + f];
+    const PoseCounts& alone = held[2 + f];
     const auto flexion = [&](std::size_t i) {
       return (alone.median[i] - fit.calibration.open[i]) /
              (fit.calibration.closed[i] - fit.calibration.open[i]);
@@ -46,13 +47,13 @@ void check_alone(std::span<const HeldCounts> held, GloveFit& fit) {
     fit.repeat[f] = std::abs(flexion(f) - 1);
     if (most != f && flexion(most) > flexion(f) + much_repeat)
       fit.doubts.push_back(
-          fmt::format("bending the {} alone moved the sensor of the {} most: is it the other hand's glove, "
-                      "or are sensors swapped?",
+          fmt::format("bending only the {} changed the sensor of the {} most: check that the glove is on the "
+                      "right hand and that sensors are not swapped",
                       finger_names[f], finger_names[most]));
     else if (fit.repeat[f] > much_repeat)
-      fit.doubts.push_back(
-          fmt::format("the {} was bent by {:.0f} % of what it was in the fist: repeat, if it was meant fully",
-                      finger_names[f], 100 * flexion(f)));
+      fit.doubts.push_back(fmt::format(
+          "the {} was bent to {:.0f} % of its flexion in the fist: repeat if it was meant to be fully bent",
+          finger_names[f], 100 * flexion(f)));
   }
 }
 
@@ -62,22 +63,22 @@ std::span<const GlovePose> glove_poses() {
   return poses;
 }
 
-HeldCounts hold_counts(std::span<const std::array<std::uint16_t, fingers>> readings) {
-  HeldCounts out;
+PoseCounts pose_counts(std::span<const std::array<std::uint16_t, fingers>> readings) {
+  PoseCounts out;
   for (std::size_t f = 0; f < fingers; ++f) {
     std::vector<double> counts;
     for (const auto& r : readings) counts.push_back(r[f]);
     if (counts.empty()) continue;
     out.median[f] = median_of(counts);
-    // What came in before the hand was still doesn't count as noise.
-    constexpr double rms_of_median = 1.4826;  // of a normal distribution
+    // The median absolute deviation ignores readings from before the hand was still.
+    constexpr double rms_of_median = 1.4826;  // factor for a normal distribution
     for (double& c : counts) c = std::abs(c - out.median[f]);
     out.noise[f] = rms_of_median * median_of(counts);
   }
   return out;
 }
 
-GloveFit fit_glove(std::span<const HeldCounts> held, double least_span) {
+GloveFit fit_glove(std::span<const PoseCounts> held, double least_span) {
   if (held.size() != 2 && held.size() != poses.size())
     throw InputError(
         fmt::format("{} poses held: flat and fist are needed, or all {}", held.size(), poses.size()));
@@ -88,15 +89,16 @@ GloveFit fit_glove(std::span<const HeldCounts> held, double least_span) {
     fit.span[f] = std::abs(held[1].median[f] - held[0].median[f]);
     if (fit.span[f] < least_span)
       throw InputError(
-          fmt::format("the {}'s sensor moved by {:.0f} counts between flat hand and fist, {:.0f} are needed: "
-                      "repeat both poses, and check that the glove sits tight",
+          fmt::format("the {}'s sensor changed by {:.0f} counts between flat hand and fist, {:.0f} are "
+                      "needed: repeat both poses, and check that the glove fits tightly",
                       finger_names[f], fit.span[f], least_span));
     if (held[1].median[f] < held[0].median[f]) ++falling;
   }
   fit.falls_on_bending = falling > fingers / 2;
   if (falling != 0 && falling != fingers)
-    fit.doubts.push_back(fmt::format(
-        "the counts of {} of {} sensors fall on bending: unusual, but calibrated so", falling, fingers));
+    fit.doubts.push_back(
+        fmt::format("the counts of {} of {} sensors decrease on bending: unusual, but calibrated accordingly",
+                    falling, fingers));
   if (held.size() == poses.size()) check_alone(held, fit);
   constexpr double quantum = 1.0 / 12;
   for (std::size_t f = 0; f < fingers; ++f) {

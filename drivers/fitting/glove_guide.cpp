@@ -11,7 +11,8 @@ namespace {
 
 constexpr double hold_seconds = 0.7;
 constexpr std::size_t least_window = 20;
-constexpr double still_share = 0.1, other_share = 0.5;  // of the least span
+constexpr double still_share = 0.1, other_share = 0.5;  // shares of the least span: largest motion at rest;
+                                                        // least difference from the previous pose
 
 double most_apart(const GloveCounts& a, const GloveCounts& b) {
   double most = 0;
@@ -24,14 +25,14 @@ double most_apart(const GloveCounts& a, const GloveCounts& b) {
 GloveGuide::GloveGuide(std::size_t hand, double least_span) : hand_(hand), least_span_(least_span) {}
 
 double GloveGuide::least_span_of(const std::string& address) {
-  constexpr double usb = 50, serial = 30;  // counts
+  constexpr double usb = 50, serial = 30;  // counts of the least span
   return address.starts_with("5dt-usb:") ? usb : serial;
 }
 
-HeldCounts GloveGuide::between(std::size_t first, std::size_t end) const {
+PoseCounts GloveGuide::between(std::size_t first, std::size_t end) const {
   std::vector<std::array<std::uint16_t, fingers>> counts;
   for (std::size_t i = first; i < end; ++i) counts.push_back(window_[i].counts);
-  return hold_counts(counts);
+  return pose_counts(counts);
 }
 
 double GloveGuide::filled() const {
@@ -47,9 +48,9 @@ void GloveGuide::take(const DeviceSample& sample) {
   while (window_.size() > 2 && sample.time_ns - window_[1].time_ns >= span_ns) window_.pop_front();
   if (window_.size() < least_window || filled() < 1) return;
   const std::size_t half = window_.size() / 2;
-  const HeldCounts a = between(0, half), b = between(half, window_.size());
+  const PoseCounts a = between(0, half), b = between(half, window_.size());
   if (most_apart(a.median, b.median) > still_share * least_span_) return;
-  const HeldCounts whole = between(0, window_.size());
+  const PoseCounts whole = between(0, window_.size());
   if (!held_.empty() && most_apart(whole.median, held_.back().median) < other_share * least_span_) return;
   held_.push_back(whole);
   window_.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// Guides a person through the poses that tell what a glove's counts mean.
+// Guides a user through the hand poses that calibrate a glove's counts.
 
 #include <deque>
 
@@ -10,9 +10,9 @@ namespace prosector {
 
 class GloveGuide final : public Guide {
  public:
-  /// Takes `least_span`, counts by which each sensor must differ between flat hand and fist.
+  /// Starts the guide. `least_span`: counts by which each sensor must differ between flat hand and fist.
   GloveGuide(std::size_t hand, double least_span);
-  /// Returns the least span of a glove by its address: of 255 counts, or of the 4095 of those on USB.
+  /// Returns the least span for a glove's address: out of 255 counts, or out of 4095 for gloves on USB.
   static double least_span_of(const std::string& address);
 
   void take(const DeviceSample& sample) override;
@@ -26,13 +26,13 @@ class GloveGuide final : public Guide {
     std::int64_t time_ns;
     std::array<std::uint16_t, fingers> counts;
   };
-  HeldCounts between(std::size_t first, std::size_t end) const;
+  PoseCounts between(std::size_t first, std::size_t end) const;
   double filled() const;
 
   std::size_t hand_;
   double least_span_;
   std::deque<Reading> window_;
-  std::vector<HeldCounts> held_;
+  std::vector<PoseCounts> held_;
 };
 
 }  // namespace prosector

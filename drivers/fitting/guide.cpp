@@ -28,13 +28,13 @@ const char* role_name(StationRole role) {
   return names.at(static_cast<std::size_t>(role));
 }
 
-StationRole touching_role(const ClientConfig& config) {
+StationRole pointer_role(const ClientConfig& config) {
   const auto end = config.stations.end();
   return std::find(config.stations.begin(), end, StationRole::instrument) != end ? StationRole::instrument
                                                                                  : StationRole::right_hand;
 }
 
-std::size_t station_with_role(const ClientConfig& config, StationRole role) {
+std::size_t station_of_role(const ClientConfig& config, StationRole role) {
   const auto at = std::find(config.stations.begin(), config.stations.end(), role);
   if (at == config.stations.end())
     throw InputError(fmt::format("no receiver has the role '{}': give [tracker.stations] {}.station",

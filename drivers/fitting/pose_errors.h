@@ -1,5 +1,5 @@
 #pragma once
-// How far poses are off.
+// Errors of poses.
 
 namespace prosector {
 

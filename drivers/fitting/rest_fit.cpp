@@ -11,10 +11,10 @@ namespace {
 
 constexpr double minute = 60;
 
-/// A line through values over time, and what is left of them.
+/// A line fitted to values over time, and its residual.
 struct Line {
   Vec3 slope = Vec3::Zero();
-  Vec3 variance = Vec3::Zero();  // of what is left, each axis
+  Vec3 variance = Vec3::Zero();  // residual variance, each axis
   double spread = 0;             // Σ (t − mean t)²
 };
 
@@ -65,7 +65,7 @@ RestFit fit_rest(std::span<const TimedPose> readings) {
   fit.drift = minute * p.slope.norm();
   fit.turn_drift = minute * q.slope.norm();
   fit.drift_error = minute * std::sqrt(p.variance.sum() / p.spread);
-  if (fit.noise > most_rest_motion)
+  if (fit.noise > max_rest_motion)
     throw InputError(
         fmt::format("the receiver moved by {:.0f} mm RMS: lay it down and don't touch it", 1e3 * fit.noise));
   return fit;

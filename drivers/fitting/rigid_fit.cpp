@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Sets centre, principal axes and spread of the points in the room.
+/// Sets the centre, principal axes and spread of the points in the room.
 void describe_spread(std::span<const TouchedPoint> points, RigidFit& fit) {
   const auto n = static_cast<double>(points.size());
   for (const TouchedPoint& p : points) fit.centre += p.room / n;
@@ -33,17 +33,17 @@ double RigidFit::expected_error(const Vec3& target, double fle_m) const {
 }
 
 RigidFit fit_rigid(std::span<const TouchedPoint> points) {
-  if (points.size() < least_touched_points)
-    throw InputError(fmt::format("{} points touched: at least {} are needed, and 6 are better", points.size(),
-                                 least_touched_points));
+  if (points.size() < min_touched_points)
+    throw InputError(fmt::format("{} points touched: at least {} are needed, 6 are better", points.size(),
+                                 min_touched_points));
   RigidFit fit;
   fit.points = points.size();
   describe_spread(points, fit);
-  if (fit.spread.minCoeff() < least_point_spread)
-    throw InputError(fmt::format(
-        "the points lie within {:.0f} mm of one line, so a turn about it is unknown: touch one that is at "
-        "least {:.0f} mm off",
-        1e3 * fit.spread.minCoeff(), 2e3 * least_point_spread));
+  if (fit.spread.minCoeff() < min_point_spread)
+    throw InputError(
+        fmt::format("the points are within {:.0f} mm of one line, so the rotation about it is undetermined: "
+                    "touch a point at least {:.0f} mm from the line",
+                    1e3 * fit.spread.minCoeff(), 2e3 * min_point_spread));
   const auto count = static_cast<Eigen::Index>(points.size());
   Eigen::Matrix3Xd device(3, count), room(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -10,27 +10,27 @@
 namespace prosector {
 namespace {
 
-constexpr double leave_distance = 0.03;  // m: known points lie farther apart
-constexpr int most_refused = 2;          // tries in a row before the point before is touched again, too
-constexpr double most_mismatch = 0.06;   // m: of distances between points; a bent field does less
+constexpr double leave_distance = 0.03;  // m; known points are farther apart
+constexpr int max_rejections = 2;        // attempts in a row before the previous point must be repeated, too
+constexpr double most_mismatch = 0.06;   // m, of distances between points; more than a distorted field causes
 
 constexpr double much_residual = 0.02;  // m RMS
 
-/// Throws InputError where the points fit far better once each is at −p: the field is symmetric, so a tracker
-/// reports that on the wrong side of its hemisphere.
-void refuse_mirrored(std::vector<TouchedPoint> points, double fre) {
+/// Checks for mirrored positions. Throws InputError if the points fit far better when negated. The magnetic
+/// field is symmetric, so a tracker reports negated positions on the wrong side of its hemisphere.
+void check_not_mirrored(std::vector<TouchedPoint> points, double fre) {
   if (fre < much_residual) return;
   for (TouchedPoint& p : points) p.device = -p.device;
   if (fit_rigid(points).fre < fre / 3)
     throw InputError(
-        "the tracker reports mirrored places: its receivers are on the other side of `hemisphere`; give the "
-        "opposite one, and touch the points again");
+        "the tracker reports mirrored positions: its receivers are in the opposite hemisphere; change "
+        "`hemisphere`, and touch the points again");
 }
 
 }  // namespace
 
 RoomGuide::RoomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points)
-    : station_(station_with_role(config, role)), points_(std::move(points)), catcher_(leave_distance) {
+    : station_(station_of_role(config, role)), points_(std::move(points)), catcher_(leave_distance) {
   std::vector<TouchedPoint> exact;
   for (const Vec3& p : points_) exact.push_back({p, p});
   (void)fit_rigid(exact);
@@ -42,7 +42,7 @@ RoomGuide::RoomGuide(const ClientConfig& config, StationRole role, std::vector<V
 
 DeviceConfig RoomGuide::device(const ClientConfig& config) {
   DeviceConfig out = config.tracker_device;
-  out.room_device = {};
+  out.placement.room_device = {};
   return out;
 }
 
@@ -52,20 +52,22 @@ void RoomGuide::take(const DeviceSample& sample) {
   if (place && plausible(place->p)) touched_.push_back({place->p, points_[touched_.size()]});
 }
 
-/// Tells whether the place is as far from those before as it should be; else says so.
+/// Returns whether the position has the right distances from the earlier points; if not, sets the error
+/// message.
 bool RoomGuide::plausible(const Vec3& place) {
   trouble_.clear();
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     const double seen = (place - touched_[i].device).norm();
     const double known = (points_[touched_.size()] - touched_[i].room).norm();
     if (std::abs(seen - known) <= most_mismatch) continue;
-    if (++refused_ == most_refused) {
-      // What was touched before may be what is wrong.
+    if (++refused_ == max_rejections) {
+      // The earlier point may be the wrong one.
       back();
       refused_ = 0;
     }
-    trouble_ = fmt::format("that was {:.0f} mm from point {}, but should be {:.0f} mm: touch point {} again",
-                           1e3 * seen, i + 1, 1e3 * known, touched_.size() + 1);
+    trouble_ =
+        fmt::format("this point is {:.0f} mm from point {}, but should be {:.0f} mm: touch point {} again",
+                    1e3 * seen, i + 1, 1e3 * known, touched_.size() + 1);
     return false;
   }
   refused_ = 0;
@@ -93,14 +95,14 @@ void RoomGuide::back() {
 
 GuideOutcome RoomGuide::outcome() const {
   const RigidFit f = fit();
-  refuse_mirrored(touched_, f.fre);
+  check_not_mirrored(touched_, f.fre);
   GuideOutcome out;
   const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
   out.words.push_back(
-      fmt::format("residual {:.2f} mm RMS, at most {:.2f} mm at point {}; a touch is off by {:.2f} mm RMS",
+      fmt::format("residual {:.2f} mm RMS, at most {:.2f} mm at point {}; touch error {:.2f} mm RMS",
                   1e3 * f.fre, 1e3 * *worst, worst - f.residuals.begin() + 1, 1e3 * f.fle));
   out.words.push_back(
-      fmt::format("error to expect: {:.2f} mm RMS amid the points, {:.2f} mm half a metre above them",
+      fmt::format("expected error: {:.2f} mm RMS amid the points, {:.2f} mm half a metre above them",
                   1e3 * f.expected_error(f.centre), 1e3 * f.expected_error(f.centre + Vec3(0, 0.5, 0))));
   out.changes = {{"tracker.room.position", written(f.room_device.p)},
                  {"tracker.room.orientation", written(f.room_device.q)}};

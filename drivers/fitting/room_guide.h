@@ -1,18 +1,18 @@
 #pragma once
-// Guides a person who touches known points of the room, so that the tracker's place is found.
+// Guides a user touching known points in the room. The result is the tracker's pose.
 
 #include "drivers/fitting/guide.h"
-#include "drivers/fitting/place_catcher.h"
+#include "drivers/fitting/position_recorder.h"
 #include "drivers/fitting/rigid_fit.h"
 
 namespace prosector {
 
 class RoomGuide : public Guide {
  public:
-  /// Touches `points` (m, room) in their order with what the receiver of a role tracks. Throws InputError
-  /// where they can't give a pose.
+  /// Starts the guide; the user touches `points` (m, room) in order with the receiver of `role`. Throws
+  /// InputError if the points don't determine a pose.
   RoomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points);
-  /// Returns how to open the tracker: its poses are in its own frame.
+  /// Returns the configuration to open the tracker with: poses in the tracker's own frame.
   static DeviceConfig device(const ClientConfig& config);
 
   void take(const DeviceSample& sample) override;
@@ -27,9 +27,9 @@ class RoomGuide : public Guide {
   std::size_t station_;
   std::vector<Vec3> points_;
   std::vector<TouchedPoint> touched_;
-  PlaceCatcher catcher_;
+  PositionRecorder catcher_;
   std::string trouble_;
-  int refused_ = 0;  // tries in a row
+  int refused_ = 0;  // rejected attempts in a row
 };
 
 }  // namespace prosector

@@ -1,9 +1,10 @@
 #pragma once
-// The equations of a spline in space with a polynomial: what bends least of all that fit (Duchon 1977).
+// Linear system of a spline in space plus a polynomial: of all functions that fit, the one with the least
+// bending energy (Duchon 1977).
 //
 //   [K + δI, P; Pᵀ, 0] [w; a] = [y; 0],   K_ij = φ(|x_i − x_j|)
 //
-// P has the polynomials' values at the nodes. A δ other than 0 smooths.
+// P holds the polynomials' values at the nodes. A non-zero δ smooths.
 
 #include <Eigen/LU>
 #include <span>
@@ -13,13 +14,13 @@
 
 namespace prosector {
 
-/// A spline at its nodes. The first rows of `solution` are weights of nodes, then the polynomials' follow.
+/// A spline at its nodes. `solution` has one row per node weight, followed by the polynomial coefficients.
 struct SplineSolution {
   Eigen::MatrixXd solution;
-  double log_determinant = 0;  // of the equations' matrix, by its magnitude
+  double log_determinant = 0;  // log of the absolute determinant of the system's matrix
 };
 
-/// Solves for values y at scaled nodes, a row each. `kernel` is φ of a distance.
+/// Solves for values y at scaled nodes, one row per node. `kernel` is φ as a function of distance.
 SplineSolution solve_spline(std::span<const Vec3> nodes, const Eigen::MatrixXd& polynomials,
                             double (*kernel)(double), double diagonal, const Eigen::MatrixXd& values);
 

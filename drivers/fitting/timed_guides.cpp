@@ -13,7 +13,7 @@ double seconds_of(const std::vector<TimedPose>& readings) {
                           : 1e-9 * static_cast<double>(readings.back().time_ns - readings.front().time_ns);
 }
 
-/// Returns the distances from the mean place of those readings that lie between two times.
+/// Returns the distances from the mean position of the readings between two times.
 std::vector<TimedValue> distances(const std::vector<TimedPose>& readings, std::int64_t from_ns,
                                   std::int64_t to_ns) {
   std::vector<TimedPose> within;
@@ -54,7 +54,7 @@ GuideOutcome RestGuide::outcome() const {
                                   1e3 * f.noise, degrees * f.turn_noise, 1e3 * f.axis_noise.x(),
                                   1e3 * f.axis_noise.y(), 1e3 * f.axis_noise.z()));
   out.words.push_back(
-      fmt::format("drift {:.2f} ± {:.2f} mm, {:.2f}° a minute, in {:.1f} s of {:.0f} readings a second",
+      fmt::format("drift {:.2f} ± {:.2f} mm, {:.2f}° per minute, in {:.1f} s at {:.0f} readings per second",
                   1e3 * f.drift, 1e3 * f.drift_error, degrees * f.turn_drift, f.seconds, f.rate));
   return out;
 }
@@ -68,7 +68,7 @@ GuideStep DelayGuide::step() const {
   GuideStep out;
   out.done = seconds_of(own_) >= seconds_;
   out.index = out.done ? 1 : 0;
-  out.instruction = out.done ? "" : "Move both to and fro, unevenly: now fast, now slow";
+  out.instruction = out.done ? "" : "Move both back and forth, unevenly: sometimes fast, sometimes slow";
   out.progress = std::min(1.0, seconds_of(own_) / seconds_);
   return out;
 }

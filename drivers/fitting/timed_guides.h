@@ -1,5 +1,5 @@
 #pragma once
-// Guides that watch for some seconds: a receiver at rest, and a hand that moves while two devices tell it.
+// Guides that record for some seconds: a receiver at rest, and a hand whose motion two devices measure.
 
 #include "drivers/fitting/delay_fit.h"
 #include "drivers/fitting/guide.h"
@@ -24,14 +24,14 @@ class RestGuide final : public Guide {
   std::vector<TimedPose> readings_;
 };
 
-/// Compares when two devices tell the same motion. Each may have its own frame and unit: what is compared is
-/// the distance from the mean place.
+/// Measures the delay between two devices that measure the same motion. Each may use its own frame and unit,
+/// because the distances from the mean position are compared.
 class DelayGuide final : public Guide {
  public:
   DelayGuide(std::size_t station, double seconds) : station_(station), seconds_(seconds) {}
   void take(const DeviceSample& sample) override;
-  /// Takes what the other device told at a time, in any frame and unit.
-  void take_other(std::int64_t time_ns, const Vec3& place) {
+  /// Adds a position from the other device, in any frame and unit.
+  void add_other_position(std::int64_t time_ns, const Vec3& place) {
     other_.push_back({time_ns, {place, Quat::Identity()}});
   }
   GuideStep step() const override;

@@ -8,44 +8,44 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t wanted_poses = 200;
-constexpr double next_pose_turn = 0.01;  // rad: what turned less says nothing new
+constexpr std::size_t required_poses = 200;
+constexpr double min_pose_rotation = 0.01;  // rad; a pose with less rotation adds no information
 
 }  // namespace
 
 TipGuide::TipGuide(const ClientConfig& config, StationRole role)
-    : role_(role), station_(station_with_role(config, role)) {}
+    : role_(role), station_(station_of_role(config, role)) {}
 
 DeviceConfig TipGuide::device(const ClientConfig& config, StationRole role) {
   DeviceConfig out = config.tracker_device;
-  out.room_device = {};
-  out.mount[station_with_role(config, role)] = {};
+  out.placement.room_device = {};
+  out.placement.mount[station_of_role(config, role)] = {};
   return out;
 }
 
 void TipGuide::take(const DeviceSample& sample) {
-  if (sample.station != station_ || !sample.has_trusted_pose() || poses_.size() == wanted_poses) return;
+  if (sample.station != station_ || !sample.has_trusted_pose() || poses_.size() == required_poses) return;
   if (!rests_) {
     window_.take(sample.time_ns, sample.pose);
     rests_ = window_.still();
     if (!rests_) return;
   }
-  if (poses_.empty() || poses_.back().q.angularDistance(sample.pose.q) >= next_pose_turn)
+  if (poses_.empty() || poses_.back().q.angularDistance(sample.pose.q) >= min_pose_rotation)
     poses_.push_back(sample.pose);
 }
 
 GuideStep TipGuide::step() const {
   GuideStep out;
   out.count = 2;
-  out.index = poses_.size() == wanted_poses ? 2 : rests_ ? 1 : 0;
+  out.index = poses_.size() == required_poses ? 2 : rests_ ? 1 : 0;
   out.done = out.index == out.count;
   if (out.index == 0) {
-    out.instruction = "Put the tip into a dimple, so that it can't slip, and hold still";
+    out.instruction = "Put the tip into a dimple so that it cannot slip, and hold still";
     out.progress = window_.filled();
   } else if (out.index == 1) {
     out.instruction =
-        "Swing the instrument about its tip, in a cone of ±30° to all sides, without lifting the tip";
-    out.progress = static_cast<double>(poses_.size()) / wanted_poses;
+        "Swing the instrument about its tip, in a cone of ±30° in all directions, without lifting the tip";
+    out.progress = static_cast<double>(poses_.size()) / required_poses;
   }
   return out;
 }
@@ -62,12 +62,12 @@ GuideOutcome TipGuide::outcome() const {
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
   out.words.push_back(
-      fmt::format("tip at {:.2f}, {:.2f}, {:.2f} mm in the receiver's frame, {:.1f} mm from it",
+      fmt::format("tip at {:.2f}, {:.2f}, {:.2f} mm in the receiver's frame, distance {:.1f} mm",
                   1e3 * f.tip.x(), 1e3 * f.tip.y(), 1e3 * f.tip.z(), 1e3 * f.tip.norm()));
-  out.words.push_back(fmt::format(
-      "{} poses, turned by {:.0f}° RMS at least; residual {:.2f} mm RMS; error to expect of the tip "
-      "{:.2f} mm RMS",
-      f.poses, degrees * f.turn, 1e3 * f.residual, 1e3 * f.tip_error));
+  out.words.push_back(
+      fmt::format("{} poses, rotated by at least {:.0f}° RMS; residual {:.2f} mm RMS; expected error of the "
+                  "tip {:.2f} mm RMS",
+                  f.poses, degrees * f.turn, 1e3 * f.residual, 1e3 * f.tip_error));
   out.changes = {{station + "station", static_cast<double>(station_ + 1)},
                  {station + "mount.position", written(f.tip)}};
   return out;

@@ -1,16 +1,16 @@
 #pragma once
-// Guides a person who swings an instrument about its resting tip, so that the tip is found.
+// Guides a user swinging an instrument about its resting tip, to find the tip's position.
 
 #include "drivers/fitting/guide.h"
 #include "drivers/fitting/pivot_fit.h"
-#include "drivers/fitting/still_window.h"
+#include "drivers/fitting/stillness_detector.h"
 
 namespace prosector {
 
 class TipGuide final : public Guide {
  public:
   TipGuide(const ClientConfig& config, StationRole role);
-  /// Returns how to open the tracker: the poses are the receivers'.
+  /// Returns the configuration to open the tracker with: poses are those of the receivers.
   static DeviceConfig device(const ClientConfig& config, StationRole role);
 
   void take(const DeviceSample& sample) override;
@@ -22,8 +22,8 @@ class TipGuide final : public Guide {
  private:
   StationRole role_;
   std::size_t station_;
-  StillWindow window_;
-  bool rests_ = false;  // the tip is in its place
+  StillnessDetector window_;
+  bool rests_ = false;  // the tip is in place
   std::vector<Pose> poses_;
 };
 

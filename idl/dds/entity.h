@@ -1,5 +1,5 @@
 #pragma once
-// Owns one entity of the DDS C API.
+// Owner of a DDS entity handle.
 
 #include <dds/dds.h>
 
@@ -12,7 +12,7 @@ namespace prosector {
 class Entity {
  public:
   Entity() = default;
-  /// Takes what a dds_create_… function returned; throws std::runtime_error, naming `what`, when it failed.
+  /// Takes the result of a dds_create_… function. Throws std::runtime_error naming `what` if it failed.
   Entity(dds_entity_t handle, const char* what) : handle_(handle) {
     if (handle < 0) throw std::runtime_error(std::string("DDS: ") + what + ": " + dds_strretcode(handle));
   }

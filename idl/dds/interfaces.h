@@ -1,5 +1,5 @@
 #pragma once
-// The networks that this machine is on, for a profile whose user names none.
+// Network interfaces of this machine, used if the user names none.
 
 #include <string>
 #include <vector>
@@ -10,10 +10,10 @@ struct NetworkInterface {
   std::string name, address;  // "eth0", "10.0.0.1"
 };
 
-/// Returns the interfaces that are up and have an IPv4 address, but for loopback.
+/// Returns the interfaces that are up and have an IPv4 address, except loopback.
 std::vector<NetworkInterface> network_interfaces();
 
-/// Returns the name of the only one; throws InputError, listing them, when there are several, or none.
+/// Returns the name of the only interface. Throws InputError with the list if there are several or none.
 std::string only_interface(const std::vector<NetworkInterface>& interfaces);
 
 }  // namespace prosector

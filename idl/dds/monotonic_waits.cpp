@@ -1,9 +1,10 @@
-// Makes Cyclone DDS wait by the monotonic clock. Its release 0.10 waits until moments of the wall clock.
-// Where somebody sets that back by an hour, its events (discovery, heartbeats, leases, resends) rest for that
-// hour. Every peer then takes the process for gone (Cyclone's issue 1995, mended after 0.10).
+// Makes Cyclone DDS wait on the monotonic clock. Release 0.10 waits for wall-clock times. If the wall clock
+// is set back by an hour, its events (discovery, heartbeats, leases, resends) stop for an hour. All peers
+// then assume that the process has left (Cyclone's issue 1995, fixed after 0.10).
 //
-// The two functions below have the names and contracts of Cyclone's own (dds/ddsrt/sync.h). A program's
-// definitions come before a shared library's, so Cyclone calls these. CMake's --undefined keeps them in.
+// The two functions below replace Cyclone's functions of the same name and contract (dds/ddsrt/sync.h).
+// Definitions in an executable take precedence over those of a shared library. CMake's --undefined keeps the
+// linker from dropping them.
 
 #include <dds/ddsrt/sync.h>
 #include <dds/ddsrt/time.h>
@@ -15,11 +16,11 @@
 namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
-constexpr std::int64_t longest_ns = 365 * 24 * 3600 * second_ns;  // so that no sum overflows
+constexpr std::int64_t longest_ns = 365 * 24 * 3600 * second_ns;  // avoids overflow of sums
 
 }  // namespace
 
-/// Waits for the condition, `reltime` nanoseconds at most; false when that time passed.
+/// Waits for the condition for at most `reltime` nanoseconds. Returns false after a timeout.
 extern "C" bool ddsrt_cond_waitfor(ddsrt_cond_t* cond, ddsrt_mutex_t* mutex, dds_duration_t reltime) {
   if (reltime == DDS_INFINITY) {
     ddsrt_cond_wait(cond, mutex);
@@ -33,7 +34,8 @@ extern "C" bool ddsrt_cond_waitfor(ddsrt_cond_t* cond, ddsrt_mutex_t* mutex, dds
   return pthread_cond_clockwait(&cond->cond, &mutex->mutex, CLOCK_MONOTONIC, &until) == 0;
 }
 
-/// Waits for the condition until what the wall clock calls `abstime` now; false when that moment came.
+/// Waits for the condition until the wall-clock time `abstime`, converted to a duration now. Returns false
+/// after a timeout.
 extern "C" bool ddsrt_cond_waituntil(ddsrt_cond_t* cond, ddsrt_mutex_t* mutex, dds_time_t abstime) {
   return ddsrt_cond_waitfor(cond, mutex, abstime == DDS_NEVER ? DDS_INFINITY : abstime - dds_time());
 }

@@ -14,12 +14,12 @@ namespace prosector {
 namespace {
 
 constexpr std::int64_t line_interval_ns = 10'000'000'000;
-constexpr std::size_t max_shown = 160;  // bytes of a message
+constexpr std::size_t max_shown = 160;  // bytes shown of a message
 
-/// Cyclone has one log for all of a process, and calls it from threads of its own.
+/// The log digest of this process. Cyclone has one log per process and calls it from its own threads.
 struct NetworkLog {
   std::mutex mutex;
-  MessageDigest digest;
+  LogDigest digest;
   int pauses = 0;
 };
 
@@ -36,7 +36,7 @@ void take_message(void*, const dds_log_data_t* data) {
     fmt::print(stderr, "{}\n", *line);
 }
 
-/// Returns the message without control characters, cut short.
+/// Returns the message without control characters, truncated.
 std::string shown(std::string_view message) {
   std::string out;
   for (const char c : message.substr(0, max_shown))
@@ -46,16 +46,15 @@ std::string shown(std::string_view message) {
 
 }  // namespace
 
-std::optional<std::string> MessageDigest::take(std::int64_t now_ns, std::string_view message) {
+std::optional<std::string> LogDigest::take(std::int64_t now_ns, std::string_view message) {
   ++count_;
   if (last_line_ns_ && now_ns - *last_line_ns_ < line_interval_ns) return std::nullopt;
   last_line_ns_ = now_ns;
   const std::uint64_t fresh = count_ - std::exchange(told_, count_);
-  return fmt::format("network: {} of what arrived or was tried went wrong ({} in all); the latest: {}", fresh,
-                     count_, shown(message));
+  return fmt::format("network: {} errors ({} in total); latest: {}", fresh, count_, shown(message));
 }
 
-void quiet_network_log() {
+void condense_network_log() {
   static std::once_flag once;
   std::call_once(once, [] {
     dds_set_log_sink(take_message, nullptr);
@@ -63,12 +62,12 @@ void quiet_network_log() {
   });
 }
 
-NetworkLogPause::NetworkLogPause() {
+ScopedLogSuppression::ScopedLogSuppression() {
   const std::scoped_lock lock(network_log().mutex);
   ++network_log().pauses;
 }
 
-NetworkLogPause::~NetworkLogPause() {
+ScopedLogSuppression::~ScopedLogSuppression() {
   const std::scoped_lock lock(network_log().mutex);
   --network_log().pauses;
 }

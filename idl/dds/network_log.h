@@ -1,5 +1,6 @@
 #pragma once
-// What Cyclone DDS has to say, which nobody who dissects can use line by line: counted, told seldom.
+// Digest of Cyclone DDS's log messages, which aren't useful to users line by line: counted and reported
+// rarely.
 
 #include <cstdint>
 #include <optional>
@@ -8,10 +9,10 @@
 
 namespace prosector {
 
-/// Turns any number of messages into a plain line now and then.
-class MessageDigest {
+/// Condenses any number of log messages to one line per interval.
+class LogDigest {
  public:
-  /// Counts `message`. Returns the line to tell, at most one in ten seconds.
+  /// Counts `message`. Returns the line to print, at most one per ten seconds.
   std::optional<std::string> take(std::int64_t now_ns, std::string_view message);
 
  private:
@@ -19,17 +20,18 @@ class MessageDigest {
   std::optional<std::int64_t> last_line_ns_;
 };
 
-/// Sends Cyclone's messages of this process through a MessageDigest to standard error from now on, instead of
-/// one by one. Any number of calls.
-void quiet_network_log();
+/// Redirects the log of Cyclone DDS in this process to standard error through a LogDigest, from now on.
+/// May be called repeatedly.
+void condense_network_log();
 
-/// While one lives, nothing is told, as where failing is expected and said in other words.
-class NetworkLogPause {
+/// Suppresses the network log while an object exists, for operations that may fail and report errors
+/// themselves.
+class ScopedLogSuppression {
  public:
-  NetworkLogPause();
-  ~NetworkLogPause();
-  NetworkLogPause(const NetworkLogPause&) = delete;
-  NetworkLogPause& operator=(const NetworkLogPause&) = delete;
+  ScopedLogSuppression();
+  ~ScopedLogSuppression();
+  ScopedLogSuppression(const ScopedLogSuppression&) = delete;
+  ScopedLogSuppression& operator=(const ScopedLogSuppression&) = delete;
 };
 
 }  // namespace prosector

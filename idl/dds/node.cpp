@@ -9,12 +9,12 @@
 namespace prosector {
 namespace {
 
-/// Creates a domain. Several nodes may live in one process, so the local domain number is any free one; the
+/// Creates a domain. A process may have several nodes, so the local domain number is any unused one. The
 /// number on the network is the profile's ExternalDomainId.
 Entity create_domain(const BusConfig& config) {
   const std::string xml = profile_xml(config);
-  quiet_network_log();
-  const NetworkLogPause pause;  // what fails is said below
+  condense_network_log();
+  const ScopedLogSuppression pause;  // errors are reported below
   dds_entity_t handle = DDS_RETCODE_ERROR;
   for (dds_domainid_t local = 1000; local < 3000; ++local) {
     handle = dds_create_domain(local, xml.c_str());
@@ -23,10 +23,10 @@ Entity create_domain(const BusConfig& config) {
   if (handle > 0) return {handle, "domain"};
   if (config.end == BusEnd::server)
     throw InputError(fmt::format(
-        "can't open the network: UDP port {} is taken (another server with index {} runs here; give another "
-        "index, 0 to {}), or interface or profile don't fit",
+        "cannot open the network: UDP port {} is in use (another server with index {} runs here; choose "
+        "another --index, 0 to {}), or the interface or profile does not match this machine",
         server_port(config.domain, config.server_index), config.server_index, servers_per_host - 1));
-  throw InputError("can't open the network: interface or profile don't fit this machine");
+  throw InputError("cannot open the network: the interface or profile does not match this machine");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// This process's place in the star: its own DDS domain instance with exactly the configured network, and one
-// participant in it.
+// DDS domain and participant of this process: a separate domain instance with exactly the configured network,
+// and one participant in it.
 
 #include <mutex>
 
@@ -9,11 +9,13 @@
 
 namespace prosector {
 
-/// Returns the mutex that serialises creating and deleting local entities: Cyclone DDS 0.10 has races there.
+/// Returns the mutex that serialises creation and deletion of local entities: Cyclone DDS 0.10 has races
+/// there.
 std::mutex& entity_mutex();
 
 struct Node {
-  /// Throws InputError when the network can't be opened as configured. Call with entity_mutex() held.
+  /// Opens the network. Throws InputError if it can't be opened as configured. Requires entity_mutex() to be
+  /// held.
   explicit Node(const BusConfig& config);
 
   Entity domain;

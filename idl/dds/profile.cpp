@@ -19,18 +19,18 @@ std::string read_profile(const std::string& profile) {
   if (profile == "wan") return wan_profile;
   if (!std::filesystem::exists(profile))
     throw InputError(fmt::format(
-        "network profile \"{}\" can't be read: name loopback, lan, wan or a file such as deploy/dds/lan.xml",
+        "cannot read network profile \"{}\": use loopback, lan, wan or a file such as deploy/dds/lan.xml",
         profile));
   constexpr std::size_t max_bytes = 1 << 20;
   return read_regular_file(profile, max_bytes);
 }
 
-/// Refuses what would leave an XML attribute.
+/// Throws InputError for text that could break out of an XML attribute.
 void require_address(const std::string& text, const char* what) {
   const bool ok = !text.empty() && text.size() < 256 && std::ranges::all_of(text, [](unsigned char c) {
     return std::isalnum(c) || c == '.' || c == ':' || c == '-' || c == '_' || c == '[' || c == ']';
   });
-  if (!ok) throw InputError(fmt::format("{} \"{}\" is no host, address or interface name", what, text));
+  if (!ok) throw InputError(fmt::format("{} \"{}\" is not a host, address or interface name", what, text));
 }
 
 bool is_ipv4(const std::string& text) {
@@ -48,7 +48,7 @@ void append_peer(std::string& xml, const std::string& host, std::uint32_t port) 
   xml += fmt::format("<Peer Address=\"{}:{}\"/>", host, port);
 }
 
-/// Returns the peers. One without a port may be any of the servers that fit on a host.
+/// Returns the peers as XML. A peer without a port is queried at the ports of all servers that fit on a host.
 std::string peer_elements(const BusConfig& config, bool loopback) {
   if (config.end == BusEnd::server) return "";
   std::vector<std::string> peers = config.peers;
@@ -71,7 +71,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
-/// Removes comments: the one that explains the placeholders must not fill them.
+/// Removes XML comments, so that the one that explains the placeholders isn't filled in.
 void remove_comments(std::string& xml) {
   for (std::size_t begin = xml.find("<!--"); begin != std::string::npos; begin = xml.find("<!--")) {
     const std::size_t end = xml.find("-->", begin);

@@ -15,9 +15,9 @@ Qos endpoint_qos(const TopicSpec& topic) {
                        max_blocking);
   dds_qset_history(qos.get(), history, depth);
   dds_qset_durability(qos.get(),
-                      topic.kept_for_late ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  // What late joiners get is decided here, not by the history above.
-  if (topic.kept_for_late)
+                      topic.transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  // This setting, not the history above, determines the samples that late joiners receive.
+  if (topic.transient_local)
     dds_qset_durability_service(qos.get(), 0, history, depth, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
                                 DDS_LENGTH_UNLIMITED);
   if (topic.lease > 0)

@@ -1,5 +1,5 @@
 #pragma once
-// A topic's row as DDS quality of service, the same for its writers and readers.
+// Conversion of a topic's table row to DDS quality of service, used by its writers and readers.
 
 #include <dds/dds.h>
 
@@ -16,7 +16,7 @@ struct QosDeleter {
 using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 
 Qos endpoint_qos(const TopicSpec& topic);
-/// Makes the QoS of a publisher or subscriber: one session is one partition; "*" hears them all.
+/// Makes the QoS of a publisher or subscriber. A session is a partition; "*" matches all sessions.
 Qos partition_qos(const std::string& session);
 
 }  // namespace prosector

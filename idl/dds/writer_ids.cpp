@@ -5,9 +5,9 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t many_writers = 65536;  // handles are never used again: a table of them only grows
+constexpr std::size_t many_writers = 65536;  // handles are never reused, so a table of them only grows
 
-/// Returns the writer's process; 0 when the reader isn't matched with this writer (any more).
+/// Returns the id of the writer's process; 0 if the reader isn't matched with this writer, or no longer.
 std::uint64_t matched_process(dds_entity_t reader, dds_instance_handle_t publication) {
   dds_builtintopic_endpoint_t* endpoint = dds_get_matched_publication_data(reader, publication);
   if (endpoint == nullptr) return 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Which process wrote a sample: a number from the GUID prefix of the remote participant.
+// Process ids of remote writers, hashed from the GUID of the remote participant.
 
 #include <dds/dds.h>
 
@@ -11,9 +11,9 @@ namespace prosector {
 
 class WriterIds {
  public:
-  /// Returns the writer's id; 0 when it is gone and was never seen before.
+  /// Returns the id of the writer's process; 0 if the writer is gone and was never seen before.
   std::uint64_t of(dds_entity_t reader, dds_instance_handle_t publication);
-  /// Returns the processes whose writers this reader is matched with now.
+  /// Returns the processes whose writers currently match this reader.
   std::vector<std::uint64_t> present(dds_entity_t reader);
 
  private:

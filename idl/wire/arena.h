@@ -1,5 +1,5 @@
 #pragma once
-// Storage that the sequences of one outgoing sample point into, freed as a whole.
+// Storage for the sequences of one outgoing sample, freed as a whole.
 
 #include <cstddef>
 #include <memory_resource>
@@ -10,7 +10,7 @@ namespace prosector {
 
 class WireArena {
  public:
-  /// Makes `count` value-initialised elements, valid as long as the arena; nullptr for none.
+  /// Makes `count` value-initialised elements, valid as long as the arena; nullptr if `count` is 0.
   template <class T>
   T* make(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);

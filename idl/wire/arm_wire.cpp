@@ -1,4 +1,4 @@
-// What arms feel and do: FeltPlanes, ArmForce.
+// Wire conversion of haptic arm messages: FeltPlanes, ArmForce.
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-constexpr double most_arm = 1;  // m: a hand's point is on the hand
+constexpr double max_arm_length = 1;  // m: distance of a contact point from the hand's origin
 
 void plane_to_wire(const ContactPlane& m, prosector_ContactPlane& w) {
   w.id = m.id;
@@ -46,7 +46,7 @@ ContactPlane plane_from_wire(const prosector_ContactPlane& w) {
 Refusal check_plane(const ContactPlane& m) {
   return Checks()
       .that(m.body < max_bodies, "no such body")
-      .that(within(m.arm, most_arm), "a point far off the hand")
+      .that(within(m.arm, max_arm_length), "point too far from the hand")
       .that(within(m.point, max_coordinate), "point out of range")
       .that(m.normal.allFinite() && std::abs(m.normal.norm() - 1) <= quaternion_slack, "normal not unit")
       .that(within(m.force, max_plane_force), "force out of range")
@@ -59,8 +59,9 @@ Refusal check_plane(const ContactPlane& m) {
       .refusal();
 }
 
-/// Asks what both messages must answer.
-Checks& check_ends(Checks& checks, ParticipantId participant, std::uint8_t hand, double taken, double given) {
+/// Adds the checks that both messages share.
+Checks& check_energies(Checks& checks, ParticipantId participant, std::uint8_t hand, double taken,
+                       double given) {
   return checks.that(participant != 0, "participant id 0")
       .that(hand <= right_hand, "no such hand")
       .that(within(taken, 0, max_arm_energy) && within(given, 0, max_arm_energy), "energy out of range");
@@ -98,7 +99,7 @@ Refusal check(FeltPlanes& m) {
     plane.normal.normalize();
   }
   Checks checks;
-  return check_ends(checks, m.participant, m.hand, m.taken, m.given)
+  return check_energies(checks, m.participant, m.hand, m.taken, m.given)
       .that(m.planes.size() <= max_contact_planes, "too many planes")
       .refusal();
 }
@@ -124,7 +125,7 @@ Refusal from_wire(const prosector_ArmForce& w, ArmForce& m) {
 
 Refusal check(ArmForce& m) {
   Checks checks;
-  return check_ends(checks, m.participant, m.hand, m.taken, m.given)
+  return check_energies(checks, m.participant, m.hand, m.taken, m.given)
       .that(within(m.force, max_arm_force), "force out of range")
       .refusal();
 }

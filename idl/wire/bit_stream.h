@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of 0–32 bits, packed without gaps, low bits first.
+// Bit packing of integers of 0–32 bits without gaps, least significant bits first.
 
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@ namespace prosector {
 
 class BitWriter {
  public:
-  /// Takes `bytes` that are zero and large enough for everything that is put.
+  /// Takes zeroed `bytes`, large enough for all values to be written.
   explicit BitWriter(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
 
   void put(std::uint32_t value, unsigned bits) {
@@ -32,7 +32,7 @@ class BitWriter {
 
 class BitReader {
  public:
-  /// Takes `bytes` that hold everything that is got.
+  /// Takes `bytes` that contain all values to be read.
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint32_t get(unsigned bits) {

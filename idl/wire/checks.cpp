@@ -1,4 +1,6 @@
 #include "idl/wire/checks.h"
+#include "common/ids.h"
+#include "common/part_messages.h"
 
 namespace prosector {
 
@@ -11,7 +13,7 @@ Refusal check_pose(Pose& pose) {
   if (!within(pose.p, max_coordinate)) return "pose out of range";
   const double norm = pose.q.norm();
   if (std::abs(norm - 1) > quaternion_slack) return "quaternion not unit";
-  // A quaternion that is unit already keeps its bits, so that checking twice changes nothing.
+  // A unit quaternion is left unchanged bit by bit, so that repeated checks change nothing.
   if (std::abs(norm - 1) > 1e-12) pose.q.coeffs() /= norm;
   return {};
 }
@@ -22,10 +24,10 @@ Refusal check_color(const Vec3& color) {
 }
 
 Refusal check_shape(const Affine& shape) {
-  constexpr double least_volume = 1e-6;  // of what it was: a hundredth in each direction
+  constexpr double least_volume = 1e-6;  // determinant: scaling by 1/100 in each direction
   return Checks()
-      .that(within(shape.p, max_coordinate), "shape moved out of the room")
-      .that(shape.A.allFinite() && shape.A.cwiseAbs().maxCoeff() <= most_shape, "shape out of range")
+      .that(within(shape.p, max_coordinate), "shape offset out of range")
+      .that(shape.A.allFinite() && shape.A.cwiseAbs().maxCoeff() <= max_shape_entry, "shape out of range")
       .that(std::abs(shape.A.determinant()) >= least_volume, "shape collapsed")
       .refusal();
 }

@@ -31,7 +31,7 @@ WireCodec codec() {
       },
       [](const void* sample, Message& message) {
         M m;
-        static_cast<void>(from_wire(*static_cast<const W*>(sample), m));  // what else there is isn't set
+        static_cast<void>(from_wire(*static_cast<const W*>(sample), m));  // the other fields aren't set
         message = key_only(m);
       },
   };

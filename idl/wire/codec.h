@@ -1,5 +1,5 @@
 #pragma once
-// The edge as one table: for each topic, from message to wire struct and back with all checks.
+// Table of wire codecs: for each topic, conversion between message and wire struct with all checks.
 
 #include "idl/topics.h"
 #include "idl/wire/arena.h"
@@ -10,11 +10,11 @@ namespace prosector {
 
 struct WireCodec {
   const dds_topic_descriptor* descriptor;
-  /// Checks and converts; the sample lives as long as the arena. Null `sample` with a refusal.
+  /// Checks and converts a message; `sample` lives as long as the arena and is null after a refusal.
   Refusal (*encode)(const Message& message, WireArena& arena, void*& sample);
   /// Converts and checks a whole sample.
   Refusal (*decode)(const void* sample, Message& message);
-  /// Reads the key fields only, for news of an instance whose other fields are unset.
+  /// Reads the key fields only, for notifications of an ended instance, whose other fields are unset.
   void (*decode_key)(const void* sample, Message& message);
 
   std::size_t payload_bytes(const void* sample) const { return serialised_bytes(*descriptor, sample); }
@@ -23,7 +23,7 @@ struct WireCodec {
 /// Returns the codec of `topic`, an index in the Message variant.
 const WireCodec& wire_codec(std::size_t topic);
 
-/// Encodes, then decodes: `received` is what receiving makes of a sent message, without a network.
+/// Encodes and decodes a message without a network: `received` is the message that a receiver would get.
 Refusal through_the_wire(const Message& message, Message& received, std::size_t& payload_bytes);
 
 }  // namespace prosector

@@ -1,22 +1,30 @@
 #pragma once
-// Wire struct ↔ message, one pair a topic, grouped by family in *_wire.cpp. Included by idl/wire only: the
-// structs are what idlc made of prosector.idl.
+// Conversions between wire structs and messages, one pair per topic, grouped in *_wire.cpp. For idl/wire
+// only: idlc generates the structs from prosector.idl.
 
+#include "common/body_messages.h"
+#include "common/commands.h"
+#include "common/hand_messages.h"
+#include "common/part_messages.h"
+#include "common/recording_messages.h"
+#include "common/scene_messages.h"
+#include "common/session_messages.h"
+#include "common/status_messages.h"
 #include "idl/wire/arena.h"
 #include "idl/wire/checks.h"
 #include "prosector.h"
 
 namespace prosector {
 
-/// The wire form of message M: its struct and descriptor, and the topic's name.
+/// Wire form of message M: its struct, descriptor and topic name.
 template <class M>
 struct Wire;
 
 // Declares the wire form of a message and its functions. Functions and struct have the message's name, so
-// they can't be mixed up, and wire_codec() doesn't compile before every message of Message has a line here.
-//   to_wire()    expects a message that passed check()
-//   from_wire()  refuses what can't be put into a message at all (lengths, null sequences)
-//   check()      does the rest, the same before sending and after receiving; re-normalises poses in place
+// they can't be mixed up. wire_codec() doesn't compile until each message of Message has a line here.
+//   to_wire()    requires a message that passed check()
+//   from_wire()  refuses content that can't be stored in a message (lengths, null sequences)
+//   check()      does all other checks, before sending and after receiving; re-normalises poses in place
 #define PROSECTOR_WIRE(M)                                                              \
   void to_wire(const M& m, prosector_##M& w, WireArena& arena);                        \
   Refusal from_wire(const prosector_##M& w, M& m);                                     \

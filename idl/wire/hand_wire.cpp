@@ -1,4 +1,4 @@
-// What hands do: HandInput, UserState, ContactSample.
+// Wire conversion of hand messages: HandInput, UserState, ContactSample.
 
 #include "idl/wire/primitives.h"
 
@@ -128,8 +128,8 @@ Refusal from_wire(const prosector_ContactSample& w, ContactSample& m) {
 }
 
 Refusal check(ContactSample& m) {
-  constexpr double max_impulse = 1e6;  // N·s: far beyond what a hand can do, and finite
-  constexpr double max_force = 1e9;    // N: that impulse in a short tick
+  constexpr double max_impulse = 1e6;  // N·s: far beyond human hands, but finite
+  constexpr double max_force = 1e9;    // N: force of that impulse within a short tick
   return Checks()
       .that(m.participant != 0, "participant id 0")
       .that(m.hand <= right_hand, "no such hand")

@@ -1,4 +1,4 @@
-// What people made of the anatomy and the room: PartState, Panel, RoomState.
+// Wire conversion of the state of parts, panels and the room: PartState, Panel, RoomState.
 
 #include "idl/wire/primitives.h"
 
@@ -41,7 +41,7 @@ Refusal check(PartState& m) {
   Checks checks;
   checks.that(m.body < max_bodies, "no such body")
       .that(within(m.opacity, 0, 1), "opacity outside [0, 1]")
-      .that(within(m.stiffness, least_stiffness, most_stiffness), "stiffness out of range")
+      .that(within(m.stiffness, min_stiffness, max_stiffness), "stiffness out of range")
       .that(m.holders.size() <= max_holders, "too many holders");
   for (const HandRef& holder : m.holders)
     checks.that(holder.participant != 0, "participant id 0").that(holder.hand <= right_hand, "no such hand");
@@ -75,7 +75,7 @@ Refusal check(Panel& m) {
   Checks checks;
   checks.that(m.participant != 0, "participant id 0").that(m.body < max_bodies, "no such body");
   for (const ControlState& control : m.controls)
-    checks.that(within(control.position, 0, 1), "control outside its way");
+    checks.that(within(control.position, 0, 1), "control out of range");
   return checks.refusal();
 }
 
@@ -95,7 +95,7 @@ Refusal from_wire(const prosector_RoomState& w, RoomState& m) {
 Refusal check(RoomState& m) {
   return Checks()
       .that(within(m.lights, 0, 1), "brightness outside [0, 1]")
-      .that(within(m.pace, 0, most_pace), "pace out of range")
+      .that(within(m.pace, 0, max_pace), "pace out of range")
       .refusal();
 }
 

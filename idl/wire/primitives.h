@@ -1,11 +1,13 @@
 #pragma once
-// The pieces that several wire structs share.
+// Conversions shared by several wire structs.
 
 #include <cstring>
 #include <limits>
 #include <string>
 
 #include "common/assert.h"
+#include "common/hash.h"
+#include "common/ids.h"
 #include "idl/wire/convert.h"
 
 namespace prosector {
@@ -88,7 +90,7 @@ inline ContentHash from_wire(const prosector_Digest& w) {
   return hash;
 }
 
-/// Makes a wire sequence point at `count` fresh elements of the arena.
+/// Makes a wire sequence that refers to `count` new elements of the arena.
 template <class Element, class Sequence>
 void make_sequence(Sequence& w, std::size_t count, WireArena& arena) {
   PROSECTOR_ASSERT(count <= std::numeric_limits<std::uint32_t>::max());

@@ -1,4 +1,4 @@
-// What is told of a recorded session that is watched: Recording.
+// Wire conversion of the description of a recording: Recording.
 
 #include "idl/wire/primitives.h"
 

@@ -1,4 +1,4 @@
-// What is there to see: SceneInfo and its meshes as AssetChunks.
+// Wire conversion of the scene graph and its meshes: SceneInfo, AssetChunk.
 
 #include <algorithm>
 
@@ -117,10 +117,10 @@ Refusal check_body(SceneBody& m) {
       .refusal();
 }
 
-/// Tells whether every parent is a body of the scene and no chain of parents closes on itself.
+/// Returns whether every parent is a body of the scene and the parents form no cycle.
 bool parents_form_a_forest(const std::vector<SceneBody>& bodies) {
   const auto count = static_cast<std::int32_t>(bodies.size());
-  std::vector<std::int32_t> walked_from(bodies.size(), -1);  // first body whose walk passed here
+  std::vector<std::int32_t> walked_from(bodies.size(), -1);  // first body whose path to the root passed here
   for (std::int32_t start = 0; start < count; ++start) {
     for (std::int32_t at = start; at != -1; at = bodies[static_cast<std::size_t>(at)].parent) {
       if (at < 0 || at >= count) return false;
@@ -214,7 +214,7 @@ Refusal check(SceneInfo& m) {
   for (const LightInfo& light : m.lights) {
     if (const Refusal refusal = check_light(light)) return refusal;
     if (light.body < -1 || light.body >= static_cast<std::int32_t>(m.bodies.size()))
-      return "light goes with no body of the scene";
+      return "light's body is not in the scene";
   }
   return Checks()
       .that(valid_name(m.name), "scene name not valid")
@@ -223,7 +223,8 @@ Refusal check(SceneInfo& m) {
       .that(within(m.camera.eye, max_coordinate) && within(m.camera.target, max_coordinate),
             "camera out of range")
       .that(within(m.camera.fov, 0.01, 3.1), "field of view out of range")
-      .that(!m.patient || is_frame(*m.patient), "the patient's directions are not perpendicular")
+      .that(!m.patient || is_valid_patient_frame(*m.patient),
+            "the patient's directions are not perpendicular")
       .refusal();
 }
 

@@ -11,10 +11,10 @@
 namespace prosector {
 namespace {
 
-/// Adds up what a struct's instructions say (dds/ddsc/dds_opcodes.h): an opcode with its kind of field, the
-/// field's place in the struct, and what the kind needs to know.
-/// Appendable types are serialised as XCDR2 (OMG DDS-XTYPES 1.3, 7.4.3). That tells the sizes of what has no
-/// fixed layout, and aligns numbers to 4 bytes at most. The others are serialised as XCDR1.
+/// Computes a sample's size by interpreting a type's instructions (dds/ddsc/dds_opcodes.h). An instruction
+/// has an opcode with the field's type, the field's offset in the struct, and arguments of the type.
+/// Appendable types are serialised as XCDR2 (OMG DDS-XTYPES 1.3, 7.4.3), which adds the size of structures
+/// without a fixed layout and aligns numbers to at most 4 bytes. All other types are serialised as XCDR1.
 class ByteCount {
  public:
   explicit ByteCount(bool xcdr2) : xcdr2_(xcdr2) {}
@@ -30,7 +30,7 @@ class ByteCount {
   std::size_t bytes() const { return bytes_; }
 
  private:
-  /// Returns the next field's instruction.
+  /// Adds a field. Returns the next field's instruction.
   const std::uint32_t* add_field(const std::uint32_t* op, const char* field) {
     switch (DDS_OP_TYPE(*op)) {
       case DDS_OP_VAL_BST:
@@ -76,7 +76,7 @@ class ByteCount {
     for (std::size_t i = 0; i < count; ++i) add_struct(op, first + i * size);
   }
 
-  /// Adds its length, its characters and a zero.
+  /// Adds a string: its length, its characters and a terminating zero.
   void add_text(const char* text, std::size_t capacity) {
     add_numbers(size_bytes, 1);
     bytes_ += strnlen(text, capacity) + 1;
@@ -104,7 +104,7 @@ class ByteCount {
     }
   }
 
-  // A word of two halves tells where the next instruction is and where those of the elements are.
+  // One word contains the offsets of the next instruction and of the elements' instructions.
   static const std::uint32_t* next(const std::uint32_t* op, std::uint32_t jumps) {
     return op + DDS_OP_ADR_JMP(jumps);
   }
@@ -112,7 +112,7 @@ class ByteCount {
     return op + DDS_OP_ADR_JSR(jumps);
   }
 
-  static constexpr std::size_t size_bytes = 4;  // of a length
+  static constexpr std::size_t size_bytes = 4;  // of a length field
   bool xcdr2_;
   std::size_t bytes_ = 0;
 };

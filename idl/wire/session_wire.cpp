@@ -1,4 +1,4 @@
-// Who serves, who is there: SessionInfo, Presence, RosterEntry.
+// Wire conversion of the session and its participants: SessionInfo, Presence, RosterEntry.
 
 #include "idl/wire/primitives.h"
 
@@ -28,7 +28,7 @@ Refusal from_wire(const prosector_SessionInfo& w, SessionInfo& m) {
 Refusal check(SessionInfo& m) {
   Checks checks;
   checks.that(valid_name(m.session), "session name not valid");
-  if (m.version == protocol_version)  // another version may mean other things by the rest
+  if (m.version == protocol_version)  // the other fields may have another meaning in another version
     checks.that(valid_name(m.scene), "scene name not valid")
         .that(within(m.tick_rate, 1, 10000), "tick rate out of range");
   return checks.refusal();
@@ -59,7 +59,7 @@ Refusal check(Presence& m) {
   if (m.version == protocol_version)
     checks.that(enum_within(m.role, Role::host), "unknown role")
         .that(valid_text(m.devices), "devices not valid text")
-        .that(m.arms <= 3, "arms of hands that nobody has");
+        .that(m.arms <= 3, "arms for unknown hands");
   return checks.refusal();
 }
 

@@ -41,8 +41,8 @@ Grid bounding_box(std::span<const Vec3> points) {
   return grid;
 }
 
-/// Returns the bits of the smallest grid over `extent` with steps of at most `quantum`; 0 where one value in
-/// the middle does.
+/// Returns the number of bits of the smallest grid over `extent` with steps of at most `quantum`; 0 if one
+/// value in the middle suffices.
 std::uint8_t bits_for(double extent, double quantum) {
   if (extent <= quantum) return 0;
   return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(std::ceil(extent / quantum))));

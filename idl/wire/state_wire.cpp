@@ -1,4 +1,4 @@
-// How things move and rest: RigidState, SoftState, Settled.
+// Wire conversion of body motion and rest shapes: RigidState, SoftState, Settled.
 
 #include "idl/wire/primitives.h"
 #include "idl/wire/soft_quantizer.h"
@@ -96,7 +96,7 @@ Refusal check(SoftState& m) {
   Checks checks;
   checks.that(m.body < max_bodies, "no such body")
       .that(!m.positions.empty() && m.positions.size() <= max_chunk_points, "number of points out of range")
-      .that(m.velocities.size() == m.positions.size(), "not one velocity a point")
+      .that(m.velocities.size() == m.positions.size(), "number of velocities differs from number of points")
       .that(m.first_point <= max_streamed_points - m.positions.size(), "points out of range");
   for (const Vec3& x : m.positions) checks.that(within(x, max_coordinate), "position out of range");
   for (const Vec3& v : m.velocities) checks.that(within(v, max_speed), "velocity out of range");
@@ -116,7 +116,7 @@ void to_wire(const Settled& m, prosector_Settled& w, WireArena& arena) {
 Refusal from_wire(const prosector_Settled& w, Settled& m) {
   static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
   if (!sequence_within(w.positions, 3 * max_streamed_points)) return "too many points";
-  if (w.positions._length % 3 != 0) return "not three coordinates a point";
+  if (w.positions._length % 3 != 0) return "number of coordinates is not three per point";
   m.body = w.body;
   m.time = from_wire(w.time);
   m.revision = w.revision;

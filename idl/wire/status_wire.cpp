@@ -1,4 +1,4 @@
-// How the server does: ServerStatus, and each deformable: BodyStatus.
+// Wire conversion of statistics of the server and of deformables: ServerStatus, BodyStatus.
 
 #include <algorithm>
 #include <iterator>
@@ -8,9 +8,9 @@
 namespace prosector {
 namespace {
 
-constexpr double huge = 1e12;  // of whatever unit: no figure of a healthy server comes near
+constexpr double max_statistic = 1e12;  // in any unit: far above the values of a working server
 
-bool is_a_map(const ErrorMap& m) {
+bool is_valid_error_map(const ErrorMap& m) {
   std::size_t values = 1;
   for (const std::uint8_t side : m.size) {
     if (side > max_error_map_side) return false;
@@ -61,13 +61,14 @@ Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
 
 Refusal check(ServerStatus& m) {
   Checks checks;
-  checks.that(within(m.real_time_factor, 0, huge), "real-time factor out of range")
-      .that(within(m.step_ms_p50, 0, huge) && within(m.step_ms_p99, 0, huge), "step time out of range")
-      .that(within(m.solver_residual, 0, huge), "residual out of range")
-      .that(within(m.energy, -huge, huge), "energy out of range")
-      .that(within(m.error, -1, huge), "error out of range")
+  checks.that(within(m.real_time_factor, 0, max_statistic), "real-time factor out of range")
+      .that(within(m.step_ms_p50, 0, max_statistic) && within(m.step_ms_p99, 0, max_statistic),
+            "step time out of range")
+      .that(within(m.solver_residual, 0, max_statistic), "residual out of range")
+      .that(within(m.energy, -max_statistic, max_statistic), "energy out of range")
+      .that(within(m.error, -1, max_statistic), "error out of range")
       .that(valid_text(m.degraded), "degraded not valid text");
-  for (const double ms : m.phase_ms) checks.that(within(ms, 0, huge), "phase time out of range");
+  for (const double ms : m.phase_ms) checks.that(within(ms, 0, max_statistic), "phase time out of range");
   return checks.refusal();
 }
 
@@ -100,7 +101,7 @@ void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena& arena) {
 }
 
 Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
-  if (!sequence_within(w.prices, max_prices)) return "too many prices";
+  if (!sequence_within(w.prices, max_configuration_costs)) return "too many prices";
   m.body = w.body;
   m.time = from_wire(w.time);
   m.asleep = w.asleep != 0;
@@ -131,21 +132,24 @@ Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
 Refusal check(BodyStatus& m) {
   Checks checks;
   for (const Price& price : m.prices)
-    checks.that(within(price.error, 0, huge) && within(price.ms, 0, huge), "price out of range");
-  return checks.that(m.prices.size() <= max_prices, "too many prices")
+    checks.that(within(price.error, 0, max_statistic) && within(price.ms, 0, max_statistic),
+                "price out of range");
+  return checks.that(m.prices.size() <= max_configuration_costs, "too many prices")
       .that(m.body < max_bodies, "no such body")
-      .that(within(m.step, 0, huge), "step out of range")
-      .that(within(m.newton_iterations, 0, huge) && within(m.solver_iterations, 0, huge),
+      .that(within(m.step, 0, max_statistic), "step out of range")
+      .that(within(m.newton_iterations, 0, max_statistic) && within(m.solver_iterations, 0, max_statistic),
             "iterations out of range")
-      .that(within(m.residual, 0, huge), "residual out of range")
-      .that(within(m.correction, 0, huge), "correction out of range")
-      .that(within(m.error, -1, huge) && within(m.press_error, -1, huge), "error out of range")
-      .that(within(m.parts.discretisation, -huge, huge) && within(m.parts.model, -huge, huge) &&
-                within(m.parts.solver, 0, huge) && within(m.parts.time, 0, huge),
-            "part of the error out of range")
-      .that(within(m.expected_ms, -1, huge), "expectation out of range")
-      .that(is_a_map(m.error_map), "error map's size, place or values don't agree")
-      .that(m.stepped_down <= max_steps_down, "stepped down too far")
+      .that(within(m.residual, 0, max_statistic), "residual out of range")
+      .that(within(m.correction, 0, max_statistic), "correction out of range")
+      .that(within(m.error, -1, max_statistic) && within(m.press_error, -1, max_statistic),
+            "error out of range")
+      .that(within(m.parts.discretisation, -max_statistic, max_statistic) &&
+                within(m.parts.model, -max_statistic, max_statistic) &&
+                within(m.parts.solver, 0, max_statistic) && within(m.parts.time, 0, max_statistic),
+            "error component out of range")
+      .that(within(m.expected_ms, -1, max_statistic), "expectation out of range")
+      .that(is_valid_error_map(m.error_map), "error map's size, position or values are inconsistent")
+      .that(m.stepped_down <= max_steps_down, "effort reduction out of range")
       .refusal();
 }
 

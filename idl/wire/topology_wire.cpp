@@ -1,30 +1,30 @@
-// What cuts made of the soft bodies: TopologyRevision.
+// Wire conversion of topology changes of soft bodies: TopologyRevision.
 
 #include "idl/wire/primitives.h"
 
 namespace prosector {
 namespace {
 
-constexpr auto far_out = static_cast<float>(max_coordinate);
-constexpr float most_weight = 16;      // of a point in a vertex; a vertex may lie outside of what it hangs on
-constexpr float weight_slack = 1e-4f;  // | sum of weights − 1 |
+constexpr auto max_float_coordinate = static_cast<float>(max_coordinate);
+constexpr float max_vertex_weight = 16;  // of a point in a vertex; more than 1 for vertices outside the mesh
+constexpr float weight_slack = 1e-4f;    // | sum of weights − 1 |
 
-bool within_room(const Eigen::Vector3f& x) {
-  return x.allFinite() && x.cwiseAbs().maxCoeff() <= far_out;
+bool is_in_room(const Eigen::Vector3f& x) {
+  return x.allFinite() && x.cwiseAbs().maxCoeff() <= max_float_coordinate;
 }
 
 bool sound_weights(const std::array<float, 4>& weights) {
   float sum = 0;
   for (const float weight : weights) {
-    if (!(std::abs(weight) <= most_weight)) return false;
+    if (!(std::abs(weight) <= max_vertex_weight)) return false;
     sum += weight;
   }
   return std::abs(sum - 1) < weight_slack;
 }
 
-/// Tells whether slots are below `limit`, each once and ascending.
+/// Returns whether the slots are ascending, without duplicates, and below `limit`.
 template <class Entry>
-bool in_order(const std::vector<Entry>& entries, std::size_t limit) {
+bool is_ascending_below(const std::vector<Entry>& entries, std::size_t limit) {
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].slot >= limit || (i > 0 && entries[i].slot <= entries[i - 1].slot)) return false;
   return true;
@@ -33,12 +33,12 @@ bool in_order(const std::vector<Entry>& entries, std::size_t limit) {
 Refusal check(const SurfacePatch& patch) {
   Checks checks;
   checks.that(patch.points.size() <= max_streamed_points, "too many points")
-      .that(in_order(patch.vertices, max_surface_vertices), "vertices out of order or range")
-      .that(in_order(patch.triangles, max_surface_triangles), "triangles out of order or range");
+      .that(is_ascending_below(patch.vertices, max_surface_vertices), "vertices out of order or range")
+      .that(is_ascending_below(patch.triangles, max_surface_triangles), "triangles out of order or range");
   for (const auto& point : patch.points)
-    checks.that(within_room(point.rest) && within_room(point.now), "position out of range");
+    checks.that(is_in_room(point.rest) && is_in_room(point.now), "position out of range");
   for (const auto& vertex : patch.vertices) {
-    checks.that(within_room(vertex.rest), "position out of range")
+    checks.that(is_in_room(vertex.rest), "position out of range")
         .that(sound_weights(vertex.weight), "weights out of range or not of sum 1");
     for (const std::uint32_t point : vertex.point)
       checks.that(point < max_streamed_points, "point out of range");
@@ -135,8 +135,9 @@ Refusal check(TopologyRevision& m) {
       .that(m.body < max_bodies, "no such body")
       .that(m.revision != 0 || m.previous_hash == 0, "revision 0 with a predecessor")
       .that(enum_within(m.cause, TopologyCause::rewind), "unknown cause")
-      .that(m.piece_of >= -1 && m.piece_of < static_cast<std::int64_t>(max_bodies), "piece of no such body")
-      .that(m.keyframe() == (m.map != ContentHash{}), "half a keyframe")
+      .that(m.piece_of >= -1 && m.piece_of < static_cast<std::int64_t>(max_bodies),
+            "piece of a nonexistent body")
+      .that(m.keyframe() == (m.map != ContentHash{}), "incomplete keyframe")
       .refusal();
 }
 

@@ -27,7 +27,7 @@ struct Surplus {
 constexpr Surplus linear_surplus = {1, 4.5}, quadratic_surplus = {0.6, 10};
 constexpr double doubt = 0.2;  // relative uncertainty of a part, where two parts cancel
 constexpr double negligible_strain = 1e-5;
-constexpr double all_lost = 1e3;  // largest error reported, also for one that is not a number
+constexpr double max_reported_error = 1e3;  // largest error reported, also for one that is not a number
 
 std::size_t vertex_count(const TetMesh& mesh) {
   std::uint32_t last = 0;
@@ -107,7 +107,8 @@ struct Sums {
 };
 
 double finite(double error) {
-  return std::isfinite(error) ? std::clamp(error, -all_lost, all_lost) : all_lost;
+  return std::isfinite(error) ? std::clamp(error, -max_reported_error, max_reported_error)
+                              : max_reported_error;
 }
 
 }  // namespace
@@ -475,7 +476,7 @@ void BodyEstimator::Work::finish() {
   const double negligible = negligible_strain * negligible_strain * all_volume * laws.front().lame.mu;
   if (std::abs(all.work) < negligible) return;  // no load
   if (all.work < 0) {                           // the stress does work on the loads
-    newest.error = newest.press = all_lost;
+    newest.error = newest.press = max_reported_error;
     return;
   }
   add_forces(rest, all);

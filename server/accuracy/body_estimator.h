@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
+#include "common/error_estimate.h"
 #include "common/mesh.h"
-#include "common/messages.h"
 #include "common/scene/scene.h"
 
 namespace prosector {

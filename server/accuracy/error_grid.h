@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "common/error_estimate.h"
 #include "common/mesh.h"
-#include "common/messages.h"
 
 namespace prosector {
 

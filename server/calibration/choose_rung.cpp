@@ -122,11 +122,11 @@ class Options {
     BodyGeometry body = mesh_;
     body.elements *= std::pow(mesh_cell_ / cell, 3);
     auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
-    if (!expected) throw std::logic_error("a rung that may be chosen was not measured");
+    if (!expected) throw std::logic_error("an eligible configuration was not measured");
     std::vector<ActError> acts;
     if (known_.on_the_body) acts = known_.on_the_body(rung.model, rung.element, cell);
     const double of_the_way =
-        acts.empty() ? known_.hope * (expected->error - expected->drift) : worst(acts).error;
+        acts.empty() ? known_.untried_error_ratio * (expected->error - expected->drift) : worst(acts).error;
     expected->error = of_the_way + expected->drift;
     all_.push_back({rung, cell, *expected, std::move(acts)});
   }
@@ -175,9 +175,10 @@ std::vector<Rung> candidates(const SoftDesc& desc) {
     }
   }
   if (out.empty())
-    throw InputError(fmt::format(
-        "soft body \"{}\": no rung has model \"{}\", element \"{}\" and solver \"{}\"; leave one of them out",
-        desc.name, desc.model, desc.element, desc.solver));
+    throw InputError(
+        fmt::format("soft body \"{}\": no configuration has model \"{}\", element \"{}\" and solver \"{}\"; "
+                    "omit one of them",
+                    desc.name, desc.model, desc.element, desc.solver));
   return out;
 }
 
@@ -228,20 +229,22 @@ std::string explain(const Choice& choice, const SoftDesc& desc) {
   adopt(choice, chosen);
   const std::string asked = desc.accuracy ? fmt::format("accuracy {} %", desc.accuracy.value)
                                           : fmt::format("budget {} ms", desc.budget.value);
-  std::string line =
-      fmt::format("{} asked for, chosen: {}, cell {:.1f} mm{}; expected {} off, {:.2g} ms a frame", asked,
-                  in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at its rims" : "",
-                  percent_text(choice.expected.error), choice.expected.ms);
+  std::string line = fmt::format(
+      "{} requested, chosen: {}, cell {:.1f} mm{}; expected error {}, {:.2g} ms per frame", asked,
+      in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at the attachment rims" : "",
+      percent_text(choice.expected.error), choice.expected.ms);
   if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);
   if (!choice.good_enough && desc.accuracy)
-    line += fmt::format("; nothing here is good enough, this is the best there is, {} short of it",
-                        percent_text(choice.expected.error - 0.01 * desc.accuracy.value));
+    line += fmt::format(
+        "; no configuration is accurate enough: the most accurate one misses the requested accuracy by {}",
+        percent_text(choice.expected.error - 0.01 * desc.accuracy.value));
   if (!choice.good_enough && desc.budget)
-    line += fmt::format("; nothing measured is quick enough, this is the cheapest there is, {:.2g} ms over",
+    line += fmt::format("; no configuration is fast enough: the fastest one exceeds the budget by {:.2g} ms",
                         choice.expected.ms - desc.budget.value);
   if (table_ratio(desc.poisson_ratio) < desc.poisson_ratio)
-    line += fmt::format("; rungs were measured at a Poisson ratio of {}, not {}: expect more error",
-                        table_ratio(desc.poisson_ratio), desc.poisson_ratio);
+    line +=
+        fmt::format("; configurations were measured at a Poisson ratio of {}, not {}: expect a larger error",
+                    table_ratio(desc.poisson_ratio), desc.poisson_ratio);
   return line;
 }
 

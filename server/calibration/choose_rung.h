@@ -41,7 +41,8 @@ using OnTheBody =
 /// Errors of a body that are known from trials on the body itself.
 struct KnownErrors {
   OnTheBody on_the_body = {};  // empty: no trials
-  double hope = 1;             // assumed error of an untried model and element, over that of the table's beam
+  double untried_error_ratio =
+      1;  // assumed error of an untried model and element, over that of the table's beam
 };
 
 /// Chooses a rung for the body. `mesh` is the body's mesh with cells of `mesh_cell` m; the number of elements

@@ -24,7 +24,7 @@ constexpr int most_attempts = 12;        // trials of models and elements on a b
 constexpr int most_proofs = 4;           // verifications of a choice; each takes seconds to minutes
 // Assumed error of models and elements not tried yet, over that of the table's beam. The first value is far
 // lower, so that those are tried that suit this body better than a beam; the second assumes equal errors.
-constexpr double hopes[] = {0.25, 1};
+constexpr double untried_error_ratios[] = {0.25, 1};
 constexpr std::size_t progress_lines = 8;
 
 void say(const ChoiceOptions& options, const std::string& line) {
@@ -39,7 +39,7 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
       missing.push_back(trial);
   if (missing.empty()) return false;
   say(options,
-      fmt::format("measuring what {} rungs cost on this machine and get wrong; kept for the next time",
+      fmt::format("measuring cost and error of {} configurations on this machine; the results are cached",
                   missing.size()));
   const std::size_t stride = std::max<std::size_t>(1, missing.size() / progress_lines);
   std::size_t disturbed = 0;
@@ -51,10 +51,9 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
     if (table.rows().back().figures.share < least_share) ++disturbed;
   }
   if (disturbed > 0)
-    say(options,
-        fmt::format("{} of {} rungs were measured while other programs had the processor, too: they may "
-                    "cost less; measured again next time",
-                    disturbed, missing.size()));
+    say(options, fmt::format("{} of {} configurations were measured while other programs used the processor: "
+                             "their cost may be overestimated; they will be measured again next time",
+                             disturbed, missing.size()));
   return true;
 }
 
@@ -74,13 +73,14 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   if (!options.table_file.empty()) {
     FoundTable found = read_table(options.table_file, options.machine);
     if (!found.trouble.empty())
-      say(options, fmt::format("{} {}: measured again", options.table_file.string(), found.trouble));
+      say(options, fmt::format("{} {}: measuring again", options.table_file.string(), found.trouble));
     table = std::move(found.table);
   }
   if (!complete(table, wanted, options) || options.table_file.empty()) return table;
   add_missing(read_table(options.table_file, options.machine).table, table);
   if (!write_table(options.table_file, options.machine, table))
-    say(options, fmt::format("{} can't be written: measured again next time", options.table_file.string()));
+    say(options, fmt::format("{} cannot be written: configurations will be measured again next time",
+                             options.table_file.string()));
   return table;
 }
 
@@ -176,8 +176,8 @@ class TriedBody {
       return own_.at(model, element, cell);
     };
     Choice choice;
-    for (const double hope : hopes) {
-      known.hope = hope;
+    for (const double untried_error_ratio : untried_error_ratios) {
+      known.untried_error_ratio = untried_error_ratio;
       choice = chooser_.choose(known);
       for (int i = 0; i < most_attempts && learn(&OwnErrors::attempt, choice); ++i)
         choice = chooser_.choose(known);
@@ -290,7 +290,7 @@ std::vector<Choice> decode_choices(const std::string& text) {
     }
     return out;
   } catch (const nlohmann::json::exception&) {
-    throw InputError("journal: its choices of rungs are damaged");
+    throw InputError("journal: its stored choices of configurations are damaged");
   }
 }
 

@@ -230,7 +230,7 @@ std::optional<std::vector<ActError>> OwnErrors::found(const Way& way, const Anat
   const std::filesystem::path file = kept_in(way, mesh);
   const std::string seal = file.filename().string();
   if (!body_.cache_dir.empty()) {
-    const FoundFile kept = read_sealed(file, seal);
+    const SealedFileResult kept = read_sealed_file(file, seal);
     if (kept.bytes) return from_text({kept.bytes->begin(), kept.bytes->end()});
   }
   if (proving() && !body_.prove) return std::nullopt;
@@ -241,7 +241,7 @@ std::optional<std::vector<ActError>> OwnErrors::found(const Way& way, const Anat
   std::vector<ActError> acts = trial_on(mesh, cell).measure(way.first, way.second);
   if (!body_.cache_dir.empty()) {
     const std::string text = as_text(acts);
-    write_sealed(file, seal, std::vector<std::uint8_t>(text.begin(), text.end()));
+    write_sealed_file(file, seal, std::vector<std::uint8_t>(text.begin(), text.end()));
   }
   return acts;
 }

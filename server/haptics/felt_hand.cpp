@@ -11,7 +11,8 @@
 namespace prosector {
 namespace {
 
-constexpr double told_from = 0.03;      // m: surfaces closer to the hand than this get a plane before contact
+constexpr double plane_distance =
+    0.03;                               // m: surfaces closer to the hand than this get a plane before contact
 constexpr double same_place = 0.04;     // m: a plane that moved farther in a tick gets a new id
 constexpr double least_radius = 0.005;  // m: lower bound of a plane's radius
 constexpr double slips_from = 0.95;     // share of the friction bound; above it a contact counts as sliding
@@ -98,7 +99,7 @@ void make_hard(const TouchGroup& group, ContactPlane& plane) {
 }  // namespace
 
 FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand) {
-  around_ = simulation.around(ref_, told_from);
+  around_ = simulation.around(ref_, plane_distance);
   std::vector<TouchGroup> groups = grouped(around_.touches);
   std::vector<Place> before = std::move(places_);
   places_.clear();

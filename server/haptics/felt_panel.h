@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "common/contact_plane.h"
-#include "common/messages.h"
+#include "common/hand_pose.h"
+#include "common/part_messages.h"
 
 namespace prosector {
 

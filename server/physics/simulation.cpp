@@ -179,16 +179,16 @@ Refusal Simulation::take_over(const Simulation& from) {
     if (Refusal why = prosector::take_over(from.impl_->state, impl_->state)) return why;
     checkpoint();
   } catch (const InputError& error) {  // of the bytes that carry the state over
-    return fmt::format("internal error: the state can't be carried over. Please report this: {}",
+    return fmt::format("internal error: the state cannot be transferred: {}. Please report this.",
                        error.what());
   }
-  forget_last_tick(impl_->state, impl_->buffers);
+  clear_last_tick(impl_->state, impl_->buffers);
   return {};
 }
 
 void Simulation::restore(std::span<const std::uint8_t> bytes) {
   load(impl_->state, bytes);
-  forget_last_tick(impl_->state, impl_->buffers);
+  clear_last_tick(impl_->state, impl_->buffers);
 }
 
 std::size_t tet_count(const Simulation& simulation) {

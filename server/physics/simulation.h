@@ -13,9 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "common/hash.h"
+#include "common/ids.h"
 #include "common/mesh.h"
-#include "common/messages.h"
+#include "common/part_messages.h"
 #include "common/scene/scene.h"
+#include "common/scene_messages.h"
 #include "server/physics/base/part.h"
 #include "server/physics/base/step_report.h"
 #include "server/physics/stations/compile/compile_options.h"

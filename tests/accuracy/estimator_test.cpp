@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/anatomy/rest_stretch.h"
+#include "common/body_messages.h"
 #include "common/error_map.h"
 #include "server/accuracy/body_trial.h"
 #include "server/accuracy/bubbles.h"

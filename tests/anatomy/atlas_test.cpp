@@ -101,9 +101,9 @@ TEST(Atlas, SaysWhatIsWrong) {
       {"labels = \"names.csv\"\nonly = [\"livre\"]\n",
        "\"livre\": no label of names.csv has this name; did you mean \"liver\""},
       {"labels = \"names.csv\"\nonly = [\"nowhere\"]\n",
-       "label 12 (\"nowhere\") isn't in map.inr, which has 7, 9"},
-      {"labels = \"names.csv\"\nleave_out = [\"liver\", \"rib\"]\n", "no label is left; map.inr has 7, 9"},
-      {"labels = \"gone.csv\"\n", "gone.csv is missing; looked for"},
+       "label 12 (\"nowhere\") does not occur in map.inr, which has 7, 9"},
+      {"labels = \"names.csv\"\nleave_out = [\"liver\", \"rib\"]\n", "no label remains; map.inr has 7, 9"},
+      {"labels = \"gone.csv\"\n", "gone.csv is missing; searched for"},
       {"labels = \"noid.csv\"\n", "\"liver\" has no id"},
       {"only = [\"region 3\"]\n", "no label of map.inr has this name"},
       {"[[rigid]]\nname = \"region 7\"\n[[rigid.part]]\n", "label \"region 7\": another body has this name"},
@@ -124,12 +124,12 @@ TEST(Atlas, SaysWhatIsWrong) {
     return std::string();
   };
   EXPECT_NE(of("gone.nii").find("deploy/fetch_anatomy.sh"), std::string::npos);
-  EXPECT_NE(of("grey.inr").find("no label but 0"), std::string::npos);
+  EXPECT_NE(of("grey.inr").find("no label except 0"), std::string::npos);
   Bytes half = nifti_header(2, 1, 1, 16);
   put(half, 352, 1.f);
   put(half, 356, 1.5f);
   write(map.dir.path / "half.nii", half);
-  EXPECT_NE(of("half.nii").find("voxel 1 is 1.5: no label map"), std::string::npos) << of("half.nii");
+  EXPECT_NE(of("half.nii").find("not a label map: voxel 1 is 1.5"), std::string::npos) << of("half.nii");
 }
 
 TEST(Atlas, SpecksAreLeftOutUnlessAskedFor) {
@@ -145,7 +145,7 @@ TEST(Atlas, SpecksAreLeftOutUnlessAskedFor) {
       completed(map.scene(""), map.paths, [&](const std::string& line) { said += line + "\n"; });
   ASSERT_EQ(s.soft.size(), 1u);
   EXPECT_EQ(s.soft[0].label, 7);
-  EXPECT_NE(said.find("label 9 (\"region 9\") has 2 voxels only: left out"), std::string::npos) << said;
+  EXPECT_NE(said.find("label 9 (\"region 9\") has only 2 voxels: omitted"), std::string::npos) << said;
   EXPECT_EQ(completed(map.scene("only = [\"region 9\"]\n"), map.paths, {}).soft.size(), 1u);
 }
 

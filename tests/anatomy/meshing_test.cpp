@@ -112,7 +112,7 @@ TEST(Stuffing, NamesAFinerCellThatDoesGiveTetrahedra) {
         continue;  // a shape that fills its box has tetrahedra at any cell
       } catch (const InputError&) {
       }
-      cell = cell_named("for instance ", [&] { stuff_solid(field, cell); });
+      cell = cell_named("e.g. ", [&] { stuff_solid(field, cell); });
       EXPECT_GT(cell, 0);
       EXPECT_NO_THROW(stuff_solid(field, cell));
     }

@@ -138,7 +138,7 @@ TEST(Sources, VolumesFarFromTheirLabelsAreRefusedUnlessAsked) {
     d.volume = "halves.inr";
     const std::string halves = complaint(d, paths);
     EXPECT_NE(halves.find("% less than the 98.78 ml of its voxels"), std::string::npos) << halves;
-    EXPECT_NE(halves.find("Of a label in pieces the largest is taken"), std::string::npos) << halves;
+    EXPECT_NE(halves.find("If a label has several pieces, the largest is used"), std::string::npos) << halves;
     d.volume = "hollow.inr";
     const std::string hollow = complaint(d, paths);
     EXPECT_NE(hollow.find("% more than the"), std::string::npos) << hollow;
@@ -195,7 +195,7 @@ TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
   }
   Lines flipped;
   EXPECT_TRUE(same(make_anatomy(d, paths, flipped.progress())));
-  EXPECT_TRUE(flipped.say("its mesh in the cache is damaged: made anew"));
+  EXPECT_TRUE(flipped.say("its cached mesh is damaged: rebuilt"));
   // Another parameter is another file; the pose is not part of it.
   SoftDesc finer = d;
   finer.cell = 0.006;
@@ -299,7 +299,7 @@ TEST(Sources, WhatIsRefusedNamesTheBody) {
   struct {
     const char *file, *why;
   } const table[] = {{"organ.obj", "organ.obj: not a surface"},
-                     {"open.obj", "open.obj: not closed: 3 edges on the rims of holes"},
+                     {"open.obj", "open.obj: not closed: 3 edges at the borders of holes"},
                      {"organ.xyz", "organ.xyz: not a tetrahedral mesh; allowed: .msh (Gmsh), .vtk"}};
   for (const auto& row : table) {
     surface.mesh = row.file;
@@ -318,7 +318,7 @@ TEST(Sources, LabelsAreListedInOrderAndInRanges) {
     std::replace(voxels.begin(), voxels.end(), gone, std::uint8_t{0});
   write(dir.path / "balls.inr", inrimage(8, 8, 4, {1, 1, 1}, voxels));
   EXPECT_NE(complaint(ball_of(4), {dir.path, {}, {}})
-                .find("label 4 isn't there; allowed: 1 to 3, 5 to 6, 9 to 255"),
+                .find("label 4 does not occur; allowed: 1 to 3, 5 to 6, 9 to 255"),
             std::string::npos)
       << complaint(ball_of(4), {dir.path, {}, {}});
 }
@@ -332,7 +332,8 @@ TEST(Sources, ManyTetrahedraAreAnnounced) {
   d.surface_cell = 0.02;
   Lines said;
   make_anatomy(d, {}, said.progress());
-  EXPECT_TRUE(said.lines.front().find("ball: meshing with about 2.2e+05 tetrahedra takes a while") == 0)
+  EXPECT_TRUE(said.lines.front().find("ball: meshing with about 2.2e+05 tetrahedra, which takes a while") ==
+              0)
       << said.lines.front();
 }
 

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "common/anatomy/close_points.h"
+#include "common/anatomy/coincident_points.h"
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/sources.h"
 #include "common/anatomy/surface_check.h"
@@ -68,7 +68,7 @@ TEST(SurfaceRepair, ShellsWithinShellsAreFilledOrCavities) {
   const Filled nested = filled(together(box(0, 80), box(20, 60)));
   EXPECT_NEAR(nested.volume, 512, 10) << nested.refusal;
   EXPECT_TRUE(nested.said.say(
-      "organ: warning: 1 shell lies within another and faces outward like it and bounds nothing"));
+      "organ: warning: 1 shell is inside another and faces outward like it and encloses nothing"));
   const Filled hollow = filled(together(box(0, 80), turned(box(20, 60))));
   EXPECT_NEAR(hollow.volume, 448, 10) << hollow.refusal;
   EXPECT_TRUE(hollow.said.say("1 shell within another faces inward: a cavity"));
@@ -84,9 +84,9 @@ TEST(SurfaceRepair, SeparateSolidsAreRefusedUnlessAsked) {
   EXPECT_NE(refused.refusal.find("organ: its volume is 6"), std::string::npos) << refused.refusal;
   EXPECT_NE(refused.refusal.find("% less than the 128 ml that its file encloses"), std::string::npos)
       << refused.refusal;
-  EXPECT_NE(refused.refusal.find("write separate solids into files of their own"), std::string::npos);
+  EXPECT_NE(refused.refusal.find("write separate solids to separate files"), std::string::npos);
   EXPECT_NE(refused.refusal.find("max_volume_error = \"5"), std::string::npos) << refused.refusal;
-  EXPECT_TRUE(refused.said.say("2 separate solids in the file: the largest is taken, 64 of 128 ml"));
+  EXPECT_TRUE(refused.said.say("2 separate solids in the file: the largest is used, 64 of 128 ml"));
   const Filled asked = filled(corner, 60, 0.012);
   EXPECT_NEAR(asked.volume, 64, 5) << asked.refusal;
   EXPECT_TRUE(asked.said.say("organ: warning: its volume is 6"));
@@ -120,7 +120,7 @@ TEST(SurfaceRepair, CracksOfRoundingAreClosed) {
   EXPECT_TRUE(made.said.say("repaired: 28 vertices within")) << made.said.lines.front();
   // What is farther apart than rounding stays open.
   for (std::size_t v = 0; v < 3; ++v) cracked.positions[v] += Vec3(0.1, 0, 0);
-  EXPECT_NE(filled(cracked).refusal.find("on the rims of holes"), std::string::npos);
+  EXPECT_NE(filled(cracked).refusal.find("at the borders of holes"), std::string::npos);
 }
 
 TEST(SurfaceRepair, InconsistentWindingIsTurned) {
@@ -128,7 +128,7 @@ TEST(SurfaceRepair, InconsistentWindingIsTurned) {
   for (const std::size_t t : {1u, 4u, 10u}) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
   const Filled made = filled(mesh);
   EXPECT_NEAR(made.volume, 216, 6) << made.refusal;
-  EXPECT_TRUE(made.said.say("repaired: 3 triangles that faced to the other side are turned"));
+  EXPECT_TRUE(made.said.say("repaired: 3 triangles with inconsistent orientation are flipped"));
   EXPECT_TRUE(repaired(box(0, 60)).notes.empty());
 }
 
@@ -159,7 +159,7 @@ TEST(SurfaceRepair, FilesFarFromTheirOriginNameTheRemedy) {
   const TriangleMesh near =
       load_surface(dir.path / "far.off", 1e-3, {.origin = Vec3(2e6, 0, 0), .report = said.progress()});
   EXPECT_NEAR(enclosed_volume(near), 216e-6, 1e-8);
-  EXPECT_TRUE(said.say("in single precision they are rounded to 0.24, of its 60 across"));
+  EXPECT_TRUE(said.say("single precision rounds them to 0.24, at a size of 60"));
 }
 
 TEST(SurfaceRepair, RigidBodiesSayWhatTheirMassIsOff) {
@@ -200,15 +200,15 @@ TEST(WindingTree, IsTheSumOfSolidAngles) {
 TEST(ClosePoints, StandForThoseWithinTheTolerance) {
   const std::vector<Vec3> points = {{0, 0, 0},    {1e-7, 0, 0}, {1, 0, 0},
                                     {0, 2e-6, 0}, {1, 1e-6, 0}, {-1, 0, 0}};
-  EXPECT_EQ(close_points(points, 1e-6), (std::vector<std::uint32_t>{0, 0, 2, 3, 2, 5}));
-  EXPECT_EQ(close_points(points, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
-  EXPECT_TRUE(close_points({}, 1).empty());
+  EXPECT_EQ(coincident_points(points, 1e-6), (std::vector<std::uint32_t>{0, 0, 2, 3, 2, 5}));
+  EXPECT_EQ(coincident_points(points, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_TRUE(coincident_points({}, 1).empty());
   // Against all pairs.
   std::mt19937_64 random(5);
   std::vector<Vec3> many;
   for (int i = 0; i < 400; ++i)
     many.push_back(Vec3::NullaryExpr([&] { return 0.01 * static_cast<double>(random() % 9); }));
-  const auto found = close_points(many, 1e-9);
+  const auto found = coincident_points(many, 1e-9);
   for (std::size_t i = 0; i < many.size(); ++i)
     EXPECT_EQ(found[i], std::ranges::find(many, many[i]) - many.begin());
 }
@@ -244,7 +244,7 @@ TEST(Stl, BinaryIsToldByItsSize) {
   EXPECT_NEAR(enclosed_volume(parse_stl(whole, notes)), 8, 1e-9);
   EXPECT_TRUE(notes.empty());
   EXPECT_NEAR(enclosed_volume(parse_stl(whole + "\r\n", notes)), 8, 1e-9);
-  EXPECT_EQ(notes, std::vector<std::string>{"2 bytes after its last triangle are not read"});
+  EXPECT_EQ(notes, std::vector<std::string>{"2 bytes after its last triangle are ignored"});
   std::string other = whole;
   other[0] = 'x';
   EXPECT_NE(refusal_of([&] {

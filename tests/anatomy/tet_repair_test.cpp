@@ -121,7 +121,7 @@ TEST(TetRepair, CellsThatDontFitAreRefused) {
   for (std::size_t t = 0; t < cube_tets.size(); ++t)
     for (std::uint32_t& n : elements[t].nodes) n = n / 4 * 4 + (n + 1) % 4;
   const MadeOfCells made = made_from("m.msh", gmsh_text(ring_nodes(2), elements));
-  EXPECT_NE(made.refusal.find("at 1 quadrilateral faces the cells on both sides don't fit"),
+  EXPECT_NE(made.refusal.find("at 1 quadrilateral faces the cells on both sides do not match"),
             std::string::npos)
       << made.refusal;
   EXPECT_NE(made.refusal.find("Save the mesh with tetrahedra only"), std::string::npos);
@@ -161,7 +161,8 @@ TEST(TetRepair, QuadraticCellsAreTakenByTheirCorners) {
                                   : made_from("t.Vtk", vtk_text(nodes, as_vtk(elements)));
     EXPECT_NEAR(made.volume, 1e-3 / 6, 1e-12) << made.refusal;
     EXPECT_EQ(made.anatomy.tets.positions.size(), 4u);
-    EXPECT_TRUE(made.said.say("organ: repaired: 1 quadratic tetrahedra are taken by their corners"));
+    EXPECT_TRUE(made.said.say(
+        "organ: repaired: 1 quadratic tetrahedra are replaced by linear ones with straight edges"));
     EXPECT_TRUE(made.said.say("organ: not used: 1 triangles"));
   }
 }
@@ -179,7 +180,7 @@ TEST(TetRepair, ElementsThatAreThereTwiceAreDropped) {
   const MadeOfCells made = made_from("m.msh", gmsh_text(ring_nodes(1), twice));
   EXPECT_NEAR(made.volume, 1e-3, 1e-12) << made.refusal;
   EXPECT_EQ(made.anatomy.surface.triangles.size(), 12u);
-  EXPECT_TRUE(made.said.say("organ: repaired: 6 tetrahedra that are there twice are dropped"));
+  EXPECT_TRUE(made.said.say("organ: repaired: 6 duplicate tetrahedra are dropped"));
   // Others on the same faces aren't the same elements.
   std::vector<Vec3> nodes = ring_nodes(1);
   nodes.push_back({0.02, 0.09, 0.05});
@@ -207,8 +208,8 @@ TEST(TetRepair, NodesThatAreNotMergedAre) {
 
 TEST(TetRepair, TangledElementsAreFound) {
   TetMesh box = kuhn_box({0.1, 0.1, 0.1}, 4, 4, 4);
-  EXPECT_EQ(find_tangles(box).tets, 0u);
-  EXPECT_NEAR(find_tangles(box).enclosed, 1e-3, 1e-12);
+  EXPECT_EQ(find_tet_overlap(box).tets, 0u);
+  EXPECT_NEAR(find_tet_overlap(box).enclosed, 1e-3, 1e-12);
   constexpr std::size_t inner = 2 + 5 * (2 + 5 * 2);  // the middle node
   box.positions[inner] += Vec3(0.03, 0.004, 0.002);   // through the faces opposite
   const auto text = [&] {
@@ -218,8 +219,8 @@ TEST(TetRepair, TangledElementsAreFound) {
   };
   const MadeOfCells made = made_from("m.msh", text());
   EXPECT_EQ(made.refusal, "");
-  EXPECT_TRUE(made.said.say("tetrahedra are tangled: they lie on the wrong side of a neighbour"));
-  EXPECT_NEAR(find_tangles(made.anatomy.tets).enclosed, 1e-3, 1e-9);
+  EXPECT_TRUE(made.said.say("tetrahedra overlap: they are on the wrong side of a neighbour"));
+  EXPECT_NEAR(find_tet_overlap(made.anatomy.tets).enclosed, 1e-3, 1e-9);
   // Far more: what they fill is no longer what they enclose.
   box.positions[inner] += Vec3(0.3, 0, 0);
   const MadeOfCells far = made_from("m.msh", text());

@@ -117,7 +117,7 @@ TEST(Volume, NiftiTakesTheSformsSizeAndSaysSo) {
   put_sform(file, 2 * pixdim);
   Volume v = parse_volume(file, "file");
   EXPECT_NEAR((v.voxel_size - Vec3(3e-3, 4e-3, 5e-3)).norm(), 0, 1e-9);
-  EXPECT_TRUE(notes(v, "1.5 x 2 x 2.5 mm by pixdim and 3 x 4 x 5 mm by the sform"));
+  EXPECT_TRUE(notes(v, "1.5 x 2 x 2.5 mm in pixdim and 3 x 4 x 5 mm in the sform"));
   put(file, 80, std::numeric_limits<float>::quiet_NaN());
   EXPECT_NEAR(parse_volume(file, "file").voxel_size[0], 3e-3, 1e-9);
   // An oblique one has the columns' lengths; a sheared one doesn't fit the grid.
@@ -136,20 +136,20 @@ TEST(Volume, NiftiTakesTheSformsSizeAndSaysSo) {
       << error_of(file);
   // One that spans nothing isn't used, and qform and sform may differ in which side is left.
   put_sform(file, Mat3::Zero());
-  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform spans no space"));
+  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform is singular"));
   put_sform(file, pixdim);
   put<std::int16_t>(file, 252, 1);
   put(file, 76, 1.f);
   EXPECT_TRUE(parse_volume(file, "file").notes.empty());
   put_sform(file, Vec3(-1.5, 2, 2.5).asDiagonal());
-  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform and its qform turn it differently"));
+  EXPECT_TRUE(notes(parse_volume(file, "file"), "its sform and qform have different orientations"));
 }
 
 TEST(Volume, NiftiScalingThatIsNoNumberIsNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Volume v = parse_volume(nifti_of<std::int16_t>(4, false, nan, nan), "file");
   EXPECT_EQ(v.values[1], 4.f);
-  EXPECT_TRUE(notes(v, "taken as unscaled"));
+  EXPECT_TRUE(notes(v, "no scaling is applied"));
   EXPECT_NE(error_of(nifti_of<std::int16_t>(4, false, 2, nan)), "");
 }
 
@@ -240,7 +240,7 @@ TEST(Mask, LabelKeepsTheLargestPieceAndListsWhatIsThere) {
     mask_of_label(v, 8, 2, "balls");
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("label 8 isn't there; allowed: 7, 9"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("label 8 does not occur; allowed: 7, 9"), std::string::npos)
         << e.what();
   }
 }

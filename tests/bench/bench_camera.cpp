@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <set>
 
-#include "drivers/camera/picture_file.h"
+#include "drivers/camera/base/image_reader.h"
 #include "tests/bench/camera_plot.h"
 #include "tests/bench/face_trials.h"
 #include "tests/bench/subjects.h"
@@ -74,8 +74,7 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
 
 /// Lists what is measured of a printed picture.
 std::vector<CameraTrial> page_trials(const std::filesystem::path& file) {
-  const Board page{
-      "page", {}, std::make_shared<const PrintedPicture>(PrintedPicture{read_picture(file), 0.2})};
+  const Board page{"page", {}, std::make_shared<const PrintedImage>(PrintedImage{read_image(file), 0.2})};
   std::vector<CameraTrial> out;
   const auto add = [&](const std::string& varied, std::initializer_list<double> values, auto change) {
     for (const double value : values) {

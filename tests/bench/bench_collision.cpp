@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/scene_messages.h"
+
 #include "tests/bench/collision_cases.h"
 #include "tests/bench/collision_plot.h"
 #include "tests/bench/subjects.h"

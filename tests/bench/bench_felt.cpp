@@ -16,7 +16,7 @@
 #include "server/calibration/choose_scene.h"
 #include "server/calibration/stopwatch.h"
 #include "server/physics/mechanics/soft/soft_body.h"
-#include "server/session/journal_reader.h"
+#include "server/session/journal/journal_reader.h"
 #include "tests/bench/crowd.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

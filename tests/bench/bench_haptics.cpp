@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "common/panel_control.h"
+
 #include "tests/bench/haptic_plot.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
@@ -32,8 +34,8 @@ struct HandRow {
 };
 const std::vector<HandRow> hands = {{"light", light_hand}, {"medium", medium_hand}};
 
-constexpr double still = 3e-4;                                  // m: more ripple is not stable
-constexpr double least_stiffness = 30, most_stiffness = 20000;  // N/m
+constexpr double still = 3e-4;                               // m: more ripple is not stable
+constexpr double min_stiffness = 30, max_stiffness = 20000;  // N/m
 const std::vector<double> round_trips = {0, 0.02, 0.05, 0.1, 0.2};
 const std::vector<double> stiffnesses = {30, 100, 300, 1000, 3000, 10000};
 constexpr LineQuality clean{}, bad{0, 0.02, 0.05};
@@ -50,7 +52,7 @@ bool stable(const HapticScheme& scheme, HapticCase test, int seeds) {
 /// Returns the stiffest tissue up to which all that is softer is stable, N/m; 0: not even the softest.
 double stable_stiffness(const HapticScheme& scheme, HapticCase test, double step, int seeds) {
   double last = 0;
-  for (double k = least_stiffness; k <= most_stiffness; k *= step) {
+  for (double k = min_stiffness; k <= max_stiffness; k *= step) {
     test.stiffness = k;
     if (!stable(scheme, test, seeds)) break;
     last = k;

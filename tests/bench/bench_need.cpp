@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/scene/load_scene.h"
-#include "server/calibration/redial.h"
+#include "server/calibration/accuracy_change.h"
 #include "server/physics/stations/compile/sources.h"
 #include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
@@ -54,7 +54,7 @@ Report bench_need(const NeedBenchOptions& options) {
   for (const SoftDesc& desc : scene.soft) {
     if (desc.shape == "sheet" || desc.shape == "rope" || (!options.body.empty() && desc.name != options.body))
       continue;
-    const Redial dial(scene, desc.name, choice);
+    const AccuracyChange dial(scene, desc.name, choice);
     for (const double percent : asked) {
       const ReportRow row = row_of(dial.choose(percent), percent);
       table.print(row);

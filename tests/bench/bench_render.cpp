@@ -13,6 +13,7 @@
 #include "client/view/still_scene.h"
 #include "common/anatomy/atlas.h"
 #include "common/clock.h"
+#include "common/ids.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "server/calibration/stopwatch.h"

@@ -30,7 +30,7 @@ Anatomy box(unsigned tets) {
   return kuhn_anatomy({length, side, side}, Vec3(0.012 * length, 0.012 * side, 0.012 * side));
 }
 
-/// Turned by 0.3 rad and dented from above by up to a tenth of the size.
+/// Corotated by 0.3 rad and dented from above by up to a tenth of the size.
 VecX pressed(const VecX& rest) {
   VecX x(rest.size());
   const double size = rest.maxCoeff();

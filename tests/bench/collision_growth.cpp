@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "server/calibration/stopwatch.h"
 #include "server/physics/mechanics/contact/layers.h"
 #include "server/physics/mechanics/contact/margins.h"
-#include "server/physics/mechanics/contact/self_surface.h"
+#include "server/physics/mechanics/contact/self_collision.h"
 #include "server/physics/mechanics/contact/soft_meeting.h"
 #include "server/physics/simulation.h"
 #include "tests/bench/collision_cases.h"
@@ -76,7 +76,7 @@ ReportRow measure_surface(int levels, int ticks) {
   const double build = cpu_ms() - start;
   const std::size_t bytes = allocated_bytes() - before;
   const Solid other(other_anatomy);
-  SelfSurface itself(anatomy, solid.cell);
+  SelfCollision itself(anatomy, solid.cell);
 
   std::vector<VertexMeeting> found;
   std::vector<double> refit, apart, crossing, self;

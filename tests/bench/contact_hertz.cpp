@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "common/body_messages.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 #include "tests/bench/finite_layer.h"

@@ -143,7 +143,7 @@ Vec3 soft_centre(const Simulation& simulation, BodyId body) {
 
 TickInput driving(BodyId body, const Pose& to) {
   TickInput input;
-  input.drives.push_back({body, to});
+  input.kinematic_targets.push_back({body, to});
   return input;
 }
 

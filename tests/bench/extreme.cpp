@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "common/scene/scene.h"
 #include "tests/soft/kuhn.h"
 

@@ -66,7 +66,7 @@ void measure_faces(bool quick, const std::function<void(const ReportRow&)>& take
     fmt::print("faces are left out: deploy/fetch_models.sh fetches the network that finds them\n");
     return;
   }
-  const auto own = std::make_shared<const FaceMesh>(make_face(usual_eye_distance));
+  const auto own = std::make_shared<const FaceMesh>(make_face(default_interpupillary_distance));
   for (FaceTrial trial : face_trials()) {
     if (quick) trial.what.places = trial.what.pictures = 2;
     take(face_row("face", trial, face_errors(trial.what, own, net.parent_path())));

@@ -12,7 +12,7 @@
 #include "tests/bench/trade_case.h"
 
 int main(int argc, char** argv) try {
-  prosector::keep_freed_memory();  // as the server does
+  prosector::retain_freed_memory();  // as the server does
   CLI::App app("Measures what things cost on this machine.", "prosector-bench");
   app.require_subcommand(1);
   app.set_version_flag("--version", prosector::version_line("prosector-bench"));
@@ -34,7 +34,7 @@ int main(int argc, char** argv) try {
   prosector::RenderBenchOptions render;
   CLI::App* render_command = app.add_subcommand(
       "render", "Frames drawn off screen: each quality, effect, size and fineness, pass by pass");
-  render_command->add_option("SCENE", render.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
+  render_command->add_option("SCENE", render.scene, "Scene file, e.g. deploy/scenes/abdomen.toml")
       ->check(CLI::ExistingFile)
       ->required();
   render_command->add_option("--width", render.width, "Pixels")->check(CLI::Range(16, 4096));
@@ -92,7 +92,7 @@ int main(int argc, char** argv) try {
   prosector::CrowdBenchOptions crowd;
   CLI::App* crowd_command = app.add_subcommand(
       "crowd", "A step while more and more people press one organ: growth, phase by phase");
-  crowd_command->add_option("SCENE", crowd.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
+  crowd_command->add_option("SCENE", crowd.scene, "Scene file, e.g. deploy/scenes/abdomen.toml")
       ->check(CLI::ExistingFile)
       ->required();
   crowd_command->add_option("--organ", crowd.organ, "Pressed (default: the one of the most tetrahedra)");

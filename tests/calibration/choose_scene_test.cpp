@@ -76,7 +76,7 @@ TEST(ChooseScene, MeasuresOnceAndKeepsTheTable) {
   const auto first = chooser.choose(scene);
   EXPECT_GT(chooser.measured, 20);
   EXPECT_TRUE(chooser.said("measuring"));
-  EXPECT_TRUE(chooser.said("liver: accuracy 2 % asked for, chosen: ")) << chooser.log.back();
+  EXPECT_TRUE(chooser.said("liver: accuracy 2 % requested, chosen: ")) << chooser.log.back();
   ASSERT_EQ(first.size(), 1u);
   EXPECT_EQ(scene.soft[0].cell, SoftDesc{}.cell) << "nothing was asked for this one";
   EXPECT_EQ(scene.soft[1].cell, first[0].cell);
@@ -93,7 +93,7 @@ TEST(ChooseScene, WhatWasMeasuredUnderLoadIsSaidAndMeasuredAgain) {
   chooser.share = 0.6;
   SceneDesc scene = Chooser::scene();
   EXPECT_EQ(chooser.choose(scene).size(), 1u) << "it serves this once";
-  EXPECT_TRUE(chooser.said("measured while other programs had the processor"));
+  EXPECT_TRUE(chooser.said("measured while other programs used the processor"));
   const int all = chooser.measured;
   chooser.share = 1;
   scene = Chooser::scene();
@@ -190,7 +190,7 @@ TEST(ChooseScene, ATableThatCannotBeKeptIsNoError) {
   chooser.file = "/proc/no/such/rungs.json";
   SceneDesc scene = Chooser::scene();
   EXPECT_EQ(chooser.choose(scene).size(), 1u);
-  EXPECT_TRUE(chooser.said("can't be written"));
+  EXPECT_TRUE(chooser.said("cannot be written"));
 }
 
 TEST(ChooseScene, NothingAskedForMeasuresNothing) {

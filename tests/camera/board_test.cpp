@@ -6,11 +6,11 @@
 #include <set>
 
 #include "common/error.h"
-#include "drivers/camera/camera_calibration.h"
-#include "drivers/camera/picture_file.h"
+#include "drivers/camera/base/camera_calibration.h"
+#include "drivers/camera/base/image_reader.h"
 #include "drivers/camera/printing/board_sheet.h"
-#include "drivers/camera/tags/known_boards.h"
-#include "drivers/camera/tags/tag_finder.h"
+#include "drivers/camera/tags/standard_boards.h"
+#include "drivers/camera/tags/tag_detector.h"
 #include "tests/camera/tag_cases.h"
 
 namespace prosector {
@@ -39,7 +39,7 @@ std::string complaint(const std::function<void()>& does) {
 
 TEST(Boards, NoCodeIsOnTwoOfThem) {
   std::set<int> codes;
-  for (const KnownBoard& row : known_boards())
+  for (const StandardBoard& row : standard_boards())
     for (const BoardTag& tag : find_board(row.name).tags) {
       EXPECT_TRUE(codes.insert(tag.code).second) << row.name << " " << tag.code;
       EXPECT_LT(tag.code, tag_codes);
@@ -92,17 +92,17 @@ TEST(Boards, BadFilesSayWhatAndWhere) {
 
 // What is printed at 300 dots an inch is found where it belongs, to a twentieth of a millimetre.
 TEST(BoardSheet, IsTrueToScale) {
-  for (const KnownBoard& row : known_boards()) {
+  for (const StandardBoard& row : standard_boards()) {
     const Board board = find_board(row.name);
     const auto file = folder() / "sheet.png";
     write_sheet(board, {}, file);
-    const auto tags = TagFinder({2}).find(grey_of(read_picture(file)));
+    const auto tags = TagDetector({2}).find(grey_of(read_image(file)));
     ASSERT_EQ(tags.size(), board.tags.size()) << row.name;
     constexpr double metres = 0.0254 / 300;  // a pixel
-    for (const SeenTag& tag : tags) {
+    for (const DetectedTag& tag : tags) {
       const auto ours = board.find(tag.code)->corners();
       for (std::size_t c = 0; c < 4; ++c)
-        for (const SeenTag& other : tags) {
+        for (const DetectedTag& other : tags) {
           const Vec2 printed = metres * (tag.corners[c] - other.corners[0]);
           const Vec3 meant = ours[c] - board.find(other.code)->corners()[0];
           EXPECT_NEAR(printed.x(), meant.x(), 5e-5) << row.name;
@@ -116,14 +116,14 @@ TEST(BoardSheet, SaysWhatItCannotPrint) {
   const Board large = grid_board("large", {6, 6, 0.06, 0.015, 0});
   EXPECT_NE(complaint([&] {
               write_sheet(large, {}, folder() / "x.pdf");
-            }).find("too large for a paper of 297 × 210 mm"),
+            }).find("too large for paper of 297 × 210 mm"),
             std::string::npos);
   const Board small = find_board("tablet");
   EXPECT_NE(complaint([&] { write_sheet(small, {}, folder() / "x.gif"); }).find("must end with"),
             std::string::npos);
-  EXPECT_NE(complaint([&] { write_sheet(small, {}, "/nowhere/x.pdf"); }).find("can't be written"),
+  EXPECT_NE(complaint([&] { write_sheet(small, {}, "/nowhere/x.pdf"); }).find("cannot be written"),
             std::string::npos);
-  EXPECT_NE(complaint([&] { write_sheet(small, {}, "/nowhere/x.png"); }).find("can't be written"),
+  EXPECT_NE(complaint([&] { write_sheet(small, {}, "/nowhere/x.png"); }).find("cannot be written"),
             std::string::npos);
   EXPECT_NE(complaint([] { (void)paper_named("a9"); }).find("a3, a4 or letter"), std::string::npos);
 }

@@ -4,10 +4,10 @@
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/one_euro.h"
-#include "drivers/camera/straightener.h"
-#include "drivers/camera/synthetic/synthetic_camera.h"
+#include "drivers/camera/base/one_euro.h"
+#include "drivers/camera/base/undistorter.h"
 #include "tests/camera/tag_cases.h"
+#include "twins/camera/synthetic_camera.h"
 
 namespace prosector {
 namespace {
@@ -20,15 +20,15 @@ class Watcher {
     optics_.straight = straightener_.lens();
   }
   std::optional<TrackedBoard> see(const Image& image, double seconds) {
-    TagPicture picture{grey_of(image), {}, {}, static_cast<std::int64_t>(1e9 * seconds)};
+    TagImage picture{grey_of(image), {}, {}, static_cast<std::int64_t>(1e9 * seconds)};
     picture.straight = straightener_.straight(picture.bent);
     picture.tags = finder_.find(picture.straight);
     return tracker_.update(picture, optics_);
   }
 
  private:
-  Straightener straightener_;
-  TagFinder finder_;
+  Undistorter straightener_;
+  TagDetector finder_;
   TagOptics optics_;
   BoardTracker tracker_;
 };
@@ -46,19 +46,19 @@ TEST(BoardTracker, FollowsWhereTagsCannotBeReadForAWhile) {
   SyntheticScene covered = scene;
   for (const BoardTag& tag : board.tags) {
     // A disc's worth of the code, not of the border.
-    FlatThing spot{index, tag.pose, 0.7 * tag.size, 0.7 * tag.size, nullptr, true};
+    TexturedQuad spot{index, tag.pose, 0.7 * tag.size, 0.7 * tag.size, nullptr, true};
     spot.pose.p.z() += 1e-4;
     spot.texture =
         std::make_shared<Texture>(Image{1, 1, {25, 25, 25}}, false, Response(scene.sensor.response));
     covered.things.push_back(spot);
   }
-  const ScenePainter open(scene), hidden(covered);
+  const SceneRenderer open(scene), hidden(covered);
   Watcher watcher(board);
   for (std::uint64_t k = 0; k < 28; ++k) {
     const bool hides = k >= 3 && k < 23;
     const double seconds = scene.seconds_of(k);
     const auto at = watcher.see((hides ? hidden : open).paint(k), seconds);
-    const bool lost = hides && seconds - scene.seconds_of(2) > BoardTracker::longest_followed - 1e-3;
+    const bool lost = hides && seconds - scene.seconds_of(2) > BoardTracker::max_flow_time - 1e-3;
     ASSERT_EQ(at.has_value(), !lost) << k;
     if (!at) continue;
     EXPECT_EQ(at->followed, hides) << k;
@@ -79,7 +79,7 @@ TEST(BoardTracker, TellsNothingWhereEdgesAreGone) {
   carrier.motion->add(0, 0, Pose{{-0.05, 0, -0.6}, Quat::Identity()});
   carrier.motion->add(0, 0.3, Pose{{0.05, 0, -0.6}, Quat::Identity()});
   const std::size_t index = scene.add_board(board, carrier);
-  const ScenePainter painter(scene);
+  const SceneRenderer painter(scene);
   Watcher watcher(board);
   int lost = 0;
   for (std::uint64_t k = 0; k < 12; ++k) {
@@ -102,7 +102,7 @@ TEST(BoardTracker, OfBothPosesThatLookAlikeItKeepsOne) {
   Carrier carrier;
   carrier.pose = {{0.02, 0.01, -0.9}, Quat(Eigen::AngleAxisd(20 * degree, Vec3::UnitY()))};
   const std::size_t index = scene.add_board(board, carrier);
-  const ScenePainter painter(scene);
+  const SceneRenderer painter(scene);
   Watcher watcher(board);
   const SyntheticTruth truth = scene.truth(0);
   const Quat right = (truth.room_camera.inverse() * truth.room_things[index]).q;

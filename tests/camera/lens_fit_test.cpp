@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 #include "drivers/camera/calibration/lens_guide.h"
-#include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/tags/standard_boards.h"
 #include "tests/camera/tag_cases.h"
 
 namespace prosector {
@@ -14,7 +14,7 @@ namespace {
 std::vector<LensView> views_of(const Lens& lens, double response, int count, double nearest = 0.3) {
   Random random(5);
   const Board board = find_board("calibration");
-  const TagFinder finder({1});
+  const TagDetector finder({1});
   std::vector<LensView> views;
   for (int k = 0; k < count; ++k) {
     SyntheticScene scene = usual_scene(lens);
@@ -26,7 +26,7 @@ std::vector<LensView> views_of(const Lens& lens, double response, int count, dou
     carrier.pose.p.x() = random.uniform(-0.2, 0.2) * distance;
     carrier.pose.p.y() = random.uniform(-0.15, 0.15) * distance;
     scene.add_board(board, carrier);
-    LensView view{grey_of(ScenePainter(scene).paint(0)), {}};
+    LensView view{grey_of(SceneRenderer(scene).paint(0)), {}};
     view.tags = finder.find(view.picture);
     views.push_back(std::move(view));
   }
@@ -47,7 +47,7 @@ class LensResponse : public testing::TestWithParam<double> {};
 
 TEST_P(LensResponse, LensIsFoundToATenthOfAPixel) {
   const Lens truth = usual_lens();
-  const auto views = views_of(truth, GetParam(), usual_views);
+  const auto views = views_of(truth, GetParam(), recommended_views);
   const LensFit fit = fit_lens(find_board("calibration"), views, "synthetic");
   const std::vector<double> errors = mapping_errors(truth, fit.calibration.lens);
   double mean = 0;
@@ -62,10 +62,10 @@ INSTANTIATE_TEST_SUITE_P(Table, LensResponse, testing::Values(1.4, 2.2));
 // Of such pictures the edges of few tags can be fitted, or of none.
 TEST(LensFit, IsFoundInSmallPicturesToo) {
   const Lens truth = usual_lens().scaled(320, 240);
-  std::vector<LensView> views = views_of(truth, 2.2, usual_views, 0.5);
+  std::vector<LensView> views = views_of(truth, 2.2, recommended_views, 0.5);
   for (const bool by_edges : {true, false}) {
     if (!by_edges) {
-      views = views_of(truth, 2.2, usual_views, 0.35);
+      views = views_of(truth, 2.2, recommended_views, 0.35);
       for (LensView& view : views)
         std::fill(view.picture.grey.begin(), view.picture.grey.end(), std::uint8_t{128});
     }
@@ -96,14 +96,14 @@ TEST(LensFit, SaysWhyItCannot) {
   EXPECT_NE(complaint_of(blank).find("at least 4 tags"), std::string::npos);
   std::vector<LensView> jumbled = views_of(usual_lens(), 2.2, 6);
   for (LensView& view : jumbled)
-    for (SeenTag& tag : view.tags) std::swap(tag.corners[0], tag.corners[2]);
-  EXPECT_NE(complaint_of(jumbled).find("don't fit one lens"), std::string::npos);
+    for (DetectedTag& tag : view.tags) std::swap(tag.corners[0], tag.corners[2]);
+  EXPECT_NE(complaint_of(jumbled).find("not consistent with one lens"), std::string::npos);
 }
 
 // A person who shows the board as they are told gets all views; one who holds it where it was gets no
 // further.
 TEST(LensGuide, KeepsViewsThatAreNewAndAtRest) {
-  const std::vector<LensView> views = views_of(usual_lens(), 2.2, usual_views);
+  const std::vector<LensView> views = views_of(usual_lens(), 2.2, recommended_views);
   LensGuide guide(find_board("calibration"));
   EXPECT_EQ(guide.step().views, 0u);
   const auto show = [&](const LensView& view) {
@@ -117,7 +117,7 @@ TEST(LensGuide, KeepsViewsThatAreNewAndAtRest) {
   EXPECT_EQ(guide.step().views, 1u);
   for (const LensView& view : views)
     for (int k = 0; k < 2; ++k) show(view);
-  EXPECT_GE(guide.step().views, usual_views - 2);
+  EXPECT_GE(guide.step().views, recommended_views - 2);
   EXPECT_GT(guide.step().covered, LensGuide::enough_covered);
   guide.take(Image{64, 48, std::vector<std::uint8_t>(64 * 48 * 3)});
   EXPECT_NE(guide.step().instruction.find("size has changed"), std::string::npos);

@@ -1,4 +1,4 @@
-#include "drivers/camera/lens.h"
+#include "drivers/camera/base/lens.h"
 
 #include <gtest/gtest.h>
 

@@ -14,9 +14,9 @@
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/camera.h"
-#include "drivers/camera/shared_camera.h"
-#include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/base/camera.h"
+#include "drivers/camera/devices/shared_camera.h"
+#include "drivers/camera/tags/standard_boards.h"
 #include "tests/random.h"
 
 namespace prosector {

@@ -1,6 +1,6 @@
 // The clock in a synthetic camera's pictures.
 
-#include "drivers/camera/synthetic/painted_clock.h"
+#include "twins/camera/painted_clock.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "drivers/camera/camera.h"
+#include "drivers/camera/base/camera.h"
 
 namespace prosector {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/camera/straightener.h"
+#include "drivers/camera/base/undistorter.h"
 #include "drivers/camera/tags/board_tracker.h"
 #include "drivers/fitting/rigid_fit.h"
 #include "tests/camera/tag_cases.h"
@@ -39,8 +39,8 @@ PhantomErrors phantom_errors(int places) {
   Random random(17);
   const Board board = phantom();
   const Lens lens = usual_lens();
-  const Straightener straightener(lens);
-  const TagFinder finder({1});
+  const Undistorter straightener(lens);
+  const TagDetector finder({1});
   PhantomErrors out;
   for (int k = 0; k < places; ++k) {
     const Pose truth = standing_phantom(random);
@@ -49,8 +49,8 @@ PhantomErrors phantom_errors(int places) {
     Carrier carrier;
     carrier.pose = truth;
     scene.add_board(board, carrier);
-    TagPicture picture;
-    picture.bent = grey_of(ScenePainter(scene).paint(0));
+    TagImage picture;
+    picture.bent = grey_of(SceneRenderer(scene).paint(0));
     picture.straight = straightener.straight(picture.bent);
     picture.tags = finder.find(picture.straight);
     const auto seen = BoardTracker(board).update(picture, {lens, straightener.lens(), scene.sensor.response});

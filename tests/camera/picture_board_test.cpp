@@ -5,10 +5,11 @@
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/picture_file.h"
-#include "drivers/camera/straightener.h"
+#include "drivers/camera/base/image_reader.h"
+#include "drivers/camera/base/undistorter.h"
 #include "drivers/camera/tags/board_tracker.h"
-#include "drivers/device.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/driver_table.h"
 #include "tests/camera/tag_errors.h"
 #include "tests/folders.h"
 
@@ -19,9 +20,7 @@ const std::string printed_picture = source_path("docs/pictures/parts-labelled.pn
 
 /// A page of an atlas, 200 mm wide.
 Board atlas_page() {
-  return {"atlas",
-          {},
-          std::make_shared<const PrintedPicture>(PrintedPicture{read_picture(printed_picture), 0.2})};
+  return {"atlas", {}, std::make_shared<const PrintedImage>(PrintedImage{read_image(printed_picture), 0.2})};
 }
 
 struct PictureRow {
@@ -93,18 +92,18 @@ TEST(PictureBoards, BadOnesAreRefusedInWords) {
     std::string text, says;
   };
   const Row rows[] = {
-      {"[picture]\nfile = \"nowhere.png\"\nwidth = 0.2\n", "nowhere.png: is no picture"},
-      {"[picture]\nfile = \"bad.toml\"\nwidth = 0.2\n", "bad.toml: is no picture"},
+      {"[picture]\nfile = \"nowhere.png\"\nwidth = 0.2\n", "nowhere.png: not a readable image"},
+      {"[picture]\nfile = \"bad.toml\"\nwidth = 0.2\n", "bad.toml: not a readable image"},
       {"[picture]\nfile = \"" + printed_picture + "\"\n", "width: "},
       {"[picture]\nfile = \"" + printed_picture + "\"\nwidth = 0\n", "width: must be a number from 0.02"},
       {"[picture]\nwidth = 0.2\n", "file: "},
       {"[grid]\ncolumns = 1\nrows = 1\nsize = 0.1\nfirst = 0\n[picture]\nfile = \"" + printed_picture +
            "\"\nwidth = 0.2\n",
        "tags or one picture"},
-      {grey_map("plain.pgm", [](int, int) { return 200; }), "places that can be told apart"},
+      {grey_map("plain.pgm", [](int, int) { return 200; }), "distinguishable features"},
       {grey_map("chess.pgm", [](int x, int y) { return (x / 10 + y / 10) % 2 == 0 ? 20 : 230; }),
-       "places that can be told apart"},
-      {grey_map("slope.pgm", [](int x, int) { return x; }), "places that can be told apart"}};
+       "distinguishable features"},
+      {grey_map("slope.pgm", [](int x, int) { return x; }), "distinguishable features"}};
   for (const Row& row : rows) {
     const std::string said = refusal_of(row.text);
     EXPECT_NE(said.find(row.says), std::string::npos) << said;
@@ -122,15 +121,15 @@ TEST(PictureBoards, AreFollowedAndComeBack) {
   carrier.motion->add(0, 0, Pose{{-0.08, 0.02, -0.6}, Quat::Identity()});
   carrier.motion->add(0, 1, Pose{{0.08, -0.02, -0.55}, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitY()))});
   const std::size_t index = scene.add_board(board, carrier);
-  const Straightener straightener(scene.lens);
+  const Undistorter straightener(scene.lens);
   BoardTracker tracker(board);
   int seen = 0;
   for (std::uint64_t k = 0; k < 28; ++k) {
     const double seconds = scene.seconds_of(k);
     const bool hidden = k >= 12 && k < 15;
     const Image image = hidden ? Image{640, 480, std::vector<std::uint8_t>(640 * 480 * 3, 60)}
-                               : ScenePainter(scene).paint_at(seconds, k);
-    TagPicture picture{grey_of(image), {}, {}, static_cast<std::int64_t>(1e9 * seconds)};
+                               : SceneRenderer(scene).paint_at(seconds, k);
+    TagImage picture{grey_of(image), {}, {}, static_cast<std::int64_t>(1e9 * seconds)};
     picture.straight = straightener.straight(picture.bent);
     const auto at = tracker.update(picture, {scene.lens, straightener.lens(), scene.sensor.response});
     if (hidden) {
@@ -152,7 +151,7 @@ TEST(PictureBoards, AreATrackersStations) {
   const auto scene = written_file(
       "scene.toml", "[camera]\nrays = 2\n[[board]]\nfile = \"atlas.toml\"\nposition = [0.03, 0.01, -0.5]\n");
   DeviceConfig config;
-  config.boards[0] = atlas_file().string();
+  config.tags.boards[0] = atlas_file().string();
   const auto device = open_device("tags:synthetic:" + scene.string(), config);
   std::vector<DeviceSample> samples;
   const std::int64_t end_ns = monotonic_ns() + 20'000'000'000;

@@ -1,6 +1,6 @@
 // Several who look by one camera.
 
-#include "drivers/camera/shared_camera.h"
+#include "drivers/camera/devices/shared_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -62,11 +62,11 @@ TEST(SharedCamera, TellsEverySeatWhileItIsThere) {
 
 TEST(SharedCamera, SaysOfAPictureWhenAllSawIt) {
   SharedCamera camera(scene_address("shared_told.toml"));
-  EXPECT_EQ(camera.told_ns(), 0);
+  EXPECT_EQ(camera.reported_ns(), 0);
   std::atomic<std::int64_t> last_ns = 0;
   std::atomic<int> early = 0, pictures = 0;
   const auto look = [&](const Frame& frame) {
-    if (camera.told_ns() >= frame.time_ns) ++early;
+    if (camera.reported_ns() >= frame.time_ns) ++early;
     last_ns = frame.time_ns;
     ++pictures;
   };
@@ -77,7 +77,7 @@ TEST(SharedCamera, SaysOfAPictureWhenAllSawIt) {
   ASSERT_TRUE(comes_true([&] { return pictures > 4; }));
   EXPECT_EQ(early, 0);
   const std::int64_t then = last_ns;
-  EXPECT_TRUE(comes_true([&] { return camera.told_ns() >= then; }));
+  EXPECT_TRUE(comes_true([&] { return camera.reported_ns() >= then; }));
 }
 
 TEST(SharedCamera, ReadsEachPictureOnceForAllOfOneLens) {
@@ -114,7 +114,7 @@ TEST(SharedCamera, TellsWhoSitsBehindWhereTheCameraStood) {
   const SharedCamera::Seat before(
       camera, [](const Camera&) {},
       [&](const Frame&) {
-        camera.put_place({{1, 2, 3}, Quat::Identity()});
+        camera.set_room_camera({{1, 2, 3}, Quat::Identity()});
       },
       true);
   const int known_from = pictures;

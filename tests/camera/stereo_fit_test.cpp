@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "drivers/camera/calibration/stereo_guide.h"
-#include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/tags/standard_boards.h"
 #include "tests/camera/tag_cases.h"
 
 namespace prosector {
@@ -32,7 +32,7 @@ MeanErrors mean_errors(std::size_t poses, bool spoilt) {
   double squares = 0, told = 0;
   for (unsigned seed = 1; seed <= mean_seeds; ++seed) {
     Random random(seed);
-    const Pose truth = {random.point(0.2), turned_by(random.point(0.3))};
+    const Pose truth = {random.point(0.2), rotated_by(random.point(0.3))};
     std::vector<MeasuredPose> all;
     for (std::size_t k = 0; k < poses; ++k) all.push_back(measured(random, truth));
     if (spoilt) all[2].pose.p.x() += 0.02;
@@ -78,7 +78,7 @@ class Rig {
     Carrier carrier;
     carrier.pose = room_board;
     scene.add_board(find_board("calibration"), carrier);
-    return ScenePainter(scene).paint(0);
+    return SceneRenderer(scene).paint(0);
   }
 
  private:

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "drivers/camera/camera_frames.h"
-#include "drivers/camera/synthetic/synthetic_scene.h"
+#include "drivers/camera/base/camera_frames.h"
 #include "tests/random.h"
+#include "twins/camera/synthetic_scene.h"
 
 namespace prosector {
 
@@ -27,7 +27,7 @@ inline SyntheticScene usual_scene(const Lens& lens) {
   scene.lens = lens;
   scene.exposure = 0;
   scene.rays = 4;
-  FlatThing wall{
+  TexturedQuad wall{
       0, {}, 6, 5, std::make_shared<Texture>(wood(512, 3), true, Response(scene.sensor.response)), true};
   Carrier behind;
   behind.name = "wall";

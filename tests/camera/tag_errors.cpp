@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/clock.h"
-#include "drivers/camera/straightener.h"
+#include "drivers/camera/base/undistorter.h"
 #include "drivers/camera/tags/tag_reader.h"
 
 namespace prosector {
@@ -20,7 +20,7 @@ void cover(SyntheticScene& scene, std::size_t carrier, const Board& board, doubl
   }
   for (const BoardTag& tag : board.tags)
     for (const Vec3& corner : tag.corners()) box.extend(corner.head<2>());
-  FlatThing hand;
+  TexturedQuad hand;
   hand.carrier = carrier;
   hand.width = share * box.sizes().x() + 0.04;
   hand.height = 2 * box.sizes().y();
@@ -76,26 +76,26 @@ struct Found {
 /// Looks at one picture, and measures how long that takes.
 struct Watch {
   const GreyImage& picture;
-  const Straightener& straightener;
+  const Undistorter& straightener;
   const TagCase& what;
   TagErrors& out;
   std::int64_t next_ns;  // so late that a printed picture is searched
 
   struct Fit {
     Pose camera_board;
-    MotionSpread covariance;
+    MotionCovariance covariance;
   };
 
-  std::optional<Fit> look_for_tags(const TagFinder& finder) {
+  std::optional<Fit> look_for_tags(const TagDetector& finder) {
     Stopwatch stopwatch;
     const GreyImage straight = straightener.straight(picture);
     out.straighten_ms.push_back(stopwatch.lap_ms());
-    const std::vector<SeenTag> tags = what.reads_on ? read_on(stopwatch) : finder.find(straight);
+    const std::vector<DetectedTag> tags = what.reads_on ? read_on(stopwatch) : finder.find(straight);
     out.find_ms.push_back(stopwatch.lap_ms());
     const auto poses = solve_board(corners_seen(what.board, tags), straightener.lens());
     if (poses.empty()) return std::nullopt;
     std::vector<int> codes;
-    for (const SeenTag& tag : tags) codes.push_back(tag.code);
+    for (const DetectedTag& tag : tags) codes.push_back(tag.code);
     const Lens lens = usual_lens().scaled(what.width, what.height);
     const auto fit = fit_edges(picture, lens, what.board, codes, poses.front().camera_board, what.assumed);
     out.fit_ms.push_back(stopwatch.lap_ms());
@@ -104,7 +104,7 @@ struct Watch {
   }
 
   /// Reads the picture again and again.
-  std::vector<SeenTag> read_on(Stopwatch& stopwatch) const {
+  std::vector<DetectedTag> read_on(Stopwatch& stopwatch) const {
     TagReader reader(CameraCalibration{"synthetic", usual_lens().scaled(what.width, what.height)});
     reader.expect(what.board);
     Frame frame{{what.width, what.height, {}}, 0, 0};
@@ -117,7 +117,7 @@ struct Watch {
   /// Searches, then follows, which a person sees in all pictures but the first.
   std::optional<Fit> look_for_picture(BoardTracker& tracker) {
     Stopwatch stopwatch;
-    TagPicture seen{picture, straightener.straight(picture), {}, next_ns};
+    TagImage seen{picture, straightener.straight(picture), {}, next_ns};
     out.straighten_ms.push_back(stopwatch.lap_ms());
     const TagOptics optics{usual_lens().scaled(what.width, what.height), straightener.lens(), what.assumed};
     if (!tracker.update(seen, optics)) return std::nullopt;
@@ -157,8 +157,8 @@ void take_mean_for_truth(std::vector<Found>& found) {
 TagErrors tag_errors(const TagCase& what) {
   Random random(11);
   const Lens lens = usual_lens().scaled(what.width, what.height);
-  const Straightener straightener(lens);
-  const TagFinder finder(what.finder);
+  const Undistorter straightener(lens);
+  const TagDetector finder(what.finder);
   TagErrors out;
   std::optional<BoardTracker> tracker;
   if (what.board.picture) tracker.emplace(what.board);
@@ -168,7 +168,7 @@ TagErrors tag_errors(const TagCase& what) {
     if (k == 0 || !what.still)
       room_board = board_before_camera(random, what.distance, what.least_tilt, what.most_tilt);
     const SyntheticScene scene = scene_of(what, lens, room_board, static_cast<unsigned>(k + 1));
-    const GreyImage picture = grey_of(ScenePainter(scene).paint(0));
+    const GreyImage picture = grey_of(SceneRenderer(scene).paint(0));
     Watch watch{picture, straightener, what, out, 1'000'000'000LL * k};
     const auto fit = tracker ? watch.look_for_picture(*tracker) : watch.look_for_tags(finder);
     if (!fit) continue;

@@ -14,10 +14,10 @@ struct TagCase {
   double least_tilt = 0, most_tilt = 0.9;  // rad
   double covered = 0;                      // share of the board's width that a hand-like plate hides
   double response = 2.2;                   // the camera's
-  double assumed = usual_response;
+  double assumed = default_response;
   double exposure = 0, speed = 0;  // s; m/s across the picture
   double noise = 3;                // of 255
-  TagFinderSettings finder = {};
+  TagDetectorSettings finder = {};
   double light = 1;       // that falls in
   bool reads_on = false;  // pictures are read as trackers read them, and the third one counts
   int width = 640, height = 480;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/camera/straightener.h"
+#include "drivers/camera/base/undistorter.h"
 #include "tests/camera/tag_errors.h"
 
 namespace prosector {
@@ -106,8 +106,8 @@ TEST(TagPose, ACodeThatIsThereTwiceIsLeftOut) {
   right.pose.p = {0.15, 0, -0.6};
   scene.add_board(board, left);
   scene.add_board(board, right);
-  const Straightener straightener(scene.lens);
-  const auto tags = TagFinder({}).find(straightener.straight(grey_of(ScenePainter(scene).paint(0))));
+  const Undistorter straightener(scene.lens);
+  const auto tags = TagDetector({}).find(straightener.straight(grey_of(SceneRenderer(scene).paint(0))));
   EXPECT_EQ(tags.size(), 2 * board.tags.size());
   int twice = 0;
   EXPECT_TRUE(corners_seen(board, tags, &twice).empty());
@@ -120,20 +120,20 @@ TEST(TagPose, SmallPicturesAreSearchedUndecimated) {
   Carrier held;
   held.pose.p = {0, 0, -0.6};
   scene.add_board(board, held);
-  const Straightener straightener(scene.lens);
-  const auto tags = TagFinder({}).find(straightener.straight(grey_of(ScenePainter(scene).paint(0))));
+  const Undistorter straightener(scene.lens);
+  const auto tags = TagDetector({}).find(straightener.straight(grey_of(SceneRenderer(scene).paint(0))));
   EXPECT_EQ(tags.size(), board.tags.size());
 }
 
 TEST(TagPose, NothingIsFoundWhereNothingIs) {
   const Lens lens = usual_lens();
-  const Straightener straightener(lens);
-  const TagFinder finder({});
+  const Undistorter straightener(lens);
+  const TagDetector finder({});
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SyntheticScene scene = usual_scene(lens);
     scene.sensor.seed = seed;
     scene.sensor.noise = 40;
-    EXPECT_TRUE(finder.find(straightener.straight(grey_of(ScenePainter(scene).paint(seed)))).empty());
+    EXPECT_TRUE(finder.find(straightener.straight(grey_of(SceneRenderer(scene).paint(seed)))).empty());
   }
   EXPECT_TRUE(finder.find({0, 0, {}}).empty());
   EXPECT_TRUE(finder.find({3, 3, std::vector<std::uint8_t>(9)}).empty());

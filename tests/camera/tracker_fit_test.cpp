@@ -28,7 +28,7 @@ Vec3 noise_of(Random& random, double rms) {
 }
 
 Pose disturbed(Random& random, const Pose& pose, double place, double turn) {
-  return {pose.p + noise_of(random, place), (turned_by(noise_of(random, turn)) * pose.q).normalized()};
+  return {pose.p + noise_of(random, place), (rotated_by(noise_of(random, turn)) * pose.q).normalized()};
 }
 
 /// A camera before a tracker, and what both say of a board on a receiver.
@@ -46,15 +46,15 @@ struct RoomCase {
 Room room_of(unsigned seed, const RoomCase& what) {
   Random random(seed);
   Room room;
-  room.tracker_camera = {random.point(0.5), turned_by(random.point(1.5))};
-  room.receiver_board = {random.point(0.05), turned_by(random.point(1))};
+  room.tracker_camera = {random.point(0.5), rotated_by(random.point(1.5))};
+  room.receiver_board = {random.point(0.05), rotated_by(random.point(1))};
   for (std::size_t i = 0; i < what.pairs; ++i) {
     const Vec3 tilt(random.uniform(-45, 45), random.uniform(-45, 45), 0);
     const double roll = what.one_axis ? 0 : random.uniform(-120, 120);
     const Vec3 tilted = radians * (what.one_axis ? Vec3(0, tilt.y(), 0) : tilt);
     Pose camera_board;
     camera_board.p = {random.uniform(-0.15, 0.15), random.uniform(-0.1, 0.1), random.uniform(0.45, 0.7)};
-    camera_board.q = turned_by(tilted) * turned_by({0, 0, radians * roll}) * Quat(0, 1, 0, 0);
+    camera_board.q = rotated_by(tilted) * rotated_by({0, 0, radians * roll}) * Quat(0, 1, 0, 0);
     const Pose receiver = room.tracker_camera * camera_board * room.receiver_board.inverse();
     room.pairs.push_back({disturbed(random, receiver, what.place, what.turn),
                           disturbed(random, camera_board, 0.07 * mm, 0.04 * radians)});
@@ -123,7 +123,7 @@ TEST(TrackerFit, ExactPosesGiveExactFrames) {
     EXPECT_LT((fit.receiver_board.p - room.receiver_board.p).norm(), 1e-8);
     EXPECT_LT(fit.tracker_camera.q.angularDistance(room.tracker_camera.q), 1e-7);
     EXPECT_LT(fit.receiver_board.q.angularDistance(room.receiver_board.q), 1e-7);
-    EXPECT_LT(fit.ways_apart, 1e-6);
+    EXPECT_LT(fit.method_difference, 1e-6);
   }
 }
 
@@ -145,7 +145,7 @@ TEST(TrackerFit, SaysWhatToDo) {
   EXPECT_NE(complaint_of(room_of(1, {5}).pairs).find("at least 6"), std::string::npos);
   RoomCase still;
   still.one_axis = true;
-  EXPECT_NE(complaint_of(room_of(1, still).pairs).find("turn it about two axes"), std::string::npos);
+  EXPECT_NE(complaint_of(room_of(1, still).pairs).find("rotate it about two axes"), std::string::npos);
   Room jumbled = room_of(1, {});
   std::vector<TrackedPair> pairs = jumbled.pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/view/held_things.h"
-#include "common/grasp.h"
+#include "client/view/held_bodies.h"
 
 namespace prosector::test {
 namespace {
@@ -52,7 +51,7 @@ ActedDesk::ActedDesk(Simulation& simulation, const Haste& haste)
   presence.name = "mouse";
   presence.role = Role::host;
   bus_->publish(presence);
-  command(CommandKind::join);
+  command(Join{});
   wait(0.3);
 }
 
@@ -183,16 +182,9 @@ void ActedDesk::picture() {
   if (last_picture_ == 0) hand_.begin(now.pointer, first_reach);
   hand_.advance(now, last_picture_ == 0 ? 0 : 1e-3 * static_cast<double>(ms_ - last_picture_));
   last_picture_ = std::max<std::int64_t>(ms_, 1);
-  for (const HandWish wish : hand_.take_wishes()) {
-    Command c;
-    c.kind = wish == HandWish::grasp ? CommandKind::grasp : CommandKind::release;
-    c.hand = right_hand;
-    if (wish == HandWish::grasp && pressed_at_) {
-      c.body = *pressed_at_;
-      c.revision = grasps_body;
-    }
-    publish(c);
-  }
+  for (const HandRequest wish : hand_.take_wishes())
+    command(wish == HandRequest::grasp ? CommandBody(Grasp{right_hand, pressed_at_})
+                                       : CommandBody(Release{right_hand}));
 }
 
 void ActedDesk::send_hand() {
@@ -214,20 +206,11 @@ void ActedDesk::send_hand() {
 void ActedDesk::take_back() {
   hand_.lift_blade();
   for (int k = 0; k < 50 && hand_.draws(); ++k) wait(0.1);
-  command(CommandKind::undo);
+  command(Undo{});
 }
 
-void ActedDesk::command(CommandKind kind) {
-  Command c;
-  c.kind = kind;
-  c.hand = right_hand;
-  publish(c);
-}
-
-void ActedDesk::publish(Command c) {
-  c.participant = self_;
-  c.sequence = ++sequence_;
-  bus_->publish(c);
+void ActedDesk::command(const CommandBody& body) {
+  bus_->publish(Command{self_, ++sequence_, body});
 }
 
 }  // namespace prosector::test

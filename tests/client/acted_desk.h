@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "client/app/desk_hand.h"
+#include "client/app/desk/desk_hand.h"
 #include "client/replica/replica.h"
 #include "client/replica/stroke_figures.h"
 #include "client/view/scene_view.h"
 #include "idl/local_bus.h"
 #include "server/physics/simulation.h"
-#include "server/session/server_loop.h"
+#include "server/session/run/server_loop.h"
 
 namespace prosector::test {
 
@@ -50,7 +50,7 @@ class ActedDesk {
   /// Takes the last cut back, once the blade is out.
   void take_back();
   /// Asks the server for something.
-  void ask(Command command) { publish(std::move(command)); }
+  void ask(const CommandBody& body) { command(body); }
   /// Lets the client do nothing at all while that much time passes, s.
   void stall(double seconds);
 
@@ -75,7 +75,7 @@ class ActedDesk {
   std::optional<BodyId> pressed_at_;
   std::vector<std::string> told_;
   std::vector<StrokeFigures> strokes_;
-  StrokeGauge gauge_;
+  StrokeTracker gauge_;
   bool asked_for_ = false;
   std::int64_t ms_ = 0, next_tick_ = 0, next_picture_ = 0, next_send_ = 0, last_picture_ = 0, next_stall_ = 0;
   bool is_stalled_ = false;
@@ -84,8 +84,7 @@ class ActedDesk {
   void take();
   void picture();
   void send_hand();
-  void command(CommandKind kind);
-  void publish(Command command);
+  void command(const CommandBody& body);
   HandGuide guide(double tick);
   std::optional<Picked> surface(const Ray& ray);
   std::optional<Picked> found(const Ray& ray, std::optional<BodyId> only);

@@ -57,7 +57,7 @@ DrawList table_with_step(double yaw) {
 /// Brightness of each pixel, row by row.
 std::vector<double> brightness(const DrawList& list, bool occlusion, int coarser) {
   RendererSettings settings;
-  settings.ambient_coarser = coarser;
+  settings.ambient_occlusion_pixels = coarser;
   settings.effects[index_of(Effect::edges)] = false;
   settings.effects[index_of(Effect::ambient_occlusion)] = occlusion;
   const Image image = picture_of(list, width, height, make_offscreen_context, settings);

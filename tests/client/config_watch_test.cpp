@@ -1,5 +1,5 @@
 // The configuration's file while a client runs.
-#include "client/app/config_watch.h"
+#include "client/app/user/config_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(ConfigWatch, TakesWhatIsWrittenAndRefusesMistakes) {
   EXPECT_FALSE(watch.look(4 * second_ns, w.report()));
   ASSERT_EQ(w.told.size(), 2u);
   EXPECT_NE(w.told[1].find(":2: "), std::string::npos) << w.told[1];
-  EXPECT_NE(w.told[1].find("stay as they were"), std::string::npos);
+  EXPECT_NE(w.told[1].find("are unchanged"), std::string::npos);
   std::filesystem::remove(w.file.path);
   EXPECT_FALSE(watch.look(5 * second_ns, w.report())) << "it is being replaced";
 }

@@ -1,6 +1,6 @@
 // The table of controls: the help that is made of it, and the documentation that is held to it.
 
-#include "client/app/controls.h"
+#include "client/app/terminal/controls.h"
 
 #include <gtest/gtest.h>
 
@@ -32,14 +32,14 @@ TEST(Controls, EachRoleIsToldWhatItMayDoAndNothingElse) {
 }
 
 TEST(Controls, AreToldOfFirstByTheKeyThatShowsThem) {
-  const auto dissector = first_words(Role::dissector, at_the_desk);
+  const auto dissector = first_hints(Role::dissector, at_the_desk);
   ASSERT_EQ(dissector.size(), 2u);
   EXPECT_EQ(dissector[0].substr(0, 3), "H: ");
   EXPECT_NE(help_text(Role::observer, at_the_desk).find("\n  H, "), std::string::npos);
   EXPECT_NE(dissector[1].find("left button"), std::string::npos);
-  EXPECT_EQ(first_words(Role::observer, at_the_desk), std::vector{dissector[0]}) << "has no hand";
+  EXPECT_EQ(first_hints(Role::observer, at_the_desk), std::vector{dissector[0]}) << "has no hand";
   constexpr std::array gloves = {ControlDevice::headset, ControlDevice::view};
-  EXPECT_EQ(first_words(Role::dissector, gloves), std::vector{dissector[0]}) << "has no mouse for a hand";
+  EXPECT_EQ(first_hints(Role::dissector, gloves), std::vector{dissector[0]}) << "has no mouse for a hand";
 }
 
 TEST(Controls, StandInTheSameColumnsAtATerminalAndInAPicture) {
@@ -132,7 +132,7 @@ TEST(Controls, AreInTheDocumentationAsTheyAreHere) {
     const std::string expected = "<!-- controls: " + std::string(name) + " -->\n" +
                                  controls_in_markdown(device) + "<!-- /controls -->\n";
     EXPECT_NE(page.str().find(expected), std::string::npos)
-        << "docs/do differs from client/app/controls.h; put there:\n"
+        << "docs/do differs from client/app/terminal/controls.h; put there:\n"
         << expected;
   }
 }

@@ -1,6 +1,6 @@
 // A blade that a desk user draws over an organ: it follows the pointer's way at the depth that is set.
 
-#include "client/app/cut_drawing.h"
+#include "client/app/desk/cut_drawing.h"
 
 #include <gtest/gtest.h>
 

@@ -209,7 +209,8 @@ TEST(CutLines, HaveTheirOtherSideOnAPieceThatCameOff) {
 TEST(StrokeFigures, AreToldInMillimetres) {
   EXPECT_EQ(in_words({.length = 0.0632, .depth = 0.0118}), "63 mm long, 12 mm deep");
   EXPECT_EQ(in_words({.length = 0.0632}), "63 mm long") << "a sheet";
-  EXPECT_EQ(in_words({.length = 0.2, .depth = 0.03, .through = true}), "200 mm long, right through");
+  EXPECT_EQ(in_words({.length = 0.2, .depth = 0.03, .through = true}),
+            "200 mm long, through the full thickness");
   EXPECT_EQ(depth_in_words(0.012), "set to 12 mm");
 }
 

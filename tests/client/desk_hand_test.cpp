@@ -1,6 +1,6 @@
 // A hand at the desk: over what the pointer is at, in, and drawn along the picture.
 
-#include "client/app/desk_hand.h"
+#include "client/app/desk/desk_hand.h"
 
 #include <gtest/gtest.h>
 
@@ -89,11 +89,11 @@ TEST_F(HandAtTheDesk, TheButtonBringsItInAndGrasps) {
   EXPECT_TRUE(hand.take_wishes().empty()) << "not in yet";
   go_on(0.3);
   EXPECT_NEAR(along(), 1.008, 1e-6) << "into what gives way";
-  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::grasp});
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandRequest>{HandRequest::grasp});
   go_on(0.3);
   EXPECT_GT(hand.flexion(), 0.8);
   hand.let_go();
-  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandRequest>{HandRequest::release});
   go_on(0.3);
   EXPECT_NEAR(along(), 1.0 - first_hover, 1e-9);
   EXPECT_LT(hand.flexion(), 0.2);
@@ -269,7 +269,7 @@ class BladeAtTheDesk : public HandAtTheDesk {
     go_on(1);
     hand.press();
     go_on(0.3);
-    ASSERT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::grasp});
+    ASSERT_EQ(hand.take_wishes(), std::vector<HandRequest>{HandRequest::grasp});
   }
   void take_up() {
     guide.blade = blade;
@@ -305,14 +305,14 @@ TEST_F(BladeAtTheDesk, StaysInTheHandUntilAClickBesideTissue) {
   hand.press();
   go_on(0.2);
   hand.let_go();
-  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandRequest>{HandRequest::release});
   EXPECT_FALSE(hand.cut_depth());
 }
 
 TEST_F(BladeAtTheDesk, IsLetGoWhereTheServerSaysThatTheHandHoldsNone) {
   hand.let_go();
   go_on(1);
-  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandRequest>{HandRequest::release});
   EXPECT_FALSE(hand.is_closed());
 }
 

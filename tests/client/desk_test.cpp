@@ -1,6 +1,6 @@
 // What keys and mouse of a desk user ask for, and the figures that they are shown.
 
-#include "client/app/desk.h"
+#include "client/app/desk/desk.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <thread>
 
-#include "client/app/figures.h"
+#include "client/app/desk/figures.h"
 #include "client/view/camera.h"
-#include "common/panel_placing.h"
+#include "common/panel_placement.h"
 #include "tests/client/acted_window.h"
 
 namespace prosector {
@@ -28,7 +28,7 @@ class AtTheDesk : public testing::Test {
   void SetUp() override {
     DeskStart start;
     start.home = place_of({0, 1.5, 1}, target);
-    start.views[3] = ViewPlace{target, 0, steepest_view, 2};
+    start.views[3] = ViewPlace{target, 0, max_view_pitch, 2};
     desk.begin(start);
     session.is_soft = [](BodyId) { return true; };
     // A floor at the target's height.
@@ -64,6 +64,10 @@ class AtTheDesk : public testing::Test {
   }
 };
 
+bool is_closing(const CommandBody& command) {
+  return std::holds_alternative<ClosePanel>(command);
+}
+
 TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
   press(Key::f1);
   EXPECT_TRUE(desk.choices().help);
@@ -88,18 +92,17 @@ TEST_F(AtTheDesk, KeysAskForTimeToStopGoOnSlowDownAndStep) {
     update();
     desk.take_commands();
     press(key);
-    const std::vector<Command> commands = desk.take_commands();
+    const std::vector<CommandBody> commands = desk.take_commands();
     EXPECT_EQ(commands.size(), 1u);
-    return commands.empty() ? Command{} : commands.front();
+    return commands.empty() ? CommandBody() : commands.front();
   };
-  EXPECT_EQ(asked(Key::space, 1).value, 0);
-  EXPECT_EQ(asked(Key::space, 0.25).value, 0);
-  EXPECT_EQ(asked(Key::space, 0).value, 1);
-  EXPECT_EQ(asked(Key::space, 0).kind, CommandKind::set_pace);
-  EXPECT_EQ(asked(key_of(','), 1).value, 0.5);
-  EXPECT_EQ(asked(key_of(','), least_pace).value, least_pace);
-  EXPECT_EQ(asked(key_of('.'), 0).kind, CommandKind::step_ticks);
-  EXPECT_EQ(asked(key_of('.'), 0).revision, 1u);
+  const auto pace = [&](Key key, double now) { return std::get<SetPace>(asked(key, now)).pace; };
+  EXPECT_EQ(pace(Key::space, 1), 0);
+  EXPECT_EQ(pace(Key::space, 0.25), 0);
+  EXPECT_EQ(pace(Key::space, 0), 1);
+  EXPECT_EQ(pace(key_of(','), 1), 0.5);
+  EXPECT_EQ(pace(key_of(','), min_pace), min_pace);
+  EXPECT_EQ(std::get<StepTicks>(asked(key_of('.'), 0)).ticks, 1u);
 }
 
 TEST_F(AtTheDesk, KnowsWhatThePointerIsAt) {
@@ -124,7 +127,7 @@ TEST_F(AtTheDesk, ThePointerPointsThroughTheWindow) {
   };
   const DrawCamera rest = desk.camera();
   EXPECT_TRUE(asks_along(100, 500, ray_through(rest, 100, 500)));
-  desk.see_by(WindowLook{{0.2, 0.1, 0.5}, 0.3, false});
+  desk.set_window_look(WindowLook{{0.2, 0.1, 0.5}, 0.3, false});
   const DrawCamera seen = desk.camera();
   EXPECT_GT((seen.pose.p - rest.pose.p).norm(), 0.1);
   const Ray middle = ray_through(seen, 400, 300);
@@ -304,8 +307,8 @@ TEST_F(AtTheDesk, APanelThatAHoveringHandOpensIsClosedAndNoOther) {
     session.own_panel = Panel();
     session.own_panel->body = 3;
     update();
-    const std::vector<Command> commands = desk.take_commands();
-    return std::ranges::count(commands, CommandKind::close_panel, &Command::kind) == 1;
+    const std::vector<CommandBody> commands = desk.take_commands();
+    return std::ranges::count_if(commands, is_closing) == 1;
   };
   EXPECT_TRUE(closes_new_panel(3, false));
   EXPECT_FALSE(closes_new_panel(3, true)) << "asked for";
@@ -317,8 +320,8 @@ TEST_F(AtTheDesk, APanelThatAHoveringHandOpensIsClosedAndNoOther) {
 
 TEST_F(AtTheDesk, APanelIsClosedWhereTheUserGoesToAnotherView) {
   const auto closes = [&] {
-    const std::vector<Command> commands = desk.take_commands();
-    return std::ranges::count(commands, CommandKind::close_panel, &Command::kind) == 1;
+    const std::vector<CommandBody> commands = desk.take_commands();
+    return std::ranges::count_if(commands, is_closing) == 1;
   };
   for (const Key key : {Key::home, key_of('4')}) {
     press(key);
@@ -374,19 +377,19 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   update();
   EXPECT_EQ(desk.panel_look().first_line, 2u) << "and no farther than to the last line";
   const auto placings = [&] {
-    std::vector<Command> out;
-    for (const Command& command : desk.take_commands()) {
-      EXPECT_EQ(command.kind, CommandKind::open_panel) << "pointed at, it stays";
-      EXPECT_EQ(command.body, 3u);
-      if (command.revision != static_cast<std::uint32_t>(PanelPlacing::stays)) out.push_back(command);
+    std::vector<OpenPanel> out;
+    for (const CommandBody& command : desk.take_commands()) {
+      const auto& open = std::get<OpenPanel>(command);  // pointed at, it stays
+      EXPECT_EQ(open.body, 3u);
+      if (open.placing != PanelPlacement::stays) out.push_back(open);
     }
     return out;
   };
-  const std::vector<Command> put = placings();
+  const std::vector<OpenPanel> put = placings();
   ASSERT_EQ(put.size(), 1u) << "everyone is to see it there";
-  EXPECT_EQ(put[0].revision, static_cast<std::uint32_t>(PanelPlacing::put));
-  EXPECT_EQ(put[0].shape.p, desk.panel_look().place->p);
-  session.own_panel->pose.p = put[0].shape.p + Vec3(1e-7, 0, 0);
+  EXPECT_EQ(put[0].placing, PanelPlacement::put);
+  EXPECT_EQ(put[0].at, desk.panel_look().place->p);
+  session.own_panel->pose.p = put[0].at + Vec3(1e-7, 0, 0);
   update();
   EXPECT_FALSE(desk.panel_look().place) << "the server has it there";
   panel.pose = session.own_panel->pose;
@@ -397,9 +400,9 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   window.events.insert(window.events.begin(), pixel_of({0, panel_info.top - 0.005, 0}));
   wait(60);
   EXPECT_FALSE(desk.panel_look().place);
-  const std::vector<Command> back = placings();
+  const std::vector<OpenPanel> back = placings();
   ASSERT_EQ(back.size(), 1u) << "a double click puts it back, for everyone";
-  EXPECT_EQ(back[0].revision, static_cast<std::uint32_t>(PanelPlacing::put_back));
+  EXPECT_EQ(back[0].placing, PanelPlacement::put_back);
   session.own_panel->pose.p = {0, 1.15, 0.3};
   update();
   drag(-60);
@@ -526,10 +529,10 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   EXPECT_TRUE(desk.choices().help);
   window.events.push_back(GamepadMoved{std::nullopt});  // unplugged while it grasps
   update();
-  const std::vector<Command> commands = desk.take_commands();
+  const std::vector<CommandBody> commands = desk.take_commands();
   ASSERT_EQ(commands.size(), 2u);
-  EXPECT_EQ(commands[0].kind, CommandKind::grasp);
-  EXPECT_EQ(commands[1].kind, CommandKind::release);
+  EXPECT_TRUE(std::holds_alternative<Grasp>(commands[0]));
+  EXPECT_TRUE(std::holds_alternative<Release>(commands[1]));
 }
 
 TEST(Figures, AreOfTheLastHalfSecond) {
@@ -547,7 +550,7 @@ TEST(Figures, AreOfTheLastHalfSecond) {
     figures.take(k * picture, k == 4 ? 0.040 : 0.010, counters, &status);
   }
   const std::string& text = figures.text();
-  EXPECT_NE(text.find("picture 13.0 ms, at most 40.0, 20 a second"), std::string::npos) << text;
+  EXPECT_NE(text.find("frame 13.0 ms, at most 40.0, 20 per second"), std::string::npos) << text;
   EXPECT_NE(text.find("network 100.0 kB/s in, 10.0 kB/s out, 3 dropped"), std::string::npos) << text;
   EXPECT_NE(text.find("step 4.2 ms"), std::string::npos) << text;
 }

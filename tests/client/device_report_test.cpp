@@ -1,5 +1,5 @@
 // What a self-test says of devices that are well, and of each thing that isn't.
-#include "client/app/device_report.h"
+#include "client/app/commands/device_report.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ DeviceReport report_of(const Doing& doing, bool is_camera = false) {
 TEST(DeviceReport, AWellDeviceFits) {
   const DeviceReport report = report_of({});
   EXPECT_TRUE(report.fits()) << report.text();
-  EXPECT_NE(report.text().find("100.0 records a second"), std::string::npos) << report.text();
+  EXPECT_NE(report.text().find("100.0 records per second"), std::string::npos) << report.text();
   EXPECT_EQ(report.text().find("not seen"), std::string::npos) << report.text();
 }
 
@@ -50,10 +50,10 @@ TEST(DeviceReport, EachFaultIsFound) {
            {"about 196 records are missing", with([](Doing& d) { d.tenth_gap = 5; })},
            {"2 jumps", with([](Doing& d) { d.jumps = true; })},
            {"1 quaternions", with([](Doing& d) { d.odd_quaternion = true; })},
-           {"1 stamps fall", with([](Doing& d) { d.falls = true; })},
-           {"3 times garbage", with([](Doing& d) { d.status.resyncs = 3; })},
-           {"opened anew 1 times", with([](Doing& d) { d.status.reopens = 1; })},
-           {"it is silent", with([](Doing& d) { d.status.health = DeviceHealth::silent; })}}) {
+           {"1 decreasing timestamps", with([](Doing& d) { d.falls = true; })},
+           {"invalid data skipped 3 times", with([](Doing& d) { d.status.resyncs = 3; })},
+           {"reopened 1 times", with([](Doing& d) { d.status.reopens = 1; })},
+           {"state at the end: silent", with([](Doing& d) { d.status.health = DeviceHealth::silent; })}}) {
     EXPECT_FALSE(report.fits()) << words;
     const std::string text = report.text();
     const auto at = text.find(words);

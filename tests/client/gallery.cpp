@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "client/app/parts_board.h"
+#include "client/app/desk/parts_board.h"
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
@@ -378,7 +378,7 @@ GalleryPicture error() {
 
 /// Parts named in many scripts: one is hidden, one faint, one red and held, one held by two.
 std::vector<PartRow> rows_in_many_scripts() {
-  PartsKnown known;
+  PartsData known;
   PartsChoice choice;
   for (const Words& words : many_scripts) {
     SceneBody& body = known.scene.bodies.emplace_back();
@@ -434,7 +434,7 @@ GalleryPicture parts_board() {
   list.items.push_back(table());
   add_named_heap(list);
   PartsBoard board;
-  board.open_or_shut(called_from, right_hand);
+  board.toggle_open(called_from, right_hand);
   board.follow(rows_in_many_scripts(), {});
   const PlacedPartsList placed = *board.shown();
   StereoProfile headset;

@@ -8,7 +8,8 @@
 #include <map>
 
 #include "client/view/hand_nails.h"
-#include "common/hand_field.h"
+#include "common/hands/hand_field.h"
+#include "common/ids.h"
 
 namespace prosector {
 namespace {

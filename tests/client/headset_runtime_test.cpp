@@ -85,9 +85,8 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
         news, [&](const std::string& line) { return line.find(words) != std::string::npos; });
   };
   EXPECT_EQ(said("simulated headset by"), 4);
-  for (const char* words :
-       {"another program has your hands", "your hands are back", "centred anew", "the session is lost",
-        "the runtime failed", "no runtime answers", "it is put away"})
+  for (const char* words : {"another program controls your hands", "hand tracking restored", "re-centred",
+                            "the session is lost", "the runtime failed", "no runtime responds", "taken off"})
     EXPECT_GE(said(words), 1) << words;
 }
 

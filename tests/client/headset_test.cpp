@@ -5,15 +5,15 @@
 #include <limits>
 #include <random>
 
-#include "client/app/device_rig.h"
+#include "client/app/user/device_rig.h"
 #include "client/render/projection.h"
-#include "client/view/words_ahead.h"
+#include "client/view/headset_text.h"
 #include "client/xr/eye_view.h"
 #include "client/xr/hand_joints.h"
 #include "common/hand.h"
-#include "drivers/gesture.h"
-#include "drivers/twins/headset_wearer.h"
+#include "drivers/device/gesture.h"
 #include "tests/gesture_bends.h"
+#include "twins/trackers/simulated_wearer.h"
 
 namespace prosector {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 const Pose somewhere{{0.3, 1.2, -0.4}, Quat(0.8, 0.3, -0.5, 0.1).normalized()};
 
 HeadsetJoints joints_at(const Pose& wrist, std::size_t hand, const std::array<double, fingers>& flexion) {
-  HeadsetJoints out = seen_joints(hand, flexion);
+  HeadsetJoints out = hand_model_joints(hand, flexion);
   for (Pose& joint : out) joint = wrist * joint;
   return out;
 }
@@ -48,7 +48,7 @@ TEST(HeadsetHand, FlatFistAndEachFingerComeBack) {
     }
 }
 
-// People's fingers don't bend by our law: then the three joints are weighed.
+// UserAvatars's fingers don't bend by our law: then the three joints are weighed.
 TEST(HeadsetHand, FitsFingersThatBendOtherwise) {
   HeadsetJoints joints = joints_at({}, right_hand, {0, 0, 0, 0, 0});
   const Quat bend(Eigen::AngleAxisd(-0.6, Vec3::UnitX()));  // of the index finger's middle joint alone
@@ -83,10 +83,10 @@ TEST(HeadsetHand, GarbageIsNoHand) {
 }
 
 TEST(HeadsetHand, MakesEachGestureOfTheTable) {
-  DeviceConfig glove;
-  glove.pinch = true;
+  GestureThresholds thresholds;
+  thresholds.pinch = true;
   for (const std::size_t hand : {left_hand, right_hand}) {
-    GestureDetector gestures(thresholds_of(glove));
+    GestureDetector gestures(thresholds);
     for_gestures([&](const GestureRow& row) {
       const auto seen = hand_of_joints(joints_at(somewhere, hand, bends_of(row)));
       ASSERT_TRUE(seen);
@@ -98,7 +98,7 @@ TEST(HeadsetHand, MakesEachGestureOfTheTable) {
 TEST(HeadsetController, TriggerGraspsAndSqueezePoints) {
   MotionScript script;
   for (std::size_t hand : {left_hand, right_hand}) script.add(1 + hand, 0, somewhere);
-  const HeadsetWearer wearer(script);
+  const SimulatedWearer wearer(script);
   for (std::size_t hand : {left_hand, right_hand}) {
     GestureDetector gestures({.closed_above = 0.65, .open_below = 0.35, .hysteresis = 0.05});
     const Pose grip = wearer.grip(hand, 0);
@@ -184,9 +184,9 @@ TEST(HeadsetEye, WordsStandWhereBothEyesMeet) {
         side < 0 ? EyeView{pose, -0.85, 0.70, 0.72, -0.80} : EyeView{pose, -0.70, 0.85, 0.72, -0.80};
     list.cameras.push_back(camera_of(eye, side < 0 ? 0 : 320, 320, 320));
   }
-  add_words_ahead(list, "");
+  add_headset_text(list, "");
   EXPECT_TRUE(list.texts.empty());
-  add_words_ahead(list, "here");
+  add_headset_text(list, "here");
   ASSERT_EQ(list.texts.size(), 1U);
   EXPECT_FALSE(list.texts[0].overlay);
   for (const DrawCamera& camera : list.cameras) {
@@ -203,8 +203,9 @@ TEST(HeadsetEye, TextsAreAsLargeWhateverThePixels) {
   const EyeView eye{{}, -0.85, 0.70, 0.72, -0.80};
   const double tangents = std::tan(0.72) + std::tan(0.80);
   for (const int pixels : {1200, 1600, 2160, 4000})
-    EXPECT_NEAR(13 * headset_scale(camera_of(eye, 0, pixels, pixels)) * tangents / pixels, 13.0 / 600, 1e-12);
-  EXPECT_EQ(headset_scale(camera_of(eye, 0, 320, 320)), 1);  // fewer pixels couldn't be read
+    EXPECT_NEAR(13 * headset_pixels_per_point(camera_of(eye, 0, pixels, pixels)) * tangents / pixels,
+                13.0 / 600, 1e-12);
+  EXPECT_EQ(headset_pixels_per_point(camera_of(eye, 0, 320, 320)), 1);  // fewer pixels couldn't be read
 }
 
 TEST(HeadsetEye, GarbageIsRefused) {

@@ -1,6 +1,6 @@
 // Hollows against surfaces of known curvature.
 
-#include "client/render/hollows.h"
+#include "client/render/curvature.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-constexpr double scale = 0.004;  // m, as hollows_of() takes it
+constexpr double scale = 0.004;  // m, as curvature_of() takes it
 
 /// Turns a surface inside out.
 Triangles turned(Triangles triangles) {
@@ -22,8 +22,8 @@ Triangles turned(Triangles triangles) {
 TEST(Hollows, OfABallAreItsCurvature) {
   for (const double radius : {0.02, 0.05, 0.1}) {
     const auto ball = sphere_mesh(radius, 1);
-    const std::vector<float> outside = hollows_of(ball->positions, ball->triangles);
-    const std::vector<float> inside = hollows_of(ball->positions, turned(ball->triangles));
+    const std::vector<float> outside = curvature_of(ball->positions, ball->triangles);
+    const std::vector<float> inside = curvature_of(ball->positions, turned(ball->triangles));
     ASSERT_EQ(outside.size(), ball->positions.size());
     for (std::size_t v = 0; v < outside.size(); ++v) {
       EXPECT_NEAR(outside[v], -scale / radius, 0.08 * scale / radius) << radius;
@@ -44,12 +44,12 @@ TEST(Hollows, OfAPlaneAreNone) {
       triangles.push_back({a, b, a + 1});
       triangles.push_back({a + 1, b, b + 1});
     }
-  for (const float hollow : hollows_of(points, triangles)) EXPECT_NEAR(hollow, 0, 1e-6);
+  for (const float hollow : curvature_of(points, triangles)) EXPECT_NEAR(hollow, 0, 1e-6);
 }
 
 TEST(Hollows, OfNoAreaAreNone) {
   const std::vector<Eigen::Vector3f> points(3, Eigen::Vector3f::Zero());
-  for (const float hollow : hollows_of(points, Triangles{{0, 1, 2}})) EXPECT_EQ(hollow, 0);
+  for (const float hollow : curvature_of(points, Triangles{{0, 1, 2}})) EXPECT_EQ(hollow, 0);
 }
 
 }  // namespace

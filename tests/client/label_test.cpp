@@ -13,8 +13,8 @@
 #include "client/view/camera.h"
 #include "client/view/part_labels.h"
 #include "client/view/surface_tree.h"
-#include "common/primitives.h"
 #include "common/rotation_between.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {

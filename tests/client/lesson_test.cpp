@@ -9,8 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include "client/app/console.h"
-#include "client/app/controls.h"
+#include "client/app/terminal/console.h"
+#include "client/app/terminal/controls.h"
 #include "common/scene/load_scene.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/client/acted_desk.h"
@@ -114,16 +114,12 @@ struct DeskLesson : testing::Test {
     for (BodyId body = 0; body < simulation.body_count(); ++body)
       scene.bodies.emplace_back().name = simulation.name(body);
     const ConsoleLine read = parse_console_line(line, scene, {}, [](BodyId) { return Vec3(0, 1, 0); });
-    ASSERT_TRUE(std::holds_alternative<Command>(read)) << line;
-    desk.ask(std::get<Command>(read));
+    ASSERT_TRUE(std::holds_alternative<CommandBody>(read)) << line;
+    desk.ask(std::get<CommandBody>(read));
     desk.wait(0.2);
   }
   void set(PanelControl control, double value) {
-    Command command;
-    command.kind = CommandKind::set_control;
-    command.control = control;
-    command.value = value;
-    desk.ask(command);
+    desk.ask(SetControl{control, value});
     desk.wait(1.5);  // a person's pace: a detached liver has sunk by then
   }
   std::string told() const { return desk.told().empty() ? "" : desk.told().back(); }
@@ -142,18 +138,12 @@ TEST_F(DeskLesson, AsksAPartWhatItIs) {
   desk.point_at(on_liver);
   desk.wait(0.5);
   for (const BodyId part : {liver, kidney, body_named(simulation, "gallbladder")}) {
-    Command command;
-    command.kind = CommandKind::open_panel;
-    command.body = part;
-    desk.ask(command);
+    desk.ask(OpenPanel{part});
     desk.wait(1);
     ASSERT_EQ(simulation.panels().size(), 1U) << simulation.name(part) << ": " << told();
     EXPECT_EQ(simulation.panels()[0].body, part);
   }
-  Command command;
-  command.kind = CommandKind::open_panel;
-  command.body = liver;
-  desk.ask(command);
+  desk.ask(OpenPanel{liver});
   desk.wait(1);
   set(PanelControl::attach, 0);
   EXPECT_FALSE(simulation.part(liver).attached) << told();
@@ -163,8 +153,7 @@ TEST_F(DeskLesson, AsksAPartWhatItIs) {
   EXPECT_TRUE(simulation.part(liver).lit);
   set(PanelControl::stiffness, 0.75);
   EXPECT_GT(simulation.part(liver).stiffness, 1.5);
-  command.kind = CommandKind::close_panel;
-  desk.ask(command);
+  desk.ask(ClosePanel{});
   desk.wait(0.5);
   EXPECT_TRUE(simulation.panels().empty());
   EXPECT_TRUE(desk.told().empty()) << told();

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "client/app/happenings.h"
-#include "client/view/loading_picture.h"
+#include "client/app/session/session_events.h"
+#include "client/view/loading_screen.h"
 #include "client/view/message_lines.h"
 #include "common/surface_patch.h"
 
@@ -49,7 +49,7 @@ TEST(MessageLines, SayHowManyAFloodLeftOut) {
   EXPECT_EQ(messages.shown(0), (Lines{"message 0", "message 1"}));
   const Lines later = messages.shown(5.5);
   ASSERT_EQ(later.size(), 2u);
-  EXPECT_EQ(later[0], "message 92 (and 90 before it)");
+  EXPECT_EQ(later[0], "message 92 (and 90 earlier)");
   for (int round = 0; round < 4; ++round) messages.shown(10 + 5 * round);
   EXPECT_EQ(messages.shown(40), Lines{});
 }
@@ -58,7 +58,7 @@ TEST(MessageLines, SayHowManyAFloodLeftOut) {
 TEST(MessageLines, KeepALineForWhatTheUserDid) {
   MessageLines messages;
   for (int k = 0; k < 60; ++k)
-    messages.say(k % 2 == 0 ? "the simulation is well again" : "the disk is slow", 0.1 * k);
+    messages.say(k % 2 == 0 ? "the simulation has recovered" : "the disk is slow", 0.1 * k);
   messages.say("you hold the liver", 6, MessageKind::own);
   for (int k = 60; k < 90; ++k) {
     messages.say("message " + std::to_string(k), 0.1 * k);
@@ -101,7 +101,7 @@ class Told : public testing::Test {
   static constexpr ParticipantId self = 7, ada = 9;
   Replica replica;
   Catalogue words;
-  Happenings happenings{self, words};
+  SessionEvents session_events{self, words};
   SceneInfo scene;
   TriangleMesh surface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   SparseMap map{{{{0, 1, 2, 3}, {1, 0, 0, 0}}, {{0, 1, 2, 3}, {0, 1, 0, 0}}, {{0, 1, 2, 3}, {0, 0, 1, 0}}}};
@@ -171,7 +171,7 @@ class Told : public testing::Test {
   }
   Lines news(double now) {
     Lines out;
-    for (const Happening& happening : happenings.look(replica, now)) {
+    for (const SessionMessage& happening : session_events.look(replica, now)) {
       out.push_back(happening.text);
       EXPECT_EQ(happening.kind == MessageKind::own,
                 happening.text.starts_with("you ") || happening.text.starts_with("cut: "))
@@ -210,7 +210,7 @@ TEST_F(Told, WhoComesChangesRolesAndGoesIsTold) {
   join(ada, "Ada", Role::dissector);
   EXPECT_EQ(news(1), Lines{"Ada joined as a dissector"});
   join(ada, "Ada", Role::observer);
-  EXPECT_EQ(news(2), Lines{"Ada is an observer now"});
+  EXPECT_EQ(news(2), Lines{"Ada is now an observer"});
   RosterEntry gone;
   gone.participant = ada;
   replica.apply({.message = gone, .liveness = Liveness::gone});
@@ -225,7 +225,7 @@ TEST_F(Told, AStrokeIsToldOnceAndWhatIsTakenBackOnceMore) {
     EXPECT_EQ(news(k / 60.0), k == 1 ? Lines{"Ada cut the liver"} : Lines{}) << k;
   }
   say(revision(0, 61, TopologyCause::undo, self));
-  EXPECT_EQ(news(1.1), Lines{"you took back a cut of the liver"});
+  EXPECT_EQ(news(1.1), Lines{"you undid a cut of the liver"});
   say(revision(0, 62, TopologyCause::cut, self));
   EXPECT_EQ(news(1.2), Lines{"you cut the liver"});
 }
@@ -234,7 +234,7 @@ TEST_F(Told, APieceThatComesOffIsTold) {
   news(0);
   add_body("liver 2");
   say(revision(1, 0, TopologyCause::cut, self, 0));
-  EXPECT_EQ(news(1), Lines{"a piece came off the liver"});
+  EXPECT_EQ(news(1), Lines{"a piece was separated from the liver"});
   EXPECT_EQ(news(2), Lines{});
 }
 
@@ -270,7 +270,7 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(3.5), Lines{}) << "nobody sees that";
   tell("");
   EXPECT_EQ(news(4), Lines{});
-  EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});
+  EXPECT_EQ(news(5.5), Lines{"the simulation has recovered"});
   EXPECT_EQ(news(6), Lines{});
 }
 
@@ -285,9 +285,9 @@ TEST_F(Told, TroubleThatComesAndGoesIsToldOnceAMinuteAndItsEndNotAlone) {
     for (const std::string& line : news(1 + 0.1 * k)) told.push_back(line);
   }
   ASSERT_EQ(told.size(), 4U) << told.back();
-  EXPECT_EQ(told[1], "the simulation is well again");
+  EXPECT_EQ(told[1], "the simulation has recovered");
   EXPECT_TRUE(told[2].starts_with("simulated time slowed"));
-  EXPECT_EQ(told[3], "the simulation is well again");
+  EXPECT_EQ(told[3], "the simulation has recovered");
 }
 
 TEST_F(Told, WhatTheHostDoesWithTimeIsTold) {
@@ -301,7 +301,7 @@ TEST_F(Told, WhatTheHostDoesWithTimeIsTold) {
   EXPECT_EQ(at_pace(0), Lines{"the host stopped time"});
   EXPECT_EQ(at_pace(0), Lines{});
   EXPECT_EQ(at_pace(0.25), Lines{"slow motion: 0.25 of real time"});
-  EXPECT_EQ(at_pace(1), Lines{"time goes on"});
+  EXPECT_EQ(at_pace(1), Lines{"time resumed"});
 }
 
 TEST_F(Told, ProgressGrowsToOneAsThingsArrive) {
@@ -332,7 +332,7 @@ class ToldInGerman : public Told {
   ToldInGerman() : Told(catalogue_for("de")) {}
   std::string told(double now) {
     std::string out;
-    for (const Happening& happening : happenings.look(replica, now)) out += happening.text + "\n";
+    for (const SessionMessage& happening : session_events.look(replica, now)) out += happening.text + "\n";
     return out;
   }
 };

@@ -1,6 +1,6 @@
 // What a user reads who was not let into a session.
 
-#include "client/app/no_session.h"
+#include "client/app/session/no_session.h"
 
 #include <gtest/gtest.h>
 
@@ -23,11 +23,11 @@ BusConfig looking_for(const std::string& name) {
 }
 
 TEST(NoSession, SaysWhatToStartOrToChoose) {
-  const std::string none = no_session_text(looking_for("lesson"), 5s, {});
+  const std::string none = session_not_found_text(looking_for("lesson"), 5s, {});
   EXPECT_NE(none.find("no server found for session 'lesson'"), std::string::npos) << none;
   EXPECT_NE(none.find("Start one"), std::string::npos) << none;
   const std::vector<SessionInfo> others = {running("ward"), running("class")};
-  const std::string other = no_session_text(looking_for("lesson"), 5s, others);
+  const std::string other = session_not_found_text(looking_for("lesson"), 5s, others);
   EXPECT_NE(other.find("'ward' (scene abdomen), 'class'"), std::string::npos) << other;
 }
 
@@ -35,9 +35,9 @@ TEST(NoSession, DoesNotSayOfASessionThatRunsThatItDoesNot) {
   const std::vector<SessionInfo> found = {running("ward"), running("lesson")};
   EXPECT_TRUE(is_among(looking_for("lesson"), found));
   EXPECT_FALSE(is_among(looking_for("less"), found));
-  EXPECT_EQ(no_session_text(looking_for("lesson"), 10s, found),
-            "session 'lesson' runs, but did not answer within 10 s: its server or the network is busy. "
-            "Wait for longer: --patience 40");
+  EXPECT_EQ(session_not_found_text(looking_for("lesson"), 10s, found),
+            "session 'lesson' is running but did not answer within 10 s: its server or the network is busy. "
+            "Wait longer with --patience 40");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // An eye about its target: it stays within its bounds, and comes home from everywhere.
 
-#include "client/app/orbit_view.h"
+#include "client/app/desk/orbit_view.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <numbers>
 #include <random>
 
-#include "client/app/desk_start.h"
-#include "client/app/desk_view.h"
+#include "client/app/desk/desk_start.h"
+#include "client/app/desk/desk_view.h"
 #include "client/render/keyboard_layout.h"
 #include "client/view/camera.h"
 #include "client/view/pick.h"
@@ -44,7 +44,7 @@ TEST(OrbitView, TurnsAboutTheTargetOrAboutTheEye) {
   EXPECT_NEAR(view.place().distance, home.distance, 1e-12);
   EXPECT_GT((view.place().eye() - home.eye()).norm(), 0.1);
   const Vec3 eye = view.place().eye();
-  view.look_round(0.3, -0.2);
+  view.rotate_gaze(0.3, -0.2);
   EXPECT_LT((view.place().eye() - eye).norm(), 1e-12);
   EXPECT_GT((view.place().target - home.target).norm(), 0.1);
 }
@@ -62,7 +62,7 @@ TEST(OrbitView, AnythingKeepsItInBoundsAndHomeIsAlwaysReached) {
         view.turn(some(), some());
         break;
       case 1:
-        view.look_round(some(), some());
+        view.rotate_gaze(some(), some());
         break;
       case 2:
         view.zoom(some());
@@ -78,11 +78,11 @@ TEST(OrbitView, AnythingKeepsItInBoundsAndHomeIsAlwaysReached) {
     }
     const ViewPlace& place = view.place();
     ASSERT_TRUE(place.is_finite());
-    ASSERT_GE(place.distance, nearest_view);
-    ASSERT_LE(place.distance, farthest_view);
+    ASSERT_GE(place.distance, min_view_distance);
+    ASSERT_LE(place.distance, max_view_distance);
     ASSERT_GT(place.distance, DrawCamera().near);
-    ASSERT_LE(std::abs(place.pitch), steepest_view);
-    ASSERT_LE(place.target.cwiseAbs().maxCoeff(), farthest_target);
+    ASSERT_LE(std::abs(place.pitch), max_view_pitch);
+    ASSERT_LE(place.target.cwiseAbs().maxCoeff(), max_target_coordinate);
     ASSERT_TRUE(is_finite(place.pose()));
     if (round % 100 != 0) continue;
     view.go_to(view.home());
@@ -147,11 +147,11 @@ double share_of(const Eigen::AlignedBox3d& box, const ViewPlace& place, double f
 TEST(OrbitView, FramesABoxToItsShareOfThePicture) {
   const Eigen::AlignedBox3d box(Vec3(-0.1, 0.9, -0.05), Vec3(0.15, 1.05, 0.2));
   for (const double yaw : {0.0, 1.0, -2.0})
-    for (const double pitch : {0.0, 0.6, steepest_view})
+    for (const double pitch : {0.0, 0.6, max_view_pitch})
       for (const double aspect : {0.5, 4.0 / 3, 3.0})
         EXPECT_NEAR(share_of(box, framed(box, yaw, pitch, 0.8, aspect), 0.8, aspect), 0.6, 1e-9);
   const Eigen::AlignedBox3d speck(Vec3(1, 1, 1), Vec3(1, 1, 1));
-  EXPECT_EQ(framed(speck, 0, 0, 0.8, 1).distance, nearest_view);
+  EXPECT_EQ(framed(speck, 0, 0, 0.8, 1).distance, min_view_distance);
 }
 
 TEST(DeskStart, ShowsTheAnatomyFromWhereTheScenesCameraStands) {
@@ -218,13 +218,13 @@ TEST(DeskView, PointsAsTheCameraSeesThatLeadsIt) {
   camera.top = 0.35;
   camera.width = 640;
   camera.height = 480;
-  view.look_as(camera);
+  view.follow_camera(camera);
   const Ray seen = ray_through(camera, view.pointer_pixel().x(), view.pointer_pixel().y());
   EXPECT_EQ(view.pointer().from, camera.pose.p);
   EXPECT_LT((view.pointer().along - seen.along).norm(), 1e-12);
   EXPECT_LT((view.place().eye() - camera.pose.p).norm(), 1e-9);
   EXPECT_GT(view.place().back().dot(camera.pose.q * Vec3::UnitZ()), 1 - 1e-9);
-  view.look_as(std::nullopt);
+  view.follow_camera(std::nullopt);
   EXPECT_EQ(view.pointer().along, before.along);
 }
 

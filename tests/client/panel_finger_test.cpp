@@ -1,6 +1,6 @@
 // A tracked fingertip that is drawn along the text of a panel.
 
-#include "client/app/panel_finger.h"
+#include "client/app/desk/panel_finger.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The list of parts on a board in the room, worked by a fingertip.
 
-#include "client/app/parts_board.h"
+#include "client/app/desk/parts_board.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ class AFingerAtTheBoard : public testing::Test {
   PartsChoice choice;
 
   void SetUp() override {
-    board.open_or_shut(eyes, right_hand);
+    board.toggle_open(eyes, right_hand);
     board.follow(rows(), {});
   }
   std::vector<PartRow> rows() const {
@@ -61,14 +61,14 @@ TEST_F(AFingerAtTheBoard, ItComesUpInReachFacingTheEyesBesideWhereTheyLook) {
   EXPECT_NEAR((pose().q * Vec3::UnitX()).y(), 0, 1e-12) << "level";
   EXPECT_LT((eyes.p - pose().p).norm(), 0.6);
   EXPECT_LT((eyes.inverse() * pose().p).x(), -0.1) << "the right hand's is at the left";
-  board.open_or_shut(eyes, right_hand);
+  board.toggle_open(eyes, right_hand);
   EXPECT_FALSE(board.shown());
-  board.open_or_shut(eyes, left_hand);
+  board.toggle_open(eyes, left_hand);
   board.follow(rows(), {});
   EXPECT_GT((eyes.inverse() * pose().p).x(), 0.1);
   for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX())}) {  // straight up, straight down
-    board.open_or_shut(eyes, right_hand);
-    board.open_or_shut({eyes.p, Quat(Eigen::AngleAxisd(1.5707963267948966, axis))}, right_hand);
+    board.toggle_open(eyes, right_hand);
+    board.toggle_open({eyes.p, Quat(Eigen::AngleAxisd(1.5707963267948966, axis))}, right_hand);
     board.follow(rows(), {});
     ASSERT_TRUE(is_finite(pose()));
     EXPECT_LT((eyes.p - pose().p).norm(), 0.6);
@@ -198,8 +198,8 @@ TEST_F(AFingerAtTheBoard, ItOffersNothingThatNeedsKeys) {
   DrawList out;
   PartsBoardView(7).add(out, *board.shown());
   for (const DrawText& text : out.texts) EXPECT_NE(text.text, "search");
-  EXPECT_EQ(told_spot(list(), {PartsSpot::Kind::search, 0, 0}), "");
-  EXPECT_EQ(told_spot(list(), {PartsSpot::Kind::name, 2, 0}), "draw along the names to scroll");
+  EXPECT_EQ(describe_spot(list(), {PartsSpot::Kind::search, 0, 0}), "");
+  EXPECT_EQ(describe_spot(list(), {PartsSpot::Kind::name, 2, 0}), "drag along the names to scroll");
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "client/app/parts_commands.h"
-#include "client/app/parts_desk.h"
+#include "client/app/desk/parts_desk.h"
+#include "client/app/terminal/parts_commands.h"
 #include "client/replica/shown_names.h"
 #include "client/text/search_key.h"
 
@@ -25,8 +25,8 @@ SceneBody body(const std::string& name, const std::string& german, const std::st
 
 /// A liver and what was cut off it twice, a kidney, a bone, a scalpel, a table; seen by a reader of
 /// `language`.
-PartsKnown known(const std::string& language = "de") {
-  PartsKnown out;
+PartsData known(const std::string& language = "de") {
+  PartsData out;
   out.scene.bodies = {body("liver", "große Drüse (Leber)", "A05.8.01.001"),
                       body("left kidney", "linke Niere"),
                       body("femur", "Oberschenkelknochen"),
@@ -88,7 +88,7 @@ TEST(SearchKey, FindsEachWordAnywhere) {
 TEST(PartRows, AreGroupedWithPiecesBelowTheirOrgan) {
   EXPECT_EQ(names_of(part_rows(known(), {}, "")),
             (std::vector<std::string>{"Anatomy · 2", "große Drüse (Leber)", "linke Niere", "Bones · 1",
-                                      "Oberschenkelknochen", "Instruments and things · 1", "Skalpell",
+                                      "Oberschenkelknochen", "Instruments and objects · 1", "Skalpell",
                                       "Room · 1", "Tisch"}));
   const PartRow liver = part_rows(known(), {}, "")[1];
   EXPECT_EQ(liver.bodies, (std::vector<BodyId>{0, 5, 6}));
@@ -97,7 +97,7 @@ TEST(PartRows, AreGroupedWithPiecesBelowTheirOrgan) {
 }
 
 TEST(PartRows, HaveBonesThatLieAboutAmongTheBones) {
-  PartsKnown loose = known();
+  PartsData loose = known();
   loose.scene.bodies[2].part = false;
   loose.scene.bodies[2].moves = true;
   const auto names = names_of(part_rows(loose, {}, ""));
@@ -310,7 +310,7 @@ TEST_F(AtTheList, LeavesTheRoomWhatIsNotOnIt) {
 }
 
 TEST(PartsListLayout, ScrollsWithinWhatThereIsAndToWhatIsPointedAt) {
-  PartsKnown many;
+  PartsData many;
   for (int k = 0; k < 116; ++k) many.scene.bodies.push_back(body("region " + std::to_string(k), "Region"));
   many.organs = organs_of(many.scene, [](BodyId) { return -1; });
   many.holders.resize(116);

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "client/render/renderer.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector::test {
 

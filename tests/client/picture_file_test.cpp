@@ -1,6 +1,6 @@
 // Where pictures go that are kept with a key.
 
-#include "client/app/picture_file.h"
+#include "client/app/output/picture_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "client/app/pose_life.h"
+#include "client/app/user/pose_validity.h"
 
 namespace prosector {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::int64_t ms = 1'000'000, start = 5'000 * ms;
 /// Returns for how long the last pose counts, in steps of 10 ms, where it was seen after these gaps, and each
 /// was known after `delay`. All is in ms.
 std::int64_t life_after(const std::vector<std::int64_t>& gaps, std::int64_t delay = 0) {
-  PoseLife life;
+  PoseValidity life;
   std::int64_t now = start;
   life.see(now, now + delay * ms);
   for (const std::int64_t gap : gaps) {
@@ -26,17 +26,17 @@ std::int64_t life_after(const std::vector<std::int64_t>& gaps, std::int64_t dela
   return lasts;
 }
 
-TEST(PoseLife, IsAQuarterOfASecondWherePosesComeInTime) {
+TEST(PoseValidity, IsAQuarterOfASecondWherePosesComeInTime) {
   for (const std::int64_t gap : {4, 17, 33, 67, 100}) EXPECT_EQ(life_after({gap, gap, gap}), 250) << gap;
   EXPECT_EQ(life_after({}), 250);
 }
 
-TEST(PoseLife, WaitsForTheNextPictureWherePicturesTakeLong) {
+TEST(PoseValidity, WaitsForTheNextPictureWherePicturesTakeLong) {
   for (const std::int64_t gap : {150, 200, 300, 390}) EXPECT_GE(life_after({gap, gap}), 2 * gap);
   EXPECT_EQ(life_after({1000, 1000}), 1000) << "never longer than a second";
 }
 
-TEST(PoseLife, WaitsForTheNextPictureWhereItTakesLongToBeEvaluated) {
+TEST(PoseValidity, WaitsForTheNextPictureWhereItTakesLongToBeEvaluated) {
   for (const std::int64_t gap : {33, 67, 200, 267})
     for (const std::int64_t delay : {100, 300, 450}) {
       const std::int64_t next = gap + delay;  // ms: when the next pose is known
@@ -46,18 +46,18 @@ TEST(PoseLife, WaitsForTheNextPictureWhereItTakesLongToBeEvaluated) {
   EXPECT_EQ(life_after({33, 33}, 5000), 1000) << "never longer than a second";
 }
 
-TEST(PoseLife, DoesNotGrowByOneLoss) {
+TEST(PoseValidity, DoesNotGrowByOneLoss) {
   EXPECT_EQ(life_after({33, 33, 900}), 250);
   EXPECT_EQ(life_after({33, 900, 33}), 250);
 }
 
-TEST(PoseLife, IsOverForWhatWasNeverSeen) {
-  EXPECT_TRUE(PoseLife().is_over(start));
-  EXPECT_EQ(PoseLife().seen_ns(), 0);
+TEST(PoseValidity, IsOverForWhatWasNeverSeen) {
+  EXPECT_TRUE(PoseValidity().is_over(start));
+  EXPECT_EQ(PoseValidity().seen_ns(), 0);
 }
 
-TEST(PoseLife, TakesNoPoseFromBefore) {
-  PoseLife life;
+TEST(PoseValidity, TakesNoPoseFromBefore) {
+  PoseValidity life;
   life.see(start, start);
   life.see(start - 100 * ms, start);
   EXPECT_EQ(life.seen_ns(), start);

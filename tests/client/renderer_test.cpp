@@ -166,7 +166,7 @@ DrawItem square(double half, const Pose& pose, std::uint64_t id) {
 /// Mean brightness with ambient occlusion over that without, in 5 × 5 pixels.
 double left_by_occlusion(const DrawList& list, int x, int y, int coarser = 2) {
   RendererSettings with, without;
-  with.ambient_coarser = coarser;
+  with.ambient_occlusion_pixels = coarser;
   without.effects[index_of(Effect::ambient_occlusion)] = false;
   std::array<double, 2> sum{};
   for (std::size_t k = 0; k < 2; ++k) {

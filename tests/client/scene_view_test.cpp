@@ -167,7 +167,7 @@ TEST(SceneView, TheLampsLightGoesAlongWithIt) {
   EXPECT_NEAR(at(after, right), at(before, left), 0.1 * at(before, left));
   EXPECT_NEAR(at(after, left), at(before, right), 0.1 * at(before, left));
   EXPECT_NEAR(at(after, aside), at(before, aside), 1) << "where it shone neither before nor after";
-  // Turned, it shines where it points to.
+  // Corotated, it shines where it points to.
   moved.time = {0, 20};
   moved.pose.q = Quat(Eigen::AngleAxisd(-std::atan(0.5 / 0.97), Vec3::UnitZ()));
   client.tell(moved);
@@ -255,7 +255,7 @@ TEST(SceneView, AnInsetShowsWhatAUserSeesAndNothingElseChanges) {
   EXPECT_TRUE(inset.inset);
   EXPECT_LT((inset.pose.p - user.head.p).norm(), 1e-6);
   EXPECT_TRUE(std::any_of(list.texts.begin(), list.texts.end(),
-                          [](const DrawText& text) { return text.text == "nobody is not here"; }));
+                          [](const DrawText& text) { return text.text == "nobody is not in the session"; }));
   int inside = 0, outside = 0;
   for (int y = 0; y < with.height; ++y)
     for (int x = 0; x < with.width; ++x) {
@@ -307,7 +307,7 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
   status.error = 0.031;
   status.press_error = 0.06;
   client.tell(status);
-  EXPECT_EQ(figures()[0].text, "membrane\n12 steps of 1.39 ms\n3.1 % off\npressed: force within 6 %");
+  EXPECT_EQ(figures()[0].text, "membrane\n12 steps of 1.39 ms\nerror 3.1 %\npressed: force within 6 %");
   status.asleep = true;
   client.tell(status);
   ASSERT_EQ(figures().size(), 1u);
@@ -317,7 +317,7 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
 }
 
 TEST(SceneView, StrainColoursReachAsFarAsTheStrainsAndTheLegendSaysHowFar) {
-  for (const auto& [stretch, end] : {std::pair(1.015F, "2 and more"), {1.15F, "20 and more"}}) {
+  for (const auto& [stretch, end] : {std::pair(1.015F, "2 or more"), {1.15F, "20 or more"}}) {
     Client client;
     client.add_soft("membrane", stretch);
     client.join();
@@ -403,10 +403,11 @@ TEST(SceneView, ThroughACameraOnlyTrackedHandsAreReal) {
   user.hands = self.input.hands;
   client.tell(user);
   ViewSettings settings = plain(320, 240);
-  settings.through.emplace().is_placed = true;
-  settings.through->camera = mono_camera(look_at({1, 1.6, 0.2}, {0, 1.4, 0}), 0.8, 320, 240);
+  CameraOverlay& through = settings.projection.emplace<CameraOverlay>();
+  through.is_placed = true;
+  through.camera = mono_camera(look_at({1, 1.6, 0.2}, {0, 1.4, 0}), 0.8, 320, 240);
   const auto real_items = [&] {
-    return std::ranges::count(client.list(1, settings, self).items, Showing::real, &DrawItem::showing);
+    return std::ranges::count(client.list(1, settings, self).items, ItemRole::real, &DrawItem::showing);
   };
   while (real_items() == 0)  // the skin is on its way
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -415,7 +416,7 @@ TEST(SceneView, ThroughACameraOnlyTrackedHandsAreReal) {
   const auto length = [&] {
     float least = 0;
     for (const DrawItem& item : client.list(1, settings, self).items)
-      if (item.showing == Showing::real)
+      if (item.showing == ItemRole::real)
         for (const Eigen::Vector3f& x : item.mesh->positions) least = std::min(least, x.z());
     return -least;
   };
@@ -594,24 +595,25 @@ TEST(SceneView, APhantomAndNothingElseIsLeftToTheCamerasPicture) {
   Client client;
   client.join();
   ViewSettings settings = plain(400, 300);
-  settings.through.emplace().is_placed = true;
-  settings.through->room_board.p = {0, 3, 0};  // above everything: no body is its table
-  settings.through->camera.width = 400;
-  settings.through->camera.height = 300;
+  CameraOverlay& through = settings.projection.emplace<CameraOverlay>();
+  through.is_placed = true;
+  through.room_board.p = {0, 3, 0};  // above everything: no body is its table
+  through.camera.width = 400;
+  through.camera.height = 300;
   const auto real = [&] {
     std::vector<Vec3> out;
     for (const DrawItem& item : client.list(1, settings).items)
-      if (item.showing == Showing::real) {
+      if (item.showing == ItemRole::real) {
         out.push_back(item.pose.p);
         EXPECT_TRUE(item.casts_shadow) << "it shades organs";
       }
     return out;
   };
   EXPECT_TRUE(real().empty());
-  settings.through->phantoms = {"part", "nobody"};
+  through.phantoms = {"part", "nobody"};
   EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)});
-  settings.through->phantoms = {};
-  FoundPhantom& found = settings.through->found.emplace();
+  through.phantoms = {};
+  FoundPhantom& found = through.found.emplace();
   found.body = "part";
   EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)}) << "its board wasn't seen yet";
   found.place.emplace().p = {0.3, 1, 0};
@@ -622,15 +624,16 @@ TEST(SceneView, APhantomOfAShapeOfItsOwnHidesWhatIsVirtual) {
   Client client;
   client.join();
   ViewSettings settings = plain(320, 240);
-  settings.through.emplace().is_placed = true;
-  settings.through->camera = mono_camera(look_at({0, 1.5, 0.6}, {0, 1.2, 0}), 0.8, 320, 240);
-  settings.through->room_board = {{0, 1, 0}, Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()))};
-  settings.through->backdrop = {
+  CameraOverlay& through = settings.projection.emplace<CameraOverlay>();
+  through.is_placed = true;
+  through.camera = mono_camera(look_at({0, 1.5, 0.6}, {0, 1.2, 0}), 0.8, 320, 240);
+  through.room_board = {{0, 1, 0}, Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()))};
+  through.backdrop = {
       std::make_shared<const Image>(Image{320, 240, std::vector<std::uint8_t>(3 * 320 * 240, 255)}), 1, 0, 0,
       1};
-  FoundPhantom& found = settings.through->found.emplace();
+  FoundPhantom& found = through.found.emplace();
   found.shape = std::make_shared<const TriangleMesh>(mesh_of(solid("box", {0.3, 0.3, 0.02})));
-  const DrawCamera& camera = settings.through->camera;
+  const DrawCamera& camera = through.camera;
   const auto seen = [&] { return brightness(client.picture(1, settings), camera, {0, 1.2, 0}); };
   EXPECT_LT(seen(), 200) << "the part: nobody knows where the phantom is";
   found.place = Pose{{0, 1.3, 0.2}, camera.pose.q};
@@ -665,7 +668,7 @@ TEST(SceneView, BothEyesSeeThePanelWithTheDisparityOfItsDistance) {
   self.input.head_tracked = true;
   self.input.head = look_at({0, 1.6, 0.8}, {0, 1.6, 0});
   ViewSettings settings = plain(profile.picture_width(), profile.picture_height());
-  settings.stereo = profile;
+  settings.projection = profile;
   for (const double depth : {0.5, 0.6, 0.9}) {
     Panel panel;
     panel.participant = self.participant;

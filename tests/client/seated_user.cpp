@@ -41,7 +41,7 @@ SeatedUser::SeatedUser(Simulation& simulation)
 
 void SeatedUser::join(int width, int height) {
   desk_.reset();
-  if (bus_) command(CommandKind::leave);
+  if (bus_) command(Leave{});
   if (bus_) step();
   bus_ = network_.join(config(BusEnd::dissector));
   ++self_;
@@ -53,7 +53,7 @@ void SeatedUser::join(int width, int height) {
   presence.name = "user";
   presence.role = Role::dissector;
   bus_->publish(presence);
-  command(CommandKind::join);
+  command(Join{});
   for (int k = 0; k < 600 && !desk_->has_begun(); ++k) step();
   // The skin of hands is made on another thread: a picture without hands shows nothing.
   for (int k = 0; k < 1000 && subject().bodies.size() >= picture_.items.size(); ++k) {
@@ -85,7 +85,7 @@ void SeatedUser::draw() {
   const double tick = replica_.advance(network_.now_ns());
   const std::chrono::steady_clock::time_point now{std::chrono::nanoseconds(network_.now_ns())};
   const double aspect = static_cast<double>(window_->width()) / window_->height();
-  if (!desk_->has_begun()) desk_->begin(seat_of(replica_, tick, self_, aspect), now);
+  if (!desk_->has_begun()) desk_->begin(start_view_of(replica_, tick, self_, aspect), now);
   desk_->update(desk_session(replica_, view_, tick, self_), now);
   user_ = {.participant = self_, .input = desk_->input(), .present = true, .at_desk = true};
   settings_ = {};
@@ -103,19 +103,11 @@ void SeatedUser::send() {
   input.sequence = ++sequence_;
   input.time_ns = network_.now_ns();
   bus_->publish(input);
-  for (const Command& command : desk_->take_commands()) publish(command);
+  for (const CommandBody& body : desk_->take_commands()) command(body);
 }
 
-void SeatedUser::command(CommandKind kind) {
-  Command out;
-  out.kind = kind;
-  publish(out);
-}
-
-void SeatedUser::publish(Command command) {
-  command.participant = self_;
-  command.sequence = ++sequence_;
-  bus_->publish(command);
+void SeatedUser::command(const CommandBody& body) {
+  bus_->publish(Command{self_, ++sequence_, body});
 }
 
 /// Tells the items of the picture apart by building it once more without the user's hand, with the bodies to

@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "client/app/desk_session.h"
+#include "client/app/desk/desk_session.h"
 #include "client/replica/replica.h"
 #include "idl/local_bus.h"
 #include "server/physics/simulation.h"
-#include "server/session/server_loop.h"
+#include "server/session/run/server_loop.h"
 #include "tests/client/acted_window.h"
 #include "tests/client/cover.h"
 
@@ -54,8 +54,7 @@ class SeatedUser {
   void step();
   void draw();
   void send();
-  void command(CommandKind kind);
-  void publish(Command command);
+  void command(const CommandBody& body);
   CoverSubject subject();
 };
 

@@ -9,7 +9,7 @@
 
 #include "client/view/body_mesh.h"
 #include "client/view/cap.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {

@@ -14,13 +14,13 @@
 #include "client/view/see_through.h"
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/camera_frames.h"
-#include "drivers/camera/straightener.h"
-#include "drivers/camera/synthetic/synthetic_scene.h"
-#include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/base/camera_frames.h"
+#include "drivers/camera/base/undistorter.h"
+#include "drivers/camera/tags/standard_boards.h"
 #include "picture.h"
 #include "tests/folders.h"
 #include "tests/random.h"
+#include "twins/camera/synthetic_scene.h"
 
 namespace prosector {
 namespace {
@@ -159,7 +159,7 @@ TEST(RealThings, HideWhatIsBehindThem) {
   list.items.back().pose.p = above;
   DrawItem hand = ball_at(above + 0.3 * (camera.pose.p - above));
   hand.mesh = test::sphere_mesh(0.05, 3);
-  hand.showing = Showing::real;
+  hand.showing = ItemRole::real;
   hand.casts_shadow = false;
   list.items.push_back(hand);
   const Image hidden = test::picture_of(list, width, height);
@@ -199,7 +199,7 @@ TEST(RealThings, ShadeWhatIsVirtualAlone) {
   const Image lit = test::picture_of(list, width, height);
   for (const Vec3& place : {on_ball, on_table}) {
     list.items.push_back(ball_at(place + 0.3 * (lamp - place), 0.03));
-    list.items.back().showing = Showing::real;
+    list.items.back().showing = ItemRole::real;
   }
   const Image shaded = test::picture_of(list, width, height);
   EXPECT_GT(seen(lit, camera, on_ball)[0], 60);
@@ -210,7 +210,7 @@ TEST(RealThings, ShadeWhatIsVirtualAlone) {
 TEST(Around, IsNotDrawn) {
   DrawList list = table_list();
   list.items.push_back(ball_at({0, 0.96, 0}));
-  list.items.back().showing = Showing::around;
+  list.items.back().showing = ItemRole::around;
   list.items.back().casts_shadow = false;
   const Image picture = test::picture_of(list, width, height);
   EXPECT_EQ(picture.pixel(80, 60)[2], 200);
@@ -234,7 +234,7 @@ TEST(Phantoms, ThatTheSceneDoesntHaveAreToldWithThoseThatItHas) {
     FAIL() << "a name that nobody has";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "phantom \"Liver\": the scene \"abdomen\" has no such body; it has liver, left kidney");
+                 "phantom \"Liver\": the scene \"abdomen\" has no such body; bodies: liver, left kidney");
   }
 }
 
@@ -243,12 +243,12 @@ TEST(CameraSight, TwoWhoLookAtOneBoardAgreeWhereItAndAPhantomAre) {
   const std::filesystem::path folder = testing::TempDir();
   const std::string cube = source_path("deploy/cameras/phantom.toml");
   const Pose phantom = {{0.2, 0.93, 0.03}, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
-  const SightBoard fixed = {cube,
-                            {{0.01, 0.02, -0.03}, Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()))}};
+  const ObjectBoard fixed = {cube,
+                             {{0.01, 0.02, -0.03}, Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()))}};
   struct Looker {
     Pose eye;
     std::unique_ptr<CameraSight> sight;
-    std::shared_ptr<const SightPicture> seen = {};
+    std::shared_ptr<const UndistortedImage> seen = {};
   };
   std::array<Looker, 2> lookers = {{{look_at({-0.25, 1.35, 0.42}, {0.07, 0.92, 0}), nullptr},
                                     {look_at({0.4, 1.4, 0.35}, {0.07, 0.92, 0}), nullptr}}};
@@ -263,7 +263,7 @@ TEST(CameraSight, TwoWhoLookAtOneBoardAgreeWhereItAndAPhantomAre) {
         eye.p.x(), eye.p.y(), eye.p.z(), eye.q.w(), eye.q.x(), eye.q.y(), eye.q.z(), cube, phantom.p.x(),
         phantom.p.y(), phantom.p.z(), phantom.q.w(), phantom.q.y());
     lookers[k].sight = std::make_unique<CameraSight>(
-        std::make_shared<SharedCamera>("synthetic:" + file.string()), DeviceConfig{}, std::nullopt, fixed);
+        std::make_shared<SharedCamera>("synthetic:" + file.string()), CameraConfig{}, std::nullopt, fixed);
   }
   const std::int64_t start = monotonic_ns();
   for (Looker& looker : lookers) {
@@ -290,7 +290,7 @@ TEST(PaperLight, IsThatOfTheBoardsPaperWhateverLiesOnHalfOfIt) {
   scene.add_board(board, lying);
   for (const double light : {0.3, 1.0}) {
     scene.sensor.light = light;
-    const Image image = ScenePainter(scene).paint(0);
+    const Image image = SceneRenderer(scene).paint(0);
     const auto paper = paper_light(image, scene.lens, board, device_camera * lying.pose);
     ASSERT_TRUE(paper);
     const double expected = light * std::pow(235 / 255.0, 2.2);
@@ -307,14 +307,14 @@ TEST(LightAs, MakesOurPaperAsBrightAsTheCameras) {
     DrawList list = table_list();
     for (DrawItem& item : room_items(10)) {
       list.items.push_back(item);
-      list.items.back().showing = Showing::around;
+      list.items.back().showing = ItemRole::around;
     }
-    const Vec3 shown = shown_paper(list, {0, 0.9, 0}, Vec3::UnitY());
+    const Vec3 shown = rendered_paper_color(list, {0, 0.9, 0}, Vec3::UnitY());
     DrawItem sheet = table_plane({{0, 0.92, 0}, list.items[0].pose.q}, 5);
-    sheet.showing = Showing::itself;
+    sheet.showing = ItemRole::itself;
     sheet.appearance.color = Vec3::Constant(0.83);
     sheet.appearance.roughness = 1;
-    light_as(sheet, shown, paper);
+    match_lighting(sheet, shown, paper);
     list.items.push_back(sheet);
     const Image picture = test::picture_of(list, width, height);
     for (int c = 0; c < 3; ++c) {

@@ -63,7 +63,7 @@ TEST(StereoProfile, EachNumberKeepsItsRange) {
 }
 
 TEST(StereoProfile, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(refusal_of("fov = 20").find("fov: unknown key; allowed are"), std::string::npos);
+  EXPECT_NE(refusal_of("fov = 20").find("fov: unknown key; allowed:"), std::string::npos);
   EXPECT_NE(refusal_of("swap_eyes = 1").find("swap_eyes: must be true or false"), std::string::npos);
   EXPECT_NE(refusal_of("eye_width = 800.5").find("whole number"), std::string::npos);
   EXPECT_NE(refusal_of("eye_width =").find("test.toml:1"), std::string::npos);

@@ -1,11 +1,12 @@
 // A bare finger before one camera works a tablet, though its depth is seen badly.
 
-#include "client/app/tablet_press.h"
+#include "client/app/user/tablet_press.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "common/ids.h"
 #include "common/index_tip.h"
 #include "common/panel.h"
 

@@ -1,6 +1,6 @@
 // The time of a recording: where its bar lies, what is read off it, and what keys and pointer ask for.
 
-#include "client/app/time_control.h"
+#include "client/app/desk/time_control.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(TimeBar, TellsTimesAndMarksInWords) {
   EXPECT_EQ(clock_time(3750, 60), "1:02.5");
   EXPECT_EQ(clock_time(60 * 3723, 60), "1:02:03.0");
   EXPECT_EQ(in_words({60, MarkKind::cut, "Ada"}), "Ada cut");
-  EXPECT_EQ(in_words({60, MarkKind::reset, ""}), "somebody reset something");
+  EXPECT_EQ(in_words({60, MarkKind::reset, ""}), "someone reset something");
 }
 
 TEST(TimeBar, IsDrawnWithItsMarksAndTheTimeAtThePointer) {
@@ -63,6 +63,16 @@ TEST(TimeBar, IsDrawnWithItsMarksAndTheTimeAtThePointer) {
   EXPECT_EQ(list.texts[0].text, "2:30.0 / 10:00.0");
   EXPECT_EQ(list.texts[1].text, "5:00.0  Ada cut");
   for (const DrawLine& line : list.lines) EXPECT_LT(line.a.y(), -0.9) << "at the lower border";
+}
+
+/// Returns the tick of a Seek command. Throws if there is none.
+std::uint32_t tick_of(const std::optional<CommandBody>& command) {
+  return std::get<Seek>(command.value()).tick;
+}
+
+/// Returns the pace of a SetPace command. Throws if there is none.
+double pace_of(const std::optional<CommandBody>& command) {
+  return std::get<SetPace>(command.value()).pace;
 }
 
 class TimeInHand : public testing::Test {
@@ -82,32 +92,32 @@ class TimeInHand : public testing::Test {
 
 TEST_F(TimeInHand, KeysGoByAndAddUpWhileOnTheWay) {
   see();
-  EXPECT_EQ(control.press(Key::right)->revision, 9600u);
+  EXPECT_EQ(tick_of(control.press(Key::right)), 9600u);
   see();
-  EXPECT_EQ(control.press(Key::right)->revision, 10200u) << "from where one wants to be";
-  EXPECT_EQ(control.press(Key::page_up)->revision, 6600u);
-  EXPECT_EQ(control.press(Key::backspace)->revision, 0u);
-  EXPECT_EQ(control.press(Key::left)->revision, 0u) << "not before its beginning";
+  EXPECT_EQ(tick_of(control.press(Key::right)), 10200u) << "from where one wants to be";
+  EXPECT_EQ(tick_of(control.press(Key::page_up)), 6600u);
+  EXPECT_EQ(tick_of(control.press(Key::backspace)), 0u);
+  EXPECT_EQ(tick_of(control.press(Key::left)), 0u) << "not before its beginning";
   shown.tick = 2;
   see();
   EXPECT_FALSE(control.wish()) << "it is there";
   shown.tick = last - 10;
   see();
-  EXPECT_EQ(control.press(Key::page_down)->revision, last);
+  EXPECT_EQ(tick_of(control.press(Key::page_down)), last);
 }
 
 TEST_F(TimeInHand, KeysMakeItFasterAndSlowerWithinBounds) {
   for (const auto& [pace, faster, slower] :
-       {std::tuple{1.0, 2.0, 0.5}, std::tuple{most_pace, most_pace, most_pace / 2},
-        std::tuple{least_pace, 2 * least_pace, least_pace}}) {
+       {std::tuple{1.0, 2.0, 0.5}, std::tuple{max_pace, max_pace, max_pace / 2},
+        std::tuple{min_pace, 2 * min_pace, min_pace}}) {
     shown.pace = pace;
     see();
-    EXPECT_EQ(control.press(Key::up)->value, faster);
-    EXPECT_EQ(control.press(Key::down)->value, slower);
+    EXPECT_EQ(pace_of(control.press(Key::up)), faster);
+    EXPECT_EQ(pace_of(control.press(Key::down)), slower);
   }
   shown.pace = 0;
   see();
-  EXPECT_EQ(control.press(Key::up)->value, 1);
+  EXPECT_EQ(pace_of(control.press(Key::up)), 1);
   EXPECT_FALSE(control.press(Key::down)) << "it stands";
 }
 
@@ -123,7 +133,7 @@ TEST_F(TimeInHand, ADragAsksNowAndThenAndAtItsEnd) {
   EXPECT_LE(asked, 10) << "a server takes no more";
   const auto end = control.let_go();
   ASSERT_TRUE(end);
-  EXPECT_NEAR(end->revision, 17000, 1);
+  EXPECT_NEAR(tick_of(end), 17000, 1);
   EXPECT_FALSE(control.let_go());
   EXPECT_FALSE(control.move(frame, at(100)));
 }

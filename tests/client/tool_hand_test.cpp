@@ -1,7 +1,7 @@
 // A tracked instrument that is a blade of the scene: it is fetched, brought, led, and rests where it was
 // lost.
 
-#include "client/app/tool_hand.h"
+#include "client/app/user/tool_hand.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ class Wielded {
     tool.blade = {Vec3(-0.0035, 0, -0.1), -Vec3::UnitZ(), -Vec3::UnitX(), 0.04};
   }
 
-  ToolView tool;
+  ToolState tool;
   ToolHand hand;
   int wishes = 0;
   std::vector<Vec3> tips;  // of the blade, while it is held
@@ -45,10 +45,10 @@ class Wielded {
     if (tool.is_held) tool.pose = told.pose * tool.wrist->inverse() * tool.pose;
     tool.wrist = told.pose;
     if (tool.is_held) tips.push_back(blade().tip);
-    const auto wish = hand.take_wish();
+    const auto wish = hand.take_command();
     if (!wish) return;
     ++wishes;
-    *wish == CommandKind::release ? tool.is_hindered = false : tool.is_held = true;
+    std::holds_alternative<Release>(*wish) ? tool.is_hindered = false : tool.is_held = true;
   }
 };
 
@@ -96,7 +96,8 @@ TEST(ToolHand, AsksAgainUntilItHolds) {
   for (int k = 0; k < 125; ++k) {
     const HandPose told = user.hand.follow(user.tool, leant({0, 1, 0}, 0), now += step_ns);
     user.tool.wrist = told.pose;
-    wishes += user.hand.take_wish() == CommandKind::grasp;
+    const auto wish = user.hand.take_command();
+    wishes += wish && std::get<Grasp>(*wish).body == user.tool.body;
   }
   EXPECT_GE(wishes, 3);
   EXPECT_LE(wishes, 5) << "twice a second";

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/app/touch_rumble.h"
+#include "client/app/desk/touch_rumble.h"
 
 namespace prosector {
 namespace {

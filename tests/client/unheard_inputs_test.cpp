@@ -1,6 +1,6 @@
 // When a client believes that the server no longer hears it.
 
-#include "client/app/unheard_inputs.h"
+#include "client/app/session/input_loss_detector.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 /// A client that may send, and a server that may consume, told of by a status every quarter of a second.
 struct Ends {
   bool sends = true, consumes = false, time_goes = true;
-  UnheardInputs inputs;
+  InputLossDetector inputs;
   std::int64_t now_ns = 1'000'000'000;
   std::uint64_t sequence = 0;
 
@@ -26,7 +26,7 @@ struct Ends {
   }
 };
 
-TEST(UnheardInputs, AreToldOnlyWhereTheyAreSentAndTimeGoesOn) {
+TEST(InputLossDetector, AreToldOnlyWhereTheyAreSentAndTimeGoesOn) {
   for (int which = 0; which < 8; ++which) {
     Ends ends;
     ends.sends = (which & 1) != 0, ends.consumes = (which & 2) != 0, ends.time_goes = (which & 4) != 0;
@@ -35,7 +35,7 @@ TEST(UnheardInputs, AreToldOnlyWhereTheyAreSentAndTimeGoesOn) {
   }
 }
 
-TEST(UnheardInputs, AreToldLessAndLessOftenUntilTheServerHearsAgain) {
+TEST(InputLossDetector, AreToldLessAndLessOftenUntilTheServerHearsAgain) {
   Ends ends;
   EXPECT_EQ(ends.first_alarm(1000), 5.25);
   for (const double seconds : {20, 80, 300, 300}) EXPECT_EQ(ends.first_alarm(1000), seconds);
@@ -45,7 +45,7 @@ TEST(UnheardInputs, AreToldLessAndLessOftenUntilTheServerHearsAgain) {
   EXPECT_EQ(ends.first_alarm(1000), 5) << "since the last status before which it consumed";
 }
 
-TEST(UnheardInputs, ArentCountedWhileTheServerIsSilent) {
+TEST(InputLossDetector, ArentCountedWhileTheServerIsSilent) {
   Ends ends;
   EXPECT_EQ(ends.first_alarm(4), 0);
   ends.now_ns += 60'000'000'000;

@@ -70,7 +70,7 @@ TEST(ValueColor, OfAKnownStretchIsThatOfTheLegend) {
   EXPECT_LT(nearest, 0.02);
   std::string words = "\n";
   for (const DrawText& text : list.texts) words += text.text + "\n";
-  for (const char* expected : {"strain, %", "\n0\n", "\n15\n", "\n30 and more\n"})
+  for (const char* expected : {"strain, %", "\n0\n", "\n15\n", "\n30 or more\n"})
     EXPECT_NE(words.find(expected), std::string::npos) << expected << " in\n" << words;
 }
 

@@ -27,7 +27,7 @@
 #include "client/view/surface_tree.h"
 #include "client/view/tube.h"
 #include "client/view/wireframe.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 #include "tests/client/many_scripts.h"
 
 namespace prosector {

@@ -9,9 +9,9 @@
 #include <fstream>
 #include <thread>
 
-#include "client/app/eye_window.h"
+#include "client/app/desk/eye_window.h"
 #include "client/view/camera.h"
-#include "client/view/followed_eye.h"
+#include "client/view/eased_eye_position.h"
 #include "client/view/pick.h"
 #include "common/clock.h"
 #include "common/error.h"
@@ -102,25 +102,26 @@ TEST(LookThrough, PansTheViewWithTheFace) {
   EXPECT_LT(still.pose.q.angularDistance(rest.pose.q), 1e-12);
 }
 
-TEST(FollowedEye, IsExactlyWhereItIsSeenAfterItsWayThere) {
-  FollowedEye eye;
+TEST(EasedEyePosition, IsExactlyWhereItIsSeenAfterItsWayThere) {
+  EasedEyePosition eye;
   const Vec3 rest(0, 0, 0.4);
   EXPECT_EQ(eye.at(0, rest), rest);
   for (double t = 1; t < 3; t += 0.03) {
     const Vec3 seen(0.1 * std::sin(5 * t), 0.1, 0.6);
     eye.saw(seen, t);
     const Vec3 now = eye.at(t, rest);
-    if (t > 1 + FollowedEye::back + 0.03) {
+    if (t > 1 + EasedEyePosition::back + 0.03) {
       EXPECT_EQ(now, seen);
     }
   }
-  for (double t = 3; t < 3 + FollowedEye::held + FollowedEye::away + 0.1; t += 0.03) (void)eye.at(t, rest);
+  for (double t = 3; t < 3 + EasedEyePosition::held + EasedEyePosition::away + 0.1; t += 0.03)
+    (void)eye.at(t, rest);
   EXPECT_EQ(eye.at(5, rest), rest) << "never seen again";
 }
 
-TEST(FollowedEye, NeverJumpsWhereverItIsLostAndFound) {
+TEST(EasedEyePosition, NeverJumpsWhereverItIsLostAndFound) {
   Random random{8};
-  FollowedEye eye;
+  EasedEyePosition eye;
   const Vec3 rest(0, 0, 0.4);
   Vec3 last = eye.at(0, rest), seen = random_eye(random);
   double lost_until = 0, gone = 0;
@@ -128,7 +129,7 @@ TEST(FollowedEye, NeverJumpsWhereverItIsLostAndFound) {
     if (random.uniform(0, 1) < 0.005) lost_until = t + random.uniform(0, 3);
     if (t >= lost_until) {
       // Somebody who was away comes back elsewhere; else the eye rests, so that all motion is the easing's.
-      if (gone > FollowedEye::held + 0.02) seen = random_eye(random);
+      if (gone > EasedEyePosition::held + 0.02) seen = random_eye(random);
       gone = 0;
       eye.saw(seen, t);
     } else {
@@ -136,7 +137,7 @@ TEST(FollowedEye, NeverJumpsWhereverItIsLostAndFound) {
     }
     const Vec3 now = eye.at(t, rest);
     // At most 1.5 times the mean speed of the longest way in the shortest time.
-    EXPECT_LT((now - last).norm(), 1.5 * 1.7 * 0.01 / FollowedEye::back + 1e-9) << t;
+    EXPECT_LT((now - last).norm(), 1.5 * 1.7 * 0.01 / EasedEyePosition::back + 1e-9) << t;
     last = now;
   }
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "common/appearance.h"
 #include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
 #include "tests/collision/reference/self_contact.h"
 #include "tests/collision/shapes.h"

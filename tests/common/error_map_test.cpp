@@ -10,7 +10,7 @@ namespace prosector {
 namespace {
 
 TEST(ErrorMap, LevelsAreWithinAFewPerCentOfTheError) {
-  for (double error = least_mapped_error; error < 9; error *= 1.01)
+  for (double error = min_mapped_error; error < 9; error *= 1.01)
     EXPECT_NEAR(error_of(level_of(error)) / error, 1, 0.024) << error;
   EXPECT_EQ(level_of(0), 0);
   EXPECT_EQ(level_of(std::nan("")), 0);

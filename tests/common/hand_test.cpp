@@ -1,4 +1,5 @@
 #include "common/hand.h"
+#include "common/ids.h"
 
 #include <gtest/gtest.h>
 

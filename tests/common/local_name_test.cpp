@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/session_messages.h"
 #include "common/valid_text.h"
 
 namespace prosector {

@@ -1,6 +1,6 @@
 // Every primitive, with and without rounding: closed, outward, of the right size and volume.
 
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 #include <gtest/gtest.h>
 

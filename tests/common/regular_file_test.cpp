@@ -43,13 +43,13 @@ TEST_F(RegularFile, IsReadWhole) {
 
 TEST_F(RegularFile, IsRefusedWhenLarger) {
   std::ofstream(dir_ / "f") << "12345";
-  EXPECT_NE(complaint(dir_ / "f", 4).find("larger than 4 bytes"), std::string::npos);
+  EXPECT_NE(complaint(dir_ / "f", 4).find("at most 4 bytes"), std::string::npos);
 }
 
 // /proc says 0 bytes of every file.
 TEST_F(RegularFile, IsReadToItsEndWhateverItSaysOfItsSize) {
   EXPECT_GT(read_regular_file("/proc/self/status", 1 << 20).size(), 100u);
-  EXPECT_NE(complaint("/proc/self/status", 10).find("larger than 10 bytes"), std::string::npos);
+  EXPECT_NE(complaint("/proc/self/status", 10).find("at most 10 bytes"), std::string::npos);
 }
 
 TEST_F(RegularFile, IsNoPipeFolderOrDevice) {

@@ -1,27 +1,27 @@
 // Lines and conditions that would flood a terminal, and figures as people read them.
 
-#include "common/repeated_lines.h"
+#include "common/repeated_line_filter.h"
 
 #include <gtest/gtest.h>
 
 #include "common/percent_text.h"
-#include "common/reported_state.h"
+#include "common/rate_limited_flag.h"
 
 namespace prosector {
 namespace {
 
-TEST(RepeatedLines, LetOneOfAKindThroughAndCountTheOthers) {
-  RepeatedLines lines(10);
+TEST(RepeatedLineFilter, LetOneOfAKindThroughAndCountTheOthers) {
+  RepeatedLineFilter lines(10);
   EXPECT_EQ(lines.admit("knife was torn away by 80 N", 0), "knife was torn away by 80 N");
   EXPECT_EQ(lines.admit("Ada: right hand let go", 0), "Ada: right hand let go") << "another kind";
   for (int k = 1; k < 100; ++k)
     EXPECT_FALSE(lines.admit("knife was torn away by " + std::to_string(k) + " N", 0.1 * k));
-  EXPECT_EQ(lines.admit("knife was torn away by 7 N", 10), "knife was torn away by 7 N (and 99 like it)");
+  EXPECT_EQ(lines.admit("knife was torn away by 7 N", 10), "knife was torn away by 7 N (and 99 similar)");
   EXPECT_EQ(lines.admit("knife was torn away by 7 N", 30), "knife was torn away by 7 N");
 }
 
-TEST(ReportedState, IsReportedAtOnceAndAFlickeringOneOnceAnInterval) {
-  ReportedState state(30);
+TEST(RateLimitedFlag, IsReportedAtOnceAndAFlickeringOneOnceAnInterval) {
+  RateLimitedFlag state(30);
   EXPECT_FALSE(state.look(false, 0));
   EXPECT_EQ(state.look(true, 1), true);
   EXPECT_EQ(state.look(false, 1.1), false);

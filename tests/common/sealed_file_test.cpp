@@ -21,23 +21,23 @@ struct SealedFile : testing::Test {
 };
 
 TEST_F(SealedFile, ComesBackUnderItsKeyOnly) {
-  EXPECT_FALSE(read_sealed(file, "key").bytes);
-  EXPECT_EQ(read_sealed(file, "key").trouble, "");  // none there is no trouble
-  ASSERT_TRUE(write_sealed(file, "key", bytes));
-  EXPECT_EQ(read_sealed(file, "key").bytes, bytes);
-  EXPECT_FALSE(read_sealed(file, "another").bytes);
-  EXPECT_EQ(read_sealed(file, "another").trouble, "is damaged");
-  ASSERT_TRUE(write_sealed(file, "empty", {}));
-  EXPECT_EQ(read_sealed(file, "empty").bytes, std::vector<std::uint8_t>());
+  EXPECT_FALSE(read_sealed_file(file, "key").bytes);
+  EXPECT_EQ(read_sealed_file(file, "key").trouble, "");  // none there is no trouble
+  ASSERT_TRUE(write_sealed_file(file, "key", bytes));
+  EXPECT_EQ(read_sealed_file(file, "key").bytes, bytes);
+  EXPECT_FALSE(read_sealed_file(file, "another").bytes);
+  EXPECT_EQ(read_sealed_file(file, "another").trouble, "is damaged");
+  ASSERT_TRUE(write_sealed_file(file, "empty", {}));
+  EXPECT_EQ(read_sealed_file(file, "empty").bytes, std::vector<std::uint8_t>());
 }
 
 TEST_F(SealedFile, AnyFlippedBitAndAnyLostByteIsNoticed) {
-  ASSERT_TRUE(write_sealed(file, "key", bytes));
+  ASSERT_TRUE(write_sealed_file(file, "key", bytes));
   std::ifstream in(file, std::ios::binary);
   const std::string whole(std::istreambuf_iterator<char>(in), {});
   const auto refuses = [&](const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
-    const FoundFile found = read_sealed(file, "key");
+    const SealedFileResult found = read_sealed_file(file, "key");
     return !found.bytes && !found.trouble.empty();
   };
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
@@ -50,7 +50,7 @@ TEST_F(SealedFile, AnyFlippedBitAndAnyLostByteIsNoticed) {
 }
 
 TEST_F(SealedFile, AFolderThatCannotBeMadeIsNoError) {
-  EXPECT_FALSE(write_sealed("/proc/nowhere/file", "key", bytes));
+  EXPECT_FALSE(write_sealed_file("/proc/nowhere/file", "key", bytes));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST(Tube, OfWhatHasNoLengthIsRefused) {
 }
 
 TEST(Tube, PlacesAlongACurveAreEquallyFarApart) {
-  const std::vector<Vec3> places = evenly_along(vessel(), 0.01);
+  const std::vector<Vec3> places = equidistant_points(vessel(), 0.01);
   double least = 1, most = 0;
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
     least = std::min(least, (places[k + 1] - places[k]).norm());
@@ -185,7 +185,7 @@ TEST(Slab, IsClosedAndItsFacesWithinTheTolerance) {
       {2, bezier_knots(2)}, {1, bezier_knots(1)}, 3,
       std::vector<Vec3>{{r, 0, 0}, {r, r, 0}, {0, r, 0}, {r, 0, 0.1}, {r, r, 0.1}, {0, r, 0.1}},
       {1, w, 1, 1, w, 1});
-  const TriangleMesh slab = slab_over(quarter, 2 * h, tolerance);
+  const TriangleMesh slab = slab_mesh(quarter, 2 * h, tolerance);
   expect_closed(slab);
   double worst = 0;
   for (int i = 0; i <= 40; ++i)
@@ -206,7 +206,7 @@ TEST(Slab, OverACoonsPatchIsWithinTheTolerance) {
                           NurbsCurve::bezier({{0, 0, 0}, {-0.02, 0.02, 0.05}, {0, 0.01, 0.1}}),
                           NurbsCurve::bezier({{0.1, 0, 0}, {0.1, 0.02, 0.1}})});
   for (const double tolerance : {1e-3, 2e-4}) {
-    const TriangleMesh slab = slab_over(coons, 1e-3, tolerance);
+    const TriangleMesh slab = slab_mesh(coons, 1e-3, tolerance);
     expect_closed(slab);
     double worst = 0;
     for (int i = 1; i < 20; ++i)
@@ -216,14 +216,14 @@ TEST(Slab, OverACoonsPatchIsWithinTheTolerance) {
       }
     EXPECT_LE(worst, tolerance);
   }
-  EXPECT_THROW(fit_grid(coons, 1e-9), InputError);
+  EXPECT_THROW(refine_grid(coons, 1e-9), InputError);
 }
 
 // A sphere's lower half, revolved: closed around, with a pole.
 TEST(Slab, OfARevolvedCurveIsASeamlessBowl) {
   constexpr double r = 0.05, h = 1e-3;
   const NurbsCurve quarter = ellipse_arc(r, r, -M_PI / 2, 0);
-  const TriangleMesh bowl = slab_over(RevolvedPatch(quarter), 2 * h, 1e-4);
+  const TriangleMesh bowl = slab_mesh(RevolvedPatch(quarter), 2 * h, 1e-4);
   expect_closed(bowl);
   const double true_volume = 2 * M_PI / 3 * (std::pow(r + h, 3) - std::pow(r - h, 3));
   EXPECT_NEAR(volume_of(bowl), true_volume, 0.01 * true_volume);
@@ -232,17 +232,17 @@ TEST(Slab, OfARevolvedCurveIsASeamlessBowl) {
   // A flat floor and a fillet: no finer than the circle, a polygon of 75 sides, asks for in powers of two.
   const NurbsCurve dish(2, clamped_knots(5, 2),
                         {{0, 0, 0}, {0.035, 0, 0}, {0.052, 0, 0}, {0.055, 0.006, 0}, {0.056, 0.024, 0}});
-  EXPECT_EQ(fit_grid(RevolvedPatch(dish), 1e-4).u.size(), 129U);
-  EXPECT_LT(fit_grid(RevolvedPatch(dish), 1e-4).v.size(), 30U);
+  EXPECT_EQ(refine_grid(RevolvedPatch(dish), 1e-4).u.size(), 129U);
+  EXPECT_LT(refine_grid(RevolvedPatch(dish), 1e-4).v.size(), 30U);
 }
 
 TEST(Slab, TakesAPoleButNoPatchWithoutArea) {
   std::vector<Vec3> points = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0.1}, {0.1, 0, 0.1}};
   const NurbsSurface::Direction line{1, bezier_knots(1)};
-  const TriangleMesh slab = slab_over(NurbsSurface(line, line, 2, points), 1e-3, 1e-4);
+  const TriangleMesh slab = slab_mesh(NurbsSurface(line, line, 2, points), 1e-3, 1e-4);
   for (const Vec3& x : slab.positions) EXPECT_TRUE(is_finite(x));
   points.assign(4, Vec3(1, 2, 3));
-  EXPECT_THROW(slab_over(NurbsSurface(line, line, 2, points), 1e-3, 1e-4), InputError);
+  EXPECT_THROW(slab_mesh(NurbsSurface(line, line, 2, points), 1e-3, 1e-4), InputError);
 }
 
 }  // namespace

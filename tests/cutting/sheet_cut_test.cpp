@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "server/physics/mechanics/cutting/carry.h"
 #include "server/physics/mechanics/cutting/pieces.h"
 #include "server/physics/mechanics/cutting/sheet_mass.h"

@@ -236,7 +236,7 @@ TEST(DraftScene, LongNamesAreCut) {
   write(dir.path / long_name, as_off(box_surface(Vec3::Zero(), {60, 40, 90}), 1));
   EXPECT_EQ(drafted(dir.path / long_name, dir.path).soft.at(0).name,
             "Segment 1 left kidney cortex and medulla without vessels, as f");
-  EXPECT_NE(notes_on(dir.path / long_name).find("its name is longer than 63 bytes: called \"Segment 1"),
+  EXPECT_NE(notes_on(dir.path / long_name).find("its name is longer than 63 bytes: shortened to \"Segment 1"),
             std::string::npos);
 }
 
@@ -247,7 +247,7 @@ TEST(DraftScene, VolumesAreThoseThatAreFilled) {
   write(dir.path / "organ.off", as_off(nested, 1));
   const std::string notes = notes_on(dir.path / "organ.off");
   EXPECT_NE(notes.find("organ: 512 ml"), std::string::npos) << notes;
-  EXPECT_NE(notes.find("organ: warning: 1 shell lies within another"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("organ: warning: 1 shell is inside another"), std::string::npos) << notes;
   run(drafted(dir.path / "organ.off", dir.path), dir.path, 3);
 }
 
@@ -279,7 +279,7 @@ TEST(DraftScene, GuessesTheUnitBySize) {
     double usual, extent, unit;
   } const table[] = {{0.2, 210, 1e-3}, {0.2, 21, 1e-2}, {0.2, 0.21, 1},    {0.1, 60, 1e-3},
                      {0.1, 10, 1e-2},  {0.1, 0.08, 1},  {1.7, 1750, 1e-3}, {1.7, 1.8, 1}};
-  for (const auto& row : table) EXPECT_EQ(guessed_unit({row.usual}, {row.extent}), row.unit) << row.extent;
+  for (const auto& row : table) EXPECT_EQ(guess_unit({row.usual}, {row.extent}), row.unit) << row.extent;
 }
 
 TEST(DraftScene, SaysWhatItCantUse) {
@@ -292,30 +292,30 @@ TEST(DraftScene, SaysWhatItCantUse) {
   };
   TriangleMesh open = box_surface(Vec3::Zero(), Vec3::Constant(100));
   open.triangles.pop_back();
-  refused("open.obj", as_obj(open, 1), "3 edges on the rims of holes");
+  refused("open.obj", as_obj(open, 1), "3 edges at the borders of holes");
   open.positions.emplace_back(50, 50, 200);
   open.triangles.push_back({0, 3, 8});  // a fin on an edge of two
   refused("crowded.obj", as_obj(open, 1), "more than two triangles");
-  refused("page.html", "<html>", "nothing that a scene is made of; allowed: a surface (.obj");
+  refused("page.html", "<html>", "unsupported; allowed: a surface (.obj");
   refused("bad.stl", "nothing", "not a surface");
   std::vector<std::uint8_t> grey;
   for (int i = 0; i < 8000; ++i) grey.push_back(static_cast<std::uint8_t>(1 + i * 7 % 50));
   const Bytes picture = inrimage(20, 20, 20, {1, 1, 1}, grey);
-  refused("grey.inr", std::string(picture.begin(), picture.end()), "grey values, no label map");
+  refused("grey.inr", std::string(picture.begin(), picture.end()), "as in grey values");
   refused(
       "empty.inr",
       [] {
         const Bytes bytes = inrimage(2, 2, 2, {1, 1, 1}, std::vector<std::uint8_t>(8, 0));
         return std::string(bytes.begin(), bytes.end());
       }(),
-      "no label has as many as 64 voxels");
+      "no label has 64 voxels or more");
   EXPECT_NE(complaint(dir.path / "gone.obj").find("no such file"), std::string::npos);
   std::filesystem::create_directory(dir.path / "void");
-  EXPECT_NE(complaint(dir.path / "void").find("holds no surface and no tetrahedral mesh"), std::string::npos);
+  EXPECT_NE(complaint(dir.path / "void").find("contains no surface or tetrahedral mesh"), std::string::npos);
   TriangleMesh halves = box_surface(Vec3::Zero(), Vec3::Constant(40));
   append(halves, box_surface(Vec3::Constant(40), Vec3::Constant(80)));
   refused("halves.off", as_off(halves, 1),
-          "holds 2 separate solids, the largest of which has 50 % of their volume");
+          "contains 2 separate solids, the largest with 50 % of their volume");
   // A folder names all that is wrong in it.
   const auto folder = dir.path / "several";
   std::filesystem::create_directory(folder);
@@ -328,7 +328,7 @@ TEST(DraftScene, SaysWhatItCantUse) {
   write(folder / "c.ply", std::string("ply\n"));
   write(folder / "._c.ply", std::string("what another system keeps beside its files"));
   const std::string more = complaint(folder);
-  EXPECT_NE(more.find("its name must do as a body's"), std::string::npos) << more;
+  EXPECT_NE(more.find("its name must be usable as a body's name"), std::string::npos) << more;
   EXPECT_NE(more.find("c.ply: not a surface (line"), std::string::npos) << more;
   EXPECT_EQ(more.find("._c.ply"), std::string::npos) << more;
   EXPECT_EQ(std::ranges::count(more, '\n'), 3) << more;

@@ -75,7 +75,7 @@ TEST(SurfaceField, SaysWhatKeepsASurfaceOpen) {
   const SurfaceFaults hole = faults([](TriangleMesh& m) { m.triangles.pop_back(); });
   EXPECT_EQ(hole.hole_edges, 3u);
   EXPECT_EQ(hole.crowded_edges + hole.opposed_edges, 0u);
-  EXPECT_NE(hole.in_words().find("3 edges on the rims of holes"), std::string::npos);
+  EXPECT_NE(hole.in_words().find("3 edges at the borders of holes"), std::string::npos);
   const SurfaceFaults crowded = faults([](TriangleMesh& m) { m.triangles.push_back(m.triangles.front()); });
   EXPECT_EQ(crowded.crowded_edges, 3u);
   const SurfaceFaults turned =

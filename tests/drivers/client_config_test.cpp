@@ -1,8 +1,9 @@
-#include "drivers/client_config.h"
+#include "drivers/config/client_config.h"
 
 #include <gtest/gtest.h>
 
 #include "common/error.h"
+#include "drivers/device/driver_table.h"
 #include "tests/folders.h"
 
 namespace prosector {
@@ -12,15 +13,15 @@ TEST(ClientConfig, TheSampleSaysTheDefaults) {
   const ClientConfig sample = load_client_config(source_path("deploy/client.toml"));
   const ClientConfig defaults;
   EXPECT_EQ(sample.tracker, "fastrak:/dev/ttyS0");
-  EXPECT_EQ(sample.tracker_device.binary, defaults.tracker_device.binary);
-  EXPECT_EQ(sample.tracker_device.hemisphere, defaults.tracker_device.hemisphere);
-  EXPECT_EQ(sample.tracker_device.stations, defaults.tracker_device.stations);
+  EXPECT_EQ(sample.tracker_device.fastrak.binary, defaults.tracker_device.fastrak.binary);
+  EXPECT_EQ(sample.tracker_device.fastrak.hemisphere, defaults.tracker_device.fastrak.hemisphere);
+  EXPECT_EQ(sample.tracker_device.placement.stations, defaults.tracker_device.placement.stations);
   EXPECT_EQ(sample.stations, defaults.stations);
   EXPECT_EQ(sample.gestures, defaults.gestures);
   const DeviceConfig &a = sample.gloves[right_hand].device, &b = defaults.gloves[right_hand].device;
-  EXPECT_EQ(a.closed_above, b.closed_above);
-  EXPECT_EQ(a.open_below, b.open_below);
-  EXPECT_EQ(a.hysteresis, b.hysteresis);
+  EXPECT_EQ(a.gestures.closed_above, b.gestures.closed_above);
+  EXPECT_EQ(a.gestures.open_below, b.gestures.open_below);
+  EXPECT_EQ(a.gestures.hysteresis, b.gestures.hysteresis);
 }
 
 TEST(ClientConfig, ReadsStationsAndRoom) {
@@ -28,11 +29,11 @@ TEST(ClientConfig, ReadsStationsAndRoom) {
       "[tracker]\naddress = 'fastrak:/dev/x'\nroom.position = [0, 1, 2]\n"
       "[tracker.stations]\nhead.station = 2\nleft.station = 4\nleft.mount.position = [0, 0, 1]\n",
       "c.toml");
-  EXPECT_EQ(config.tracker_device.stations, 10u);
+  EXPECT_EQ(config.tracker_device.placement.stations, 10u);
   EXPECT_EQ(config.stations[1], StationRole::head);
   EXPECT_EQ(config.stations[3], StationRole::left_hand);
-  EXPECT_EQ(config.tracker_device.mount[3].p, Vec3(0, 0, 1));
-  EXPECT_EQ(config.tracker_device.room_device.p, Vec3(0, 1, 2));
+  EXPECT_EQ(config.tracker_device.placement.mount[3].p, Vec3(0, 0, 1));
+  EXPECT_EQ(config.tracker_device.placement.room_device.p, Vec3(0, 1, 2));
 }
 
 TEST(ClientConfig, BadInputSaysWhereAndWhat) {
@@ -53,13 +54,13 @@ TEST(ClientConfig, BadInputSaysWhereAndWhat) {
        "another role"},
       {"[glove.right]\naddress = '5dt:/x'\nclosed_above = 0.3", "must exceed open_below"},
       {"[glove.right]\naddress = '5dt:/x'\nopen = [1,2,3,4,5]", "together"},
-      {"[glove.middle]\naddress = '5dt:/x'", "allowed here are left, right"},
+      {"[glove.middle]\naddress = '5dt:/x'", "allowed here: left, right"},
       {"[gestures]\nfist = 'explode'", "must be none, grasp, release, reset, panel or parts"},
       {"[gestures]\nwave = 'grasp'", "unknown key"},
       {"[phantom]\nbody = 'skull'\nmesh = 'skull.stl'",
        "c.toml:3: phantom.mesh: give body or mesh, not both"},
-      {"[phantom]\nboard = 'table'", "c.toml:2: phantom.board: give body or mesh, too"},
-      {"[phantom]\nposition = [0, 0, 0]", "c.toml:2: phantom.position: give body or mesh, too"},
+      {"[phantom]\nboard = 'table'", "c.toml:2: phantom.board: also give body or mesh"},
+      {"[phantom]\nposition = [0, 0, 0]", "c.toml:2: phantom.position: also give body or mesh"},
       {"[phantom]\nbody = 'skull'\nscale = 0", "phantom.scale: must be a number from"},
       {"[tracker", "c.toml:1"},
   };

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "drivers/client_config_table.h"
-#include "drivers/client_config_write.h"
+#include "drivers/config/client_config_table.h"
+#include "drivers/config/client_config_write.h"
 #include "tests/folders.h"
 #include "tests/random.h"
 
@@ -249,7 +249,8 @@ TEST(ConfigWrite, DamagedTextsAreRefusedOrChangedCorrectly) {
     const ConfigChange change = {"glove.right.hysteresis", 0.125};
     try {
       const std::string out = write_client_config(damaged, {change}, "c.toml");
-      EXPECT_EQ(parse_client_config(out, "c.toml").gloves[right_hand].device.hysteresis, 0.125) << damaged;
+      EXPECT_EQ(parse_client_config(out, "c.toml").gloves[right_hand].device.gestures.hysteresis, 0.125)
+          << damaged;
       EXPECT_EQ(differing(damaged, out, {change}), "") << damaged;
       ++changed;
     } catch (const InputError& e) {
@@ -301,7 +302,7 @@ void expect_refusal(const std::vector<ConfigChange>& changes, const char* says) 
 }
 
 TEST(ConfigWrite, RefusesWhatNoFileMayHold) {
-  expect_refusal({{"tracker.colour", 1.0}}, "there is no such key");
+  expect_refusal({{"tracker.colour", 1.0}}, "no such key");
   expect_refusal({{"tracker.binary", 1.0}}, "must be true or false");
   expect_refusal({{"tracker.hemisphere", std::vector<double>{1, 2, NAN}}}, "3 numbers within ±1");
   expect_refusal({{"tracker.address", std::string("fastrak:")}}, "path must follow");
@@ -314,15 +315,16 @@ TEST(ConfigVersions, OlderKeysAreReadAndRenewed) {
       "[tracker]\naddress = 'fastrak:/x' # port\nalignment = [0, 0, 0, 200, 0, # x\n 0, 0, 150, 0]\nbinary = "
       "false\n";
   const ClientConfig config = parse_client_config(old, "c.toml");
-  ASSERT_TRUE(config.tracker_device.alignment.has_value());
-  EXPECT_DOUBLE_EQ((*config.tracker_device.alignment)[3], 200);
-  EXPECT_DOUBLE_EQ((*config.tracker_device.alignment)[7], 150);
+  ASSERT_TRUE(config.tracker_device.fastrak.alignment.has_value());
+  EXPECT_DOUBLE_EQ((*config.tracker_device.fastrak.alignment)[3], 200);
+  EXPECT_DOUBLE_EQ((*config.tracker_device.fastrak.alignment)[7], 150);
   const MigratedConfig migrated = migrate_client_config(old);
   ASSERT_EQ(migrated.notes.size(), 1u);
   EXPECT_NE(migrated.notes[0].find("alignment_frame"), std::string::npos);
   const std::string renewed = write_client_config(old, {}, "c.toml");
   EXPECT_NE(renewed.find("version = 2"), std::string::npos) << renewed;
-  EXPECT_EQ(parse_client_config(renewed, "c.toml").tracker_device.alignment, config.tracker_device.alignment);
+  EXPECT_EQ(parse_client_config(renewed, "c.toml").tracker_device.fastrak.alignment,
+            config.tracker_device.fastrak.alignment);
   EXPECT_EQ(write_client_config(renewed, {}, "c.toml"), renewed);
   EXPECT_NE(renewed.find("# port"), std::string::npos);
 }
@@ -340,7 +342,7 @@ TEST(ConfigVersions, ErrorsAfterARenewedKeyNameTheirOwnLine) {
       says("[tracker]\naddress = 'fastrak:/x'\nalignment = [0, 0, 0, 200, 0,\n 0, 0, 150, 0]\nbinary = 1\n"),
       "c.toml:5: tracker.binary: must be true or false");
   EXPECT_EQ(says("version = 3\nnew = 1\n"),
-            "c.toml:1: version: 3 is of a newer Prosector; this one reads versions up to 2");
+            "c.toml:1: version: 3 was written by a newer Prosector; this one reads versions up to 2");
   EXPECT_NE(says("version = 2\n[tracker]\naddress = 'fastrak:/x'\nalignment = [0]\n")
                 .find("alignment: unknown key"),
             std::string::npos);

@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "idl/message.h"
 #include "tests/drivers/fed_port.h"
 
 namespace prosector {
@@ -29,8 +30,8 @@ class Fed {
     options.wrong_version = wrong_version;
     twin = kind.twin(options, now_ns);
     DeviceConfig config;
-    config.room_device = stand;
-    config.stations = 3;
+    config.placement.room_device = stand;
+    config.placement.stations = 3;
     device = kind.device(std::make_unique<FedPort>(feed), config);
     poll();
   }
@@ -41,7 +42,7 @@ class Fed {
   std::unique_ptr<Device> device;
   std::vector<DeviceSample> samples;
 
-  std::vector<std::uint8_t> told_next() { return told(*twin, feed, now_ns += period_ns); }
+  std::vector<std::uint8_t> next_bytes() { return told(*twin, feed, now_ns += period_ns); }
   void poll() { device->poll(samples); }
   void give(std::span<const std::uint8_t> bytes) {
     feed.to_driver.insert(feed.to_driver.end(), bytes.begin(), bytes.end());
@@ -51,9 +52,9 @@ class Fed {
   bool streams(std::size_t count) {
     for (int step = 0; step < 2000 && samples.size() < count; ++step) {
       const int openings = feed.openings;
-      give(told_next());
+      give(next_bytes());
       if (!feed.open) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      if (feed.openings != openings) twin->hung_up();
+      if (feed.openings != openings) twin->reset_client();
     }
     return samples.size() >= count;
   }
@@ -82,8 +83,8 @@ TEST_P(EachKind, ReadsTheSameWhereverItsBytesAreCut) {
   Fed whole(GetParam()), cut(GetParam());
   std::mt19937 random(3);
   for (int step = 0; step < 200; ++step) {
-    whole.give(whole.told_next());
-    const auto bytes = cut.told_next();
+    whole.give(whole.next_bytes());
+    const auto bytes = cut.next_bytes();
     for (std::size_t at = 0; at < bytes.size();) {
       const std::size_t piece = std::min(bytes.size() - at, static_cast<std::size_t>(1 + random() % 40));
       cut.give(std::span(bytes).subspan(at, piece));
@@ -100,7 +101,7 @@ TEST_P(EachKind, ReadsTheSameWhereverItsBytesAreCut) {
 
 TEST_P(EachKind, AnotherVersionIsSaidAndTheRightOneComesBack) {
   Fed fed(GetParam(), FaultSpan{0, 0.05});
-  for (int step = 0; step < 4; ++step) fed.give(fed.told_next());
+  for (int step = 0; step < 4; ++step) fed.give(fed.next_bytes());
   EXPECT_TRUE(fed.samples.empty());
   EXPECT_EQ(fed.device->status().health, DeviceHealth::babbling);
   EXPECT_NE(fed.device->status().message.find("version"), std::string::npos) << fed.device->status().message;
@@ -114,7 +115,7 @@ TEST_P(EachKind, SpoiltBytesMakeNoImplausibleSamplesAndGoodOnesComeBack) {
   for (int round = 0; round < 300; ++round) {
     Fed fed(GetParam());
     for (int step = 0; step < 12 && fed.feed.open; ++step) {
-      auto bytes = fed.told_next();
+      auto bytes = fed.next_bytes();
       for (std::uint32_t k = random() % 4; k > 0 && !bytes.empty(); --k) {
         const std::size_t at = random() % bytes.size();
         switch (random() % 3) {
@@ -156,7 +157,7 @@ TEST_P(EachKind, AFloodOfAnythingIsSurvived) {
   fed.samples.clear();
   fed.feed.open = false;  // the plug is pulled
   fed.poll();
-  fed.twin->hung_up();
+  fed.twin->reset_client();
   EXPECT_TRUE(fed.streams(10)) << fed.device->status().message;
 }
 
@@ -165,11 +166,11 @@ INSTANTIATE_TEST_SUITE_P(Devices, EachKind, testing::ValuesIn(device_kinds()),
 
 TEST(VrpnDevice, ButtonsChannelsAndDialsReachTheHand) {
   Feed feed;
-  DeviceConfig config;
-  config.calibration = GloveCalibration{};
-  config.calibration->open = {0, 0, 0, 0, 0};
-  config.calibration->closed = {1, 1, 1, 2, -1};
-  VrpnDevice device("Hand0", std::make_unique<FedPort>(feed), config);
+  GloveConfig glove;
+  glove.calibration = GloveCalibration{};
+  glove.calibration->open = {0, 0, 0, 0, 0};
+  glove.calibration->closed = {1, 1, 1, 2, -1};
+  VrpnDevice device("Hand0", std::make_unique<FedPort>(feed), {}, {}, glove);
   std::vector<DeviceSample> samples;
   device.poll(samples);
   vrpn::Bytes bytes = vrpn::cookie();
@@ -233,7 +234,7 @@ TEST(IgtlBytes, SecondHeadersAndLargeStrangersArePassedOver) {
 TEST(IgtlDevice, WrongChecksumsCountForNothing) {
   Feed feed;
   TrackerTwinOptions options;
-  options.bad_sums = 0.3;
+  options.bad_checksum_fraction = 0.3;
   IgtlTwin twin(options, 1);
   IgtlDevice device({"Tool1"}, std::make_unique<FedPort>(feed), {});
   std::vector<DeviceSample> samples;

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "drivers/arm.h"
-#include "drivers/device.h"
+#include "drivers/device/arm.h"
+#include "drivers/device/driver_table.h"
 #include "tests/folders.h"
 
 namespace prosector {

@@ -11,18 +11,19 @@
 #include <map>
 
 #include "common/error.h"
-#include "drivers/camera_samples.h"
-#include "drivers/fastrak_record.h"
-#include "drivers/five_dt.h"
-#include "drivers/five_dt_record.h"
-#include "drivers/igtl_device.h"
-#include "drivers/leap_device.h"
-#include "drivers/plausible.h"
-#include "drivers/recorded.h"
-#include "drivers/space_mouse.h"
-#include "drivers/twins/leap_twin.h"
-#include "drivers/vrpn_device.h"
+#include "drivers/camera/devices/camera_samples.h"
+#include "drivers/device/driver_table.h"
+#include "drivers/device/plausible.h"
+#include "drivers/gloves/five_dt.h"
+#include "drivers/protocols/fastrak_record.h"
+#include "drivers/protocols/five_dt_record.h"
+#include "drivers/recordings/recorded.h"
+#include "drivers/trackers/igtl_device.h"
+#include "drivers/trackers/leap_device.h"
+#include "drivers/trackers/space_mouse.h"
+#include "drivers/trackers/vrpn_device.h"
 #include "tests/drivers/fed_port.h"
+#include "twins/trackers/leap_twin.h"
 
 namespace prosector {
 namespace {
@@ -81,7 +82,7 @@ Outcome from_fastrak(const Spoilt& spoilt) {
 
 Outcome from_vrpn(const Spoilt& spoilt) {
   Feed feed;
-  VrpnDevice device("Hand", std::make_unique<FedPort>(feed), {});
+  VrpnDevice device("Hand", std::make_unique<FedPort>(feed), {}, {}, {});
   vrpn::Bytes bytes = vrpn::cookie();
   vrpn::put(bytes, vrpn::naming(vrpn::names_sender, 1, "Hand"));
   vrpn::put(bytes, vrpn::naming(vrpn::names_type, 1, vrpn::pose_type));
@@ -100,9 +101,9 @@ Outcome from_igtl(const Spoilt& spoilt) {
 }
 
 Outcome from_leap(const Spoilt& spoilt) {
-  LeapDevice device("here", {});
+  LeapDevice device("here", {}, {});
   leap::Text frame;
-  frame.hands.push_back(seen_hand(false, {{0.1, 0.2, 0.3}, Quat::Identity()}, {}));
+  frame.hands.push_back(simulated_hand(false, {{0.1, 0.2, 0.3}, Quat::Identity()}, {}));
   leap::Hand& hand = frame.hands.front();
   if (spoilt.position() != Spoilt{}.position()) {
     hand.wrist = hand.joints[1][2] = spoilt.position();
@@ -110,7 +111,7 @@ Outcome from_leap(const Spoilt& spoilt) {
     hand.direction = {spoilt.numbers[3], spoilt.numbers[4], spoilt.numbers[5]};
     if (spoilt.numbers[6] != 0) hand.palm_normal.x() = spoilt.numbers[6];
   }
-  device.hear(leap::text_of(frame, 1));
+  device.handle_text(leap::text_of(frame, 1));
   return outcome_of(device);
 }
 
@@ -161,8 +162,7 @@ Outcome from_space_mouse(const Spoilt& spoilt) {
 template <class Glove>
 Outcome from_glove(const std::vector<std::uint8_t>& bytes) {
   Feed feed;
-  const DeviceConfig config;
-  Glove device(std::make_unique<FedPort>(feed), config);
+  Glove device(std::make_unique<FedPort>(feed), {}, {});
   if constexpr (std::is_same_v<Glove, FiveDtSerialGlove>) {
     std::vector<DeviceSample> none;
     device.poll(none);
@@ -220,10 +220,10 @@ TEST(ExtremeValues, ChannelsAndDialsAreBounded) {
   for (const double extreme : extremes)
     for (const bool dial : {false, true}) {
       Feed feed;
-      DeviceConfig config;
-      config.calibration = GloveCalibration{};
-      config.calibration->closed.fill(1);
-      VrpnDevice device("Hand", std::make_unique<FedPort>(feed), config);
+      GloveConfig glove;
+      glove.calibration = GloveCalibration{};
+      glove.calibration->closed.fill(1);
+      VrpnDevice device("Hand", std::make_unique<FedPort>(feed), {}, {}, glove);
       vrpn::Bytes bytes = vrpn::cookie();
       vrpn::put(bytes, vrpn::naming(vrpn::names_sender, 1, "Hand"));
       vrpn::put(bytes, vrpn::naming(vrpn::names_type, 1, dial ? vrpn::dial_type : vrpn::analog_type));

@@ -1,10 +1,10 @@
-#include "drivers/fastrak_record.h"
+#include "drivers/protocols/fastrak_record.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "drivers/twins/fastrak_twin.h"
+#include "twins/trackers/fastrak_twin.h"
 
 namespace prosector {
 namespace {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <thread>
 
-#include "drivers/fastrak.h"
-#include "drivers/twins/fastrak_twin.h"
+#include "drivers/trackers/fastrak.h"
 #include "tests/drivers/fed_port.h"
+#include "twins/trackers/fastrak_twin.h"
 
 namespace prosector {
 namespace {
@@ -45,7 +45,7 @@ struct FedTracker {
   Feed feed;
   FastrakTwinOptions options;
   std::unique_ptr<FastrakTwin> twin;
-  FastrakDevice device{std::make_unique<FedPort>(feed), DeviceConfig{}};
+  FastrakDevice device{std::make_unique<FedPort>(feed), Placement{}, FastrakConfig{}};
   std::vector<DeviceSample> samples;
 
   FedTracker() {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/clock.h"
-#include "drivers/device_port.h"
-#include "drivers/twins/twin.h"
+#include "drivers/ports/device_port.h"
+#include "twins/base/twin.h"
 
 namespace prosector {
 

@@ -1,13 +1,13 @@
 // Drivers of 5DT gloves, fed with bytes as public drivers accept them.
-#include "drivers/five_dt.h"
+#include "drivers/gloves/five_dt.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "drivers/five_dt_record.h"
-#include "drivers/twins/five_dt_twin.h"
+#include "drivers/protocols/five_dt_record.h"
 #include "tests/drivers/fed_port.h"
+#include "twins/trackers/five_dt_twin.h"
 
 namespace prosector {
 namespace {
@@ -19,8 +19,8 @@ void add_bytes(GloveBytes& out, std::span<const std::uint8_t> bytes) {
 }
 
 /// Fixed counts from 0 to `closed`.
-DeviceConfig glove_config(double closed) {
-  DeviceConfig out;
+GloveConfig glove_config(double closed) {
+  GloveConfig out;
   out.calibration = GloveCalibration{};
   out.calibration->closed.fill(closed);
   return out;
@@ -30,7 +30,7 @@ template <class Glove>
 struct FedGlove {
   explicit FedGlove(double closed, bool left = false) : config(glove_config(closed)) {
     config.left = left;
-    device = std::make_unique<Glove>(std::make_unique<FedPort>(feed), config);
+    device = std::make_unique<Glove>(std::make_unique<FedPort>(feed), GestureThresholds{}, config);
     device->poll(samples);
   }
   void give(const GloveBytes& bytes) {
@@ -39,7 +39,7 @@ struct FedGlove {
   }
 
   Feed feed;
-  DeviceConfig config;
+  GloveConfig config;
   std::unique_ptr<Glove> device;
   std::vector<DeviceSample> samples;
 };

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "drivers/five_dt_record.h"
-#include "drivers/gesture.h"
-#include "drivers/glove_hand.h"
+#include "drivers/device/gesture.h"
+#include "drivers/gloves/glove_hand.h"
+#include "drivers/protocols/five_dt_record.h"
 #include "tests/gesture_bends.h"
 
 namespace prosector {
@@ -33,7 +33,7 @@ TEST(FiveDtRecord, AReportOfZerosIsNone) {
 }
 
 TEST(Calibration, WidensAndGuardsAgainstNoSpan) {
-  FlexionCalibrator calibrator(DeviceConfig{}, 16);
+  FlexionCalibrator calibrator(GloveConfig{}, 16);
   EXPECT_EQ(calibrator.update({100, 100, 100, 100, 100})[0], 0);
   EXPECT_EQ(calibrator.update({110, 100, 100, 100, 100})[0], 0);
   EXPECT_EQ(calibrator.update({200, 100, 100, 100, 100})[0], 1);
@@ -41,9 +41,9 @@ TEST(Calibration, WidensAndGuardsAgainstNoSpan) {
 }
 
 TEST(Calibration, FixedCountsMayFall) {
-  DeviceConfig config;
-  config.calibration = GloveCalibration{{1300, 1300, 1300, 1300, 1300}, {800, 800, 800, 800, 800}};
-  FlexionCalibrator calibrator(config, 16);
+  GloveConfig glove;
+  glove.calibration = GloveCalibration{{1300, 1300, 1300, 1300, 1300}, {800, 800, 800, 800, 800}};
+  FlexionCalibrator calibrator(glove, 16);
   EXPECT_DOUBLE_EQ(calibrator.update({1050, 1300, 800, 2000, 0})[0], 0.5);
   const auto flexion = calibrator.update({1050, 1300, 800, 2000, 0});
   EXPECT_EQ(flexion[1], 0);
@@ -62,9 +62,11 @@ std::array<double, fingers> fingers_of(int open, double thumb) {
 /// Returns what the table says of these fingers, by the words above it.
 Gesture expected_gesture(int open, bool thumb_open, bool pinch) {
   Gesture out = Gesture::none;
-  for (const ThumbNeed need : {ThumbNeed::any, thumb_open ? ThumbNeed::open : ThumbNeed::bent})
+  for (const ThumbRequirement need :
+       {ThumbRequirement::any, thumb_open ? ThumbRequirement::open : ThumbRequirement::bent})
     for (const GestureRow& row : gesture_table())
-      if (row.open_fingers == open && row.thumb == need && (pinch || !row.if_asked)) out = row.gesture;
+      if (row.open_fingers == open && row.thumb == need && (pinch || !row.requires_pinch_option))
+        out = row.gesture;
   return out;
 }
 
@@ -105,7 +107,8 @@ TEST(Gestures, WithoutAThumbAreThoseOfTheSameFingers) {
   for_gestures([](const GestureRow& row) {
     const GestureRow* plain = find_gesture(gesture_name(without_thumb(row.gesture)));
     EXPECT_EQ(plain->open_fingers, row.open_fingers) << row.name;
-    EXPECT_EQ(plain->gesture == row.gesture, row.thumb == ThumbNeed::any || row.if_asked) << row.name;
+    EXPECT_EQ(plain->gesture == row.gesture, row.thumb == ThumbRequirement::any || row.requires_pinch_option)
+        << row.name;
   });
   EXPECT_EQ(without_thumb(Gesture::thumb_up), Gesture::fist);
   EXPECT_EQ(without_thumb(Gesture::thumb_index), Gesture::point);
@@ -116,12 +119,13 @@ TEST(Gestures, WithoutAThumbAreThoseOfTheSameFingers) {
 TEST(Gestures, ComeOutOfEachGlovesRecords) {
   for (const bool usb : {false, true}) {
     const double open = usb ? 800 : 0, closed = usb ? 1300 : 255;
-    DeviceConfig config;
-    config.pinch = true;
-    config.calibration = GloveCalibration{};
-    config.calibration->open.fill(open);
-    config.calibration->closed.fill(closed);
-    GloveHand hand(config, 16);
+    GestureThresholds thresholds;
+    thresholds.pinch = true;
+    GloveConfig glove;
+    glove.calibration = GloveCalibration{};
+    glove.calibration->open.fill(open);
+    glove.calibration->closed.fill(closed);
+    GloveHand hand(thresholds, glove, 16);
     for_gestures([&](const GestureRow& row) {
       five_dt::Counts counts{};
       for (std::size_t f = 0; f < fingers; ++f)

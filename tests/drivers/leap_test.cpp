@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "drivers/leap_device.h"
-#include "drivers/twins/leap_twin.h"
+#include "drivers/trackers/leap_device.h"
 #include "tests/gesture_bends.h"
+#include "twins/trackers/leap_twin.h"
 
 namespace prosector {
 namespace {
@@ -20,7 +20,7 @@ leap::Text random_frame(std::mt19937& random) {
                      Quat(some(random), some(random), some(random), 1.1 + some(random)).normalized()};
     std::array<double, fingers> flexion{};
     for (double& f : flexion) f = bent(random);
-    out.hands.push_back(seen_hand(left, wrist, flexion));
+    out.hands.push_back(simulated_hand(left, wrist, flexion));
   }
   return out;
 }
@@ -35,7 +35,7 @@ TEST(Leap, PosesAndBendsOfTheOwnHandComeBack) {
       std::array<double, fingers> flexion{};
       for (double& f : flexion) f = bent(random);
       leap::Text frame;
-      frame.hands.push_back(seen_hand(left, wrist, flexion));
+      frame.hands.push_back(simulated_hand(left, wrist, flexion));
       const auto back = leap::read_text(leap::text_of(frame, k));
       ASSERT_TRUE(back);
       ASSERT_EQ(back->hands.size(), 1u);
@@ -49,18 +49,18 @@ TEST(Leap, PosesAndBendsOfTheOwnHandComeBack) {
 }
 
 TEST(Leap, TellsEachGestureOfTheTable) {
-  DeviceConfig config;
-  config.pinch = true;
-  LeapDevice device("here", config);
+  GestureThresholds thresholds;
+  thresholds.pinch = true;
+  LeapDevice device("here", {}, thresholds);
   leap::Text greeting;
   greeting.version = leap::known_version;
-  device.hear(leap::text_of(greeting, 0));
+  device.handle_text(leap::text_of(greeting, 0));
   const Pose wrist{{0.1, 0.2, 0}, Quat::Identity()};
   int number = 0;
   for_gestures([&](const GestureRow& row) {
     leap::Text frame;
-    frame.hands = {seen_hand(false, wrist, bends_of(row)), seen_hand(true, wrist, bends_of(row))};
-    device.hear(leap::text_of(frame, ++number));
+    frame.hands = {simulated_hand(false, wrist, bends_of(row)), simulated_hand(true, wrist, bends_of(row))};
+    device.handle_text(leap::text_of(frame, ++number));
     std::vector<DeviceSample> samples;
     device.poll(samples);
     ASSERT_EQ(samples.size(), 2u);
@@ -69,17 +69,17 @@ TEST(Leap, TellsEachGestureOfTheTable) {
 }
 
 TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {
-  DeviceConfig config;
-  config.room_device = camera_stand;
-  LeapDevice device("here", config);
+  Placement placement;
+  placement.room_device = camera_stand;
+  LeapDevice device("here", placement, {});
   leap::Text greeting;
   greeting.version = leap::known_version;
-  EXPECT_EQ(device.hear(leap::text_of(greeting, 0)),
+  EXPECT_EQ(device.handle_text(leap::text_of(greeting, 0)),
             (std::vector<std::string>{R"({"background":true})", R"({"focused":true})"}));
   const Pose right{{0.1, 0.2, 0}, Quat::Identity()}, left{{-0.1, 0.2, 0}, Quat::Identity()};
   leap::Text frame;
-  frame.hands = {seen_hand(false, right, {1, 1, 1, 1, 1}), seen_hand(true, left, {0, 0, 0, 0, 0})};
-  EXPECT_EQ(device.hear(leap::text_of(frame, 1)), std::vector<std::string>{});
+  frame.hands = {simulated_hand(false, right, {1, 1, 1, 1, 1}), simulated_hand(true, left, {0, 0, 0, 0, 0})};
+  EXPECT_EQ(device.handle_text(leap::text_of(frame, 1)), std::vector<std::string>{});
   std::vector<DeviceSample> samples;
   device.poll(samples);
   ASSERT_EQ(samples.size(), 2u);
@@ -89,8 +89,8 @@ TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {
   EXPECT_EQ(samples[1].station, 1u);
   EXPECT_EQ(samples[1].gesture, Gesture::flat);
   greeting.version = leap::known_version + 1;
-  device.hear(leap::text_of(greeting, 2));
-  device.hear(leap::text_of(frame, 3));
+  device.handle_text(leap::text_of(greeting, 2));
+  device.handle_text(leap::text_of(frame, 3));
   samples.clear();
   device.poll(samples);
   EXPECT_TRUE(samples.empty());
@@ -99,12 +99,12 @@ TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {
 }
 
 TEST(Leap, EventsAreNoGarbage) {
-  LeapDevice device("here", {});
+  LeapDevice device("here", {}, {});
   for (const char* text :
        {R"({"event":{"state":{"attached":true,"id":"1","streaming":true,"type":"x"},"type":"deviceEvent"}})",
         R"({"event":{"type":"deviceEvent","state":{"attached":false,"streaming":false}}})",
         R"({"event":{"type":"somethingNew"}})"}) {
-    EXPECT_EQ(device.hear(text), std::vector<std::string>{}) << text;
+    EXPECT_EQ(device.handle_text(text), std::vector<std::string>{}) << text;
     std::vector<DeviceSample> samples;
     device.poll(samples);
     EXPECT_TRUE(samples.empty());
@@ -119,7 +119,7 @@ TEST(Leap, EventsAreNoGarbage) {
 
 TEST(Leap, AFingerWithoutBonesIsNone) {
   leap::Text frame;
-  frame.hands.push_back(seen_hand(false, {{0.1, 0.2, 0}, Quat::Identity()}, {}));
+  frame.hands.push_back(simulated_hand(false, {{0.1, 0.2, 0}, Quat::Identity()}, {}));
   EXPECT_TRUE(leap::read_text(leap::text_of(frame, 0)));
   frame.hands[0].joints[2].fill(Vec3(0.1, 0.2, 0));
   EXPECT_FALSE(leap::read_text(leap::text_of(frame, 0)));
@@ -127,7 +127,7 @@ TEST(Leap, AFingerWithoutBonesIsNone) {
 
 TEST(Leap, SpoiltTextsMakeNoImplausibleHands) {
   std::mt19937 random(5);
-  LeapDevice device("here", {});
+  LeapDevice device("here", {}, {});
   std::uint64_t read = 0;
   for (int round = 0; round < 3000; ++round) {
     std::string text = leap::text_of(random_frame(random), round);
@@ -147,7 +147,7 @@ TEST(Leap, SpoiltTextsMakeNoImplausibleHands) {
           text.resize(std::max<std::size_t>(at, 1));
       }
     }
-    device.hear(text);
+    device.handle_text(text);
     std::vector<DeviceSample> samples;
     device.poll(samples);
     read += samples.size();

@@ -11,12 +11,13 @@
 #include <thread>
 
 #include "common/clock.h"
-#include "drivers/device.h"
-#include "drivers/fastrak_record.h"
-#include "drivers/twins/fastrak_twin.h"
-#include "drivers/twins/five_dt_twin.h"
-#include "drivers/twins/twin_server.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/driver_table.h"
+#include "drivers/protocols/fastrak_record.h"
 #include "tests/gesture_bends.h"
+#include "twins/base/twin_server.h"
+#include "twins/trackers/fastrak_twin.h"
+#include "twins/trackers/five_dt_twin.h"
 
 namespace prosector {
 namespace {
@@ -75,9 +76,9 @@ std::unique_ptr<Twin> tracker() {
 
 DeviceConfig tracker_config(bool binary) {
   DeviceConfig config;
-  config.room_device = transmitter;
-  config.stations = 3;
-  config.binary = binary;
+  config.placement.room_device = transmitter;
+  config.placement.stations = 3;
+  config.fastrak.binary = binary;
   return config;
 }
 
@@ -162,7 +163,7 @@ TEST(Line, FastrakAlignsByItsOwnCommand) {
   options.unplug = FaultSpan{2.5, 2.8};
   Line line(tracker(), options);
   DeviceConfig config = tracker_config(true);
-  config.alignment = {10, 20, -5, 10, 30, -5, 0, 20, -5};  // X along the old Y, Y along the old −X
+  config.fastrak.alignment = {10, 20, -5, 10, 30, -5, 0, 20, -5};  // X along the old Y, Y along the old −X
   const auto device = open_device("fastrak:" + line.link(), config);
   const Pose frame =
       fastrak::from_transmitter({{0.10, 0.20, -0.05}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))});
@@ -183,7 +184,7 @@ TEST(Line, FastrakAlignsByItsOwnCommand) {
 TEST(Line, FastrakBoresightsWhenAsked) {
   Line line(tracker(), {});
   DeviceConfig config = tracker_config(true);
-  config.boresight = true;
+  config.fastrak.boresight = true;
   const auto device = open_device("fastrak:" + line.link(), config);
   for (const DeviceSample& s : both_stations(*device)) {
     const Pose& room = s.station == 0 ? hand : head;
@@ -197,7 +198,7 @@ TEST(Line, FastrakHemisphereChoosesTheSide) {
   for (const double side : {1.0, -1.0}) {
     Line line(tracker(), {});
     DeviceConfig config = tracker_config(true);
-    config.hemisphere = side * fastrak::to_transmitter(transmitter.inverse() * hand).p;
+    config.fastrak.hemisphere = side * fastrak::to_transmitter(transmitter.inverse() * hand).p;
     const auto device = open_device("fastrak:" + line.link(), config);
     const DeviceSample s = both_stations(*device)[0];
     const Vec3 seen = (transmitter.inverse() * hand).p;
@@ -275,11 +276,11 @@ TEST(Line, GlovesReportFlexionBothWays) {
       options.left = left;
       Line line(std::make_unique<FiveDtTwin>(options, monotonic_ns()), {});
       DeviceConfig config;
-      config.left = left;
+      config.glove.left = left;
       const double open = hid ? 800 : 0, closed = hid ? 1300 : 255;
-      config.calibration = GloveCalibration{};
-      config.calibration->open.fill(open);
-      config.calibration->closed.fill(closed);
+      config.glove.calibration = GloveCalibration{};
+      config.glove.calibration->open.fill(open);
+      config.glove.calibration->closed.fill(closed);
       const auto device = open_device((hid ? "5dt-usb:" : "5dt:") + line.link(), config);
       Samples samples;
       ASSERT_TRUE(poll_until(*device, samples, 3, [&] { return samples.size() >= 10; }));
@@ -305,11 +306,11 @@ TEST(Line, GlovesTellEachGestureOfTheTable) {
     options.timing.wait_client = true;
     Line line(std::make_unique<FiveDtTwin>(options, monotonic_ns()), {});
     DeviceConfig config;
-    config.left = hid;
-    config.pinch = true;
-    config.calibration = GloveCalibration{};
-    config.calibration->open.fill(hid ? 800 : 0);
-    config.calibration->closed.fill(hid ? 1300 : 255);
+    config.glove.left = hid;
+    config.gestures.pinch = true;
+    config.glove.calibration = GloveCalibration{};
+    config.glove.calibration->open.fill(hid ? 800 : 0);
+    config.glove.calibration->closed.fill(hid ? 1300 : 255);
     const auto device = open_device((hid ? "5dt-usb:" : "5dt:") + line.link(), config);
     Samples samples;
     ASSERT_TRUE(poll_until(*device, samples, 10,

@@ -7,12 +7,13 @@
 #include <random>
 
 #include "common/error.h"
-#include "drivers/fastrak_record.h"
-#include "drivers/five_dt_record.h"
-#include "drivers/igtl_messages.h"
-#include "drivers/motion_script.h"
-#include "drivers/recorded.h"
-#include "drivers/stamped_buffer.h"
+#include "drivers/ports/timestamped_buffer.h"
+#include "drivers/protocols/fastrak_record.h"
+#include "drivers/protocols/five_dt_record.h"
+#include "drivers/protocols/igtl_messages.h"
+#include "drivers/recordings/motion_script.h"
+#include "drivers/recordings/recorded.h"
+#include "idl/message.h"
 #include "tests/gesture_bends.h"
 
 namespace prosector {
@@ -97,8 +98,8 @@ TEST(IgtlImage, SixteenBitsAreStretched) {
   }
 }
 
-TEST(StampedBuffer, EveryByteKeepsItsChunksTime) {
-  StampedBuffer buffer;
+TEST(TimestampedBuffer, EveryByteKeepsItsChunksTime) {
+  TimestampedBuffer buffer;
   const std::array<std::uint8_t, 3> a = {1, 2, 3};
   buffer.append(a, 10);
   buffer.append(a, 20);

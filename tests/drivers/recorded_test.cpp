@@ -1,5 +1,5 @@
 // Recordings played back: each sample at its time, an end that is said, loops.
-#include "drivers/recorded.h"
+#include "drivers/recordings/recorded.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -54,7 +54,7 @@ TEST_F(Playback, SamplesComeAtTheirTimesAndTheEndIsSaid) {
   }
   EXPECT_EQ(samples[1].station, 1u);
   EXPECT_EQ(device.status().health, DeviceHealth::silent);
-  EXPECT_NE(device.status().message.find("has been played to its end"), std::string::npos);
+  EXPECT_NE(device.status().message.find("has ended"), std::string::npos);
   std::vector<DeviceSample> more;
   device.poll(more);
   EXPECT_TRUE(more.empty());

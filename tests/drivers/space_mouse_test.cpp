@@ -1,13 +1,13 @@
 // A SpaceMouse moves a hand by speed, presses its buttons, and survives what is no record.
-#include "drivers/space_mouse.h"
+#include "drivers/trackers/space_mouse.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <thread>
 
-#include "drivers/twins/space_mouse_twin.h"
 #include "tests/drivers/fed_port.h"
+#include "twins/trackers/space_mouse_twin.h"
 
 namespace prosector {
 namespace {

@@ -8,10 +8,11 @@
 #include <filesystem>
 
 #include "common/clock.h"
-#include "drivers/device.h"
-#include "drivers/twins/fastrak_twin.h"
-#include "drivers/twins/five_dt_twin.h"
-#include "drivers/twins/pseudo_terminal.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/driver_table.h"
+#include "twins/base/pseudo_terminal.h"
+#include "twins/trackers/fastrak_twin.h"
+#include "twins/trackers/five_dt_twin.h"
 
 namespace prosector {
 namespace {
@@ -138,8 +139,8 @@ TEST(Split, FastrakRecordsWhereverTheyAreCut) {
     options.script = moving_script();
     FastrakTwin twin(options, monotonic_ns());
     DeviceConfig config;
-    config.stations = 3;
-    config.binary = binary;
+    config.placement.stations = 3;
+    config.fastrak.binary = binary;
     split_everywhere("fastrak", config, twin, 'C');
   }
 }
@@ -154,9 +155,9 @@ TEST(Split, GlovePacketsAndReportsWhereverTheyAreCut) {
       options.left = left;
       FiveDtTwin twin(options, monotonic_ns());
       DeviceConfig config;
-      config.left = left;
-      config.calibration = GloveCalibration{};
-      config.calibration->closed.fill(hid ? 1300 : 255);
+      config.glove.left = left;
+      config.glove.calibration = GloveCalibration{};
+      config.glove.calibration->closed.fill(hid ? 1300 : 255);
       split_everywhere(hid ? "5dt-usb" : "5dt", config, twin, hid ? '\0' : 'D');
     }
 }

@@ -1,5 +1,5 @@
 // Texts of any shape that TOML allows, changed in place and judged by toml++.
-#include "drivers/toml_text.h"
+#include "drivers/files/toml_text.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ void leaves(const toml::table& table, const std::string& prefix, std::map<std::s
   }
 }
 
-TEST(TomlText, ChangesOneKeyAndNoOther) {
+TEST(TomlEditor, ChangesOneKeyAndNoOther) {
   Random random(25);
   TextMaker maker(random);
   const char* added[] = {"r0.z",      "new",        "a.new", "a.k0.y", "b.c.new",
@@ -106,7 +106,7 @@ TEST(TomlText, ChangesOneKeyAndNoOther) {
           clashes || (other != name && (other.starts_with(name + ".") || name.starts_with(other + ".")));
     if (clashes || name.starts_with("list")) continue;
     SCOPED_TRACE(fmt::format("{} in:\n{}", name, text));
-    TomlText edited(text);
+    TomlEditor edited(text);
     EXPECT_EQ(edited.value(split_toml_path(name)).has_value(), before.contains(name));
     edited.set(split_toml_path(name), "\"set\"");
     ASSERT_NO_THROW(leaves(toml::parse(edited.text()), "", after)) << edited.text();

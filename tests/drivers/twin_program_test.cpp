@@ -10,9 +10,10 @@
 #include <thread>
 
 #include "common/clock.h"
-#include "drivers/device.h"
-#include "drivers/twins/twin.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/driver_table.h"
 #include "tests/folders.h"
+#include "twins/base/twin.h"
 
 namespace prosector {
 namespace {
@@ -69,9 +70,9 @@ TEST_F(TwinProgram, ServesItsScriptLogsItAndLeavesNothingBehind) {
     if (hid) arguments.push_back("--hid");
     start(arguments);
     DeviceConfig config;
-    config.calibration = GloveCalibration{};
-    config.calibration->open.fill(hid ? 800 : 0);
-    config.calibration->closed.fill(hid ? 1300 : 255);
+    config.glove.calibration = GloveCalibration{};
+    config.glove.calibration->open.fill(hid ? 800 : 0);
+    config.glove.calibration->closed.fill(hid ? 1300 : 255);
     const auto device = open_device((hid ? "5dt-usb:" : "5dt:") + link_.string(), config);
     std::vector<DeviceSample> samples;
     const std::int64_t end = monotonic_ns() + 10'000'000'000;

@@ -158,8 +158,8 @@ try:
         if dots(picture) is not None:
             seen[name] = picture
         time.sleep(0.3)
-    watcher.wait("isn't seen")
-    watcher.wait("the camera sees the table")
+    watcher.wait("is not detected")
+    watcher.wait("the camera has found the table")
     watcher.end(signal.SIGINT)
     config = OUT / "ar_client.toml"
     config.write_text(f'[tracker]\naddress = "tags:synthetic:{OUT}/worker.toml"\n[tracker.table]\nboard = "table"\n'

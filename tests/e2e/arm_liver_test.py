@@ -84,7 +84,7 @@ def cutter(session):
 def energy_books(user):
     """What hand and server counted that the hand gave, J."""
     user.end(signal.SIGINT)
-    line = next(line for line in user.lines if line.startswith("arm: the hand gave"))
+    line = next(line for line in user.lines if line.startswith("arm: energy from the hand"))
     print(line)
     gave, got, counted, back = map(float, re.findall(r"[-\d.]+", line))
     return 1e-3 * (gave - got), 1e-3 * (counted - back)

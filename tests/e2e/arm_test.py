@@ -52,8 +52,8 @@ try:
     user.end(signal.SIGINT)
     about = [line for line in user.lines if line.startswith("arm: ")]
     print("\n".join(about))
-    check("the client tells how punctual its servo was", any("late by" in line for line in about))
-    check("and what energy both ends counted", any(re.search("the hand gave .* the server counted", line) for line in about))
+    check("the client tells how punctual its servo was", any("arm: " in line and "latency" in line for line in about))
+    check("and what energy both ends counted", any(re.search("energy from the hand .* counted by the server", line) for line in about))
 finally:
     arm.close(signal.SIGKILL)
 sys.exit("\n".join(failures) if failures else 0)

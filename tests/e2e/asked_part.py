@@ -61,7 +61,7 @@ def looks_around(person, log, name):
     first = view.eyes()
     at = person.finds("kidney", anywhere())
     assert at, "nothing in the first picture is named kidney"
-    view.after(lambda: person.hands.press(person.help.control("^frames what is under")))
+    view.after(lambda: person.hands.press(person.help.control("^fits what is under")))
     view.after(lambda: person.hands.press(home))
     assert max(abs(a - b) for a, b in zip(first[0], view.eyes()[0])) < 0.01, "Home leads elsewhere"
     person.has("looks around")

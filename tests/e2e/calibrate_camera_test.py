@@ -91,7 +91,7 @@ instrument.station = 2  # beside bare hands it is another one
 config.write_text(text)
 words = calibrate("tip")
 tool = tomllib.loads(config.read_text())["tracker"]["stations"]["instrument"]
-told = float(re.search(r"error to expect of the tip (\S+) mm", words).group(1))
+told = float(re.search(r"expected error of the tip (\S+) mm", words).group(1))
 off = 1e3 * math.dist(tool["mount"]["position"], MOUNT)
 print(f"the tip is off by {off:.2f} mm; {told} mm were told")
 check("the tip of an instrument beside bare hands is found within 2 mm", off < 2)
@@ -100,7 +100,7 @@ check("its station stays", tool["station"] == 2 and "# beside bare hands it is a
 config.write_text(config.read_text().replace(tip_scene, touch_scene) + '\n[phantom]\nbody = "skull"\nboard = "cube.toml"\n')
 words = calibrate("phantom", "--target=" + ",".join(map(str, TARGET)), *(f"--point={x},{y},{z}" for x, y, z in LANDMARKS))
 found = tomllib.loads(config.read_text())["phantom"]
-told = float(re.search(r"error to expect at \S+ \S+ \S+ m: (\S+) mm RMS", words).group(1))
+told = float(re.search(r"expected error at \S+ \S+ \S+ m: (\S+) mm RMS", words).group(1))
 off = 1e3 * math.dist(moved((found["position"], found["orientation"]), TARGET), moved(shape, TARGET))
 print(f"the phantom's target is off by {off:.2f} mm; {told} mm were told")
 check("a phantom is found by its board, within 2 mm", off < 2)

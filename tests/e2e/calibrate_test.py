@@ -184,7 +184,7 @@ instrument.station = 1 # the stylus
     stylus.end()
     text = tracker_config.read_text()
     found = tomllib.loads(text)["tracker"]["stations"]["instrument"]["mount"]["position"]
-    told, = words(tip, r"error to expect of the tip (\S+) mm")
+    told, = words(tip, r"expected error of the tip (\S+) mm")
     print(f"the tip is off by {1e3 * distance(found, TIP):.2f} mm; {told} mm were told")
     check("within four times the error that is told, and that is below 0.2 mm", 1e3 * distance(found, TIP) < 4 * told and told < 0.2)
     check("what the person wrote stays", text.startswith(tip_text.rstrip("\n").rsplit("instrument", 1)[0]) and "# the stylus" in text)
@@ -205,7 +205,7 @@ instrument.station = 1 # the stylus
     found = tomllib.loads(tracker_config.read_text())["tracker"]["room"]
     off, turned = distance(found["position"], ROOM[:3]), turn_between(found["orientation"], ROOM[3:])
     print(f"the transmitter is off by {1e3 * off:.2f} mm and {math.degrees(turned):.2f} degrees")
-    told, = words(align, r"error to expect: (\S+) mm RMS amid")
+    told, = words(align, r"expected error: (\S+) mm RMS amid")
     check("within 1 mm and 0.2 degrees", off < 1e-3 and turned < math.radians(0.2))
     check("a small error is told", told < 0.5)
 
@@ -225,7 +225,7 @@ instrument.station = 1 # the stylus
     stylus.end()
     found = tomllib.loads(tracker_config.read_text())["phantom"]
     off = 1e3 * distance(moved((*found["position"], *found["orientation"]), TARGET), moved(PHANTOM, TARGET))
-    told, = words(phantom, r"error to expect at 0.000, 0.050, 0.020 m: (\S+) mm RMS")
+    told, = words(phantom, r"expected error at 0.000, 0.050, 0.020 m: (\S+) mm RMS")
     print(f"the target inside the phantom is off by {off:.2f} mm; {told} mm were told")
     check("the target is within 1 mm", off < 1)
     check("a small error is told there", told < 0.6)

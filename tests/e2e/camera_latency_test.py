@@ -23,7 +23,7 @@ SECONDS = float(sys.argv[3]) if len(sys.argv) > 3 else 5
 FLAT = "orientation = [0.70710678, -0.70710678, 0, 0]"
 BOARD = f"position = [0.23, 0.98, 0]\n{FLAT}"
 RATE, EXPOSURE, DELAY = 15, 0.008, 0.02  # of the camera, a second and s
-SIDE, CELLS, BITS = 16, 20, 16  # of the painted clock in 640 pixels: drivers/camera/synthetic/painted_clock.h
+SIDE, CELLS, BITS = 16, 20, 16  # of the painted clock in 640 pixels: twins/camera/painted_clock.h
 AROUND = 1 << BITS  # ms, after which it shows the same again
 SLOW = 3  # pictures a second that somebody wants
 NS = 1e-6  # ms

@@ -38,7 +38,7 @@ program = Program(BIN / "prosector-client", "camera", "calibrate", f"synthetic:{
 try:
     told = program.wait("unplugged")
     check(f"the camera that is unplugged is named: {told}", "second.toml" in told)
-    print(program.wait("expect amid the boards", seconds=150))
+    print(program.wait("expected error amid the boards", seconds=150))
     program.wait("wrote ")
 finally:
     program.end(signal.SIGTERM)

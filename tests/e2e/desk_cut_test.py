@@ -43,7 +43,7 @@ def take_up_the_knife():
         view.hand_settles()
         if holds_knife():
             return times_taken
-        reasons = [line for line in (OUT / "server.log").read_text().splitlines() if " let go" in line]
+        reasons = [line for line in (OUT / "server.log").read_text().splitlines() if " released" in line]
         print("the knife did not stay in the hand:", *reasons[-1:])
     raise AssertionError("the knife did not stay in the hand three times")
 

@@ -14,7 +14,7 @@ from desk_person import Processes, View, act, wait_until, windows
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
-# Pixels of the window, of the first row that a search finds: client/view/parts_list_measures.h.
+# Pixels of the window, of the first row that a search finds: client/view/parts_list_dimensions.h.
 LIST_LEFT, LIST_BOTTOM, EYE, RING = 470, 150, (699, 80), (721, 80)
 
 BALL = '''[[soft]]

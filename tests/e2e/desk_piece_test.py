@@ -78,7 +78,7 @@ with Processes(OUT) as processes:
     time.sleep(1)
     picture("back")
     act("key", "z")
-    wait_until("word that nothing is left to take back", lambda: processes.says("client.log", "no cut of yours to undo"), 10)
+    wait_until("word that nothing is left to take back", lambda: processes.says("client.log", "you have no cut to undo"), 10)
     sheet = Image.new("RGB", (3 * 320, 240))
     for k, name in enumerate(("above", "off", "back")):
         sheet.paste(Image.open(OUT / f"{name}.png").resize((320, 240)), (k * 320, 0))

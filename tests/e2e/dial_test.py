@@ -50,18 +50,18 @@ try:
     server.wait("Watcher joins")
 
     host.say("accuracy ball")
-    told = server.wait("ball can have: ", seconds=FIRST_TIME)
+    told = server.wait("ball: available accuracies: ", seconds=FIRST_TIME)
     prices = [float(p) for p in re.findall(r"([0-9.]+) % for", told)]
     assert prices == sorted(prices, reverse=True) and len(prices) >= 1, told
-    host.wait("ball can have: ")
+    host.wait("ball: available accuracies: ")
 
     host.say("accuracy ball 0.1 %")
-    server.wait("nothing here reaches 0.1 %", seconds=FIRST_TIME)
+    server.wait("no configuration reaches 0.1 %", seconds=FIRST_TIME)
     host.say(f"accuracy ball {1.01 * prices[-1]:.4g} %")
-    server.wait("the journal goes on in", seconds=FIRST_TIME)
+    server.wait("the journal continues in", seconds=FIRST_TIME)
     for name in ("Host", "Watcher"):
         server.wait(f"{name} joins", times=2)
-    host.wait("ball is modelled anew: expected ")
+    host.wait("ball is remodelled: expected ")
     time.sleep(1)
     for person in people:
         assert person.process.poll() is None, "somebody didn't stay:\n" + "\n".join(person.lines)

@@ -85,7 +85,7 @@ for filters, wanted in (([], ["whole.Program", "soft.Short", "soft.Other"]), (["
 _, slow = run(work / "left_out.py", "slow", work / "tests.xml", "1.5")
 expect("\nsoft.Beam.Bends\n", slow)
 for names, status, words in (("soft.Other\n", 0, "soft.Long\nsoft.Other\n"), (slow, 1, "no test is named soft.Beam.Bends"),
-                             ("soft.Other\nsoft.Short\n", 1, "nothing stays of soft")):
+                             ("soft.Other\nsoft.Short\n", 1, "nothing remains of soft")):
     (work / "slow_sanitized.txt").write_text(names)
     found, text = run(work / "left_out.py", "list", tree, "all", "asan")
     expect(words, text)

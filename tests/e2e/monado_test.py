@@ -174,7 +174,7 @@ def works(folder):
     run.wait_for("a hand without joints is where its controller is", lambda seen: near(seen.get("left"), (-0.261, 1.145, 0.096), 0.01))
     if SERVICE:
         run.service.end(signal.SIGKILL)
-        run.user.wait("waiting for it to come back")
+        run.user.wait("waiting for it")
         time.sleep(2)
         left.place = (-0.25, 1.3, 0.1)
         run.serve()

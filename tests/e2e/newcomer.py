@@ -22,7 +22,7 @@ SIZE = 800, 600  # of the client's window, if nobody says otherwise
 TOUCHED_WITHIN, CUT_WITHIN = 120, 300  # s after the scene is in the window
 LEISURELY, BRISK = 0.8, 0.3  # s that the pointer takes across half the window
 LEFT_OUT = "pinch", "F11", "L", "Esc"  # needs a touchpad; takes the screen; takes the keyboard; leaves
-DONE_BEFORE = "mouse", "hold", "left", "click", "wheel meanwhile"  # while they touched and cut
+DONE_BEFORE = "mouse", "hold", "left", "click", "with wheel"  # while they touched and cut
 DRAWS = "cuts .*along the pointer"  # where a blade stays in the hand without a button
 SEEN = 20_000  # of a picture's sum of levels, that a person sees to have changed
 PICTURES = "first", "help", "touched", "above", "holds", "cut"  # of the steps that docs/learn/desk.md shows
@@ -135,7 +135,7 @@ class Newcomer:
 
 def reads_the_help(person):
     """The key is the first thing that is told."""
-    first = wait_until("a word on help", lambda: re.search(r"^(\S+): all that mouse and keys do", person.terminal(), re.MULTILINE))
+    first = wait_until("a word on help", lambda: re.search(r"^(\S+): lists all mouse and keyboard controls", person.terminal(), re.MULTILINE))
     wait_until("the first picture", lambda: any(low < high - 50 for low, high in person.sees().getextrema()))
     time.sleep(0.5)
     person.picture("first")
@@ -156,7 +156,7 @@ def touches_the_liver(person):
         if "finds the liver" not in person.times:
             person.has("finds the liver", "found")
         person.turns_to()
-        person.hands.hold(person.help.control("takes hold", by="button"))
+        person.hands.hold(person.help.control("grasps", by="button"))
         held = person.reads("you hold the liver", 4)
         person.hands.move((at[0] + 30, at[1] - 30), 2 * person.hands.pace)
         person.picture("touched")
@@ -211,7 +211,7 @@ def takes_the_scalpel(person):
         if "finds the scalpel" not in person.times:
             person.has("finds the scalpel", "scalpel")
         person.turns_to()
-        person.hands.hold(person.help.find("^takes it up") or person.help.control("takes hold", by="button"))
+        person.hands.hold(person.help.find("^takes it up") or person.help.control("grasps", by="button"))
         if person.reads("you hold the scalpel", 4):
             person.has("holds the scalpel")
             time.sleep(1 + person.hands.pace)
@@ -276,8 +276,8 @@ def cuts_the_liver(person, line):
 def takes_it_back(person):
     person.hands.let_go()
     person.turns_to()
-    person.hands.press(person.help.control("takes back your last cut"))
-    assert person.reads("you took back a cut of the liver", 10), "no message says that the cut was taken back"
+    person.hands.press(person.help.control("undoes your last cut"))
+    assert person.reads("you undid a cut of the liver", 10), "no message says that the cut was undone"
     person.has("takes the cut back", "back")
 
 

@@ -22,13 +22,13 @@ BIN, OUT, WHAT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[
 SIZE = 320  # pixels of an eye's picture, each way
 RATE = 20  # frames a second of the headset with controllers: fewer than the client draws by itself
 FAULTS = {  # s: what the double does, and what the user is told
-    "--unfocused 0.2 0.8": ("another program has your hands", "your hands are back"),
+    "--unfocused 0.2 0.8": ("another program controls your hands", "hand tracking restored"),
     "--garbage 1 1.5": (),
-    "--centred-anew 1.7": ("centred anew",),
+    "--centred-anew 1.7": ("re-centred",),
     "--session-lost 2.5": ("the session is lost",),
     "--frame-refused 4": ("the runtime failed",),
-    "--instance-lost 5.5 --away 5.5 6.3": ("the runtime failed", "no runtime answers"),
-    "--left 8": ("it is put away",),
+    "--instance-lost 5.5 --away 5.5 6.3": ("the runtime failed", "no runtime responds"),
+    "--left 8": ("taken off",),
 }
 
 shutil.rmtree(OUT, ignore_errors=True)
@@ -82,7 +82,7 @@ try:
     begin = time.monotonic()
     user.wait("everything is here")
     if WHAT == "controllers":
-        user.wait("doesn't know its room's floor")
+        user.wait("floor height unknown")
     wait_for("head and both hands arrive", lambda line: near(wearer(line).get("eyes"), HEAD)
              and near(wearer(line).get("left"), (-0.25, 1.1, 0.1)) and near(wearer(line).get("right"), (0.3, 1.2, 0.1)))
     if WHAT != "faults":
@@ -105,7 +105,7 @@ try:
         check("it came back three times", sum("simulated headset by" in line for line in user.lines) == 4)
         places = [place["at"] for line in told() for place in [wearer(line).get("right")] if place]
         check("no garbage arrived", all(math.dist(at, (0.15, 1.1, 0.1)) < 0.4 for at in places))
-        check("centred anew, the hand is elsewhere", any(abs(at[0] + 0.1) < 0.02 for at in places))
+        check("re-centred, the hand is elsewhere", any(abs(at[0] + 0.1) < 0.02 for at in places))
     if WHAT == "controllers":
         seconds = time.monotonic() - begin
         user.end(signal.SIGINT)

@@ -59,7 +59,7 @@ cksum < "$out/journal.sqlite" > "$out/journal.was"
 "$bin/prosector-server" --play "$out/journal.sqlite" --session "$session" > "$out/play.log" 2>&1 &
 server=$!
 pids+=("$server")
-wait_for "$out/play.log" "watch:" 60 "the recording"
+wait_for "$out/play.log" "observe:" 60 "the recording"
 watch viewer "$session"
 echo stop > "$out/viewer.terminal"
 read -r before after < <(python3 "$here/check_playback.py" "$out" --stops)

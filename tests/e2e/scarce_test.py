@@ -87,7 +87,7 @@ for film, is_film in (("whole.avi", True), ("half.avi", True), ("torn.avi", True
     code = client.wait(40)
     words = said(f"{film}.log")
     check(f"with {film} as camera one stays in the session", code == 0 and "everything is here" in words)
-    check(f"{film}: {'a camera' if is_film else 'no camera, and told why'}", is_film != (f"{film}: can't be opened as a camera" in words))
+    check(f"{film}: {'a camera' if is_film else 'no camera, and told why'}", is_film != (f"{film}: cannot be opened as a camera" in words))
     check("in our own words", "OpenCV" not in words)
 check("the session goes on", server.poll() is None)
 server.terminate()

@@ -89,14 +89,14 @@ try:
     heights = [float(s["y"]) for s in samples]
     check("and stands in the room as the configuration says", 1.09 < min(heights) < 1.15 and 1.25 < max(heights) < 1.31)
     faults, report = ended(runs["noise"], "noise")
-    check("a spoilt line doesn't fit, and that is said", any("garbage was skipped" in line for line in faults))
+    check("a spoilt line doesn't fit, and that is said", any("invalid data skipped" in line for line in faults))
     faults, report = ended(runs["glove"], "glove")
     check("a glove fits, by the table that names it", not faults and f"5dt-usb:{OUT}/glove" in report)
     rows = (OUT / "glove.csv").read_text().splitlines()
     thumb = rows[0].split(",").index("thumb")
     bends = [float(row.split(",")[thumb]) for row in rows[1:]]
     check("its bends are mapped by the configuration's counts", min(bends) < 0.1 and max(bends) > 0.9)
-    for words, says in ((["glove.left", "--config", good], "names no glove.left"), (["tracker"], "no device"),
+    for words, says in ((["glove.left", "--config", good], "configures no glove.left"), (["tracker"], "is not a device"),
                         (["--config", OUT / "nowhere.toml"], "nowhere.toml")):
         run = subprocess.run([BIN / "prosector-client", "selftest", *words], capture_output=True, text=True, timeout=20, cwd=OUT)
         check(f"{' '.join(map(str, words[:1]))}: refused in words", run.returncode != 0 and says in run.stderr + run.stdout)

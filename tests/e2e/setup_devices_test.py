@@ -54,7 +54,7 @@ position = [0, 0.8, 0]
     user.click("tracker")
     user.sees("move right")
     user.click("move right")
-    wait_until("the receiver that moves", lambda: user.words() == "Receiver 2 is the right hand's.", 20)
+    wait_until("the receiver that moves", lambda: user.words() == "Receiver 2 is assigned to the right hand.", 20)
     check("the right hand's receiver is found by moving it", True)
     time.sleep(3)
     user.picture("setup-devices.png")

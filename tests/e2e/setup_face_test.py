@@ -60,7 +60,7 @@ with Processes(OUT) as processes:
           and written["camera"]["position"] == [0, CAMERA_UP, 0])
     check("comments stay", "# my screen" in config.read_text())
 
-    user.click("Enter")
+    user.click("Join")
     user.sees("scene minimal")
     user.click("scene minimal")
     user.click("host")
@@ -68,7 +68,7 @@ with Processes(OUT) as processes:
     wait_until("the eyes in the session", lambda: processes.says("Ada.log", f"window face:synthetic:{face}: streaming"), 60)
     check("who enters looks through the screen as through a window", True)
     user.leave()
-    wait_until("the room", lambda: user.words() == "You are back from the session.", 30)
+    wait_until("the room", lambda: user.words() == "You left the session.", 30)
     user.end()
     check("it ends cleanly", user.process.returncode == 0)
 finish()

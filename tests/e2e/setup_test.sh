@@ -31,7 +31,7 @@ expect "nothing to install" 0 'all [0-9]+ packages are installed' 1 "$deploy/set
 fake dpkg-query 'exit 1'
 fake id 'echo 1000'
 fake sudo 'exit 1'
-expect "sudo refuses" 1 'sudo refuses you; as root, run: apt-get update && apt-get install .* cmake ' 1 "$deploy/setup.sh"
+expect "sudo refuses" 1 'you may not use sudo; as root, run: apt-get update && apt-get install .* cmake ' 1 "$deploy/setup.sh"
 fake sudo 'exec "$@"'
 fake apt-get 'echo "E: no network" >&2; exit 100'
 expect "no network at set-up" 1 'apt-get update failed; check the network' 3 "$deploy/setup.sh"
@@ -57,14 +57,14 @@ expect "a data folder that is none" 0 "can't write /proc/nowhere; scenes use imp
 
 # Networks: no network, a package with other content, a folder that can't be written, no npm.
 fake npm 'echo "npm error: no network" >&2; exit 1'
-expect "no network for models" 0 "npm can't fetch @mediapipe/hands \(npm error: no network\); cameras find no bare hands" 2 \
+expect "no network for models" 0 "npm can't fetch @mediapipe/hands \(npm error: no network\); they are needed to track bare hands" 2 \
   "$deploy/fetch_models.sh"
 fake npm 'echo nonsense > package.tgz'
-expect "damaged packages of models" 0 "can't unpack @mediapipe/face_detection .*; cameras find no bare hands" 4 "$deploy/fetch_models.sh"
+expect "damaged packages of models" 0 "can't unpack @mediapipe/face_detection .*; they are needed to track bare hands" 4 "$deploy/fetch_models.sh"
 fake npm 'mkdir package; echo other > package/face_detection_short_range.tflite; for file in full lite; do echo other > package/hand_landmark_$file.tflite; done
 echo other > package/hands_solution_packed_assets.data; tar -czf package.tgz package'
 expect "other models than expected" 0 'palm_full.tflite of @mediapipe/hands is not the one expected' 7 "$deploy/fetch_models.sh"
-expect "no folder for models" 0 "can't write /proc/nowhere/models; cameras find no bare hands" 1 \
+expect "no folder for models" 0 "can't write /proc/nowhere/models; they are needed to track bare hands" 1 \
   env PROSECTOR_DATA=/proc/nowhere "$deploy/fetch_models.sh"
 rmdir "$out/home/.local/share/prosector/models"
 [ -z "$(ls "$out/home/.local/share/prosector")" ] || { echo "FAILED bad files were kept"; failed=1; }

@@ -38,9 +38,9 @@ with Processes(OUT) as processes:
 
     for person in (guest, host):
         person.leave()
-    wait_until("the guest's room", lambda: guest.words() == "You are back from the session.", 30)
+    wait_until("the guest's room", lambda: guest.words() == "You left the session.", 30)
     check("the session's window leads back to the set-up window", True)
-    wait_until("the host's room", lambda: host.words() == "You are back from the session.", 30)
+    wait_until("the host's room", lambda: host.words() == "You left the session.", 30)
     host.end()
     check("it ends cleanly", host.process.returncode == 0)
     wait_until("the end of the session", lambda: "enter" not in guest.read()["controls"], 30)

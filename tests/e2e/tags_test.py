@@ -18,7 +18,7 @@ LOG = SessionLog(OUT / "tags.jsonl")
 LOG.file.unlink(missing_ok=True)
 PRESSED_BY = 3  # s of the script
 # Each in seconds of the camera's time, and a part of the words that are told of it.
-FAULTS = {"torn": (5, 5.8, None), "black": (6, 7.8, "no board is seen"), "resized": (8, 8.6, None), "upside_down": (8.8, 9.4, None),
+FAULTS = {"torn": (5, 5.8, None), "black": (6, 7.8, "no board detected"), "resized": (8, 8.6, None), "upside_down": (8.8, 9.4, None),
           "slow": (9.6, 11.2, None), "unplugged": (11.4, 12.4, "unplugged")}
 END = 13.2
 

@@ -64,9 +64,9 @@ try:
     server.wait("Watcher joins")
 
     write("scene.toml", HEAD + BALL.format("first", -0.1) + "[[soft]]\nname = 7\n")
-    server.wait("the old scene goes on")
+    server.wait("the old scene continues")
     time.sleep(1.5)
-    assert server.count("the old scene goes on") == 1, "told of more than once"
+    assert server.count("the old scene continues") == 1, "told of more than once"
     assert any("scene.toml:" in line and "name = 7" in line for line in server.lines), server.lines
     assert server.count("is open") == 1, "the old scene ended"
 

@@ -135,7 +135,7 @@ try:
         for mark in ("near", "far"):
             share = (after[mark][0] - before[mark][0]) / moved[mark]
             check(f"what is {mark} moves {share:.2f} times as far as it should", 0.85 < share < 1.15)
-        client.wait("no face is seen")
+        client.wait("no face detected")
         at(LOST + 3)
         judge("the face is lost", take(client, "head_lost"), REST, 1)
         client.end(signal.SIGINT)

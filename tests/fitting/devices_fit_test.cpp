@@ -10,7 +10,7 @@
 #include "drivers/fitting/eye_fit.h"
 #include "drivers/fitting/glove_fit.h"
 #include "drivers/fitting/rest_fit.h"
-#include "drivers/glove_hand.h"
+#include "drivers/gloves/glove_hand.h"
 #include "tests/fitting/simulated_tracker.h"
 
 namespace prosector {
@@ -68,13 +68,13 @@ void expect_input_error(const Act& act, const char* says) {
 TEST(DelayFit, RefusesWhatTellsNoDelay) {
   SimulatedTracker tracker(1);
   const auto wave = told(tracker, 120, 0, 0);
-  expect_input_error([&] { (void)fit_delay(wave, {}); }, "told nothing");
+  expect_input_error([&] { (void)fit_delay(wave, {}); }, "sent no data");
   expect_input_error([&] { (void)fit_delay(wave, told(tracker, 120, 0, 0, 2)); }, "are needed");
   std::vector<TimedValue> still = wave, sine = wave;
   for (TimedValue& v : still) v.value = tracker.normal();
   expect_input_error([&] { (void)fit_delay(wave, still); }, "same motion");
   for (TimedValue& v : sine) v.value = std::sin(2 * std::numbers::pi * 4e-9 * static_cast<double>(v.time_ns));
-  expect_input_error([&] { (void)fit_delay(sine, sine); }, "repeats itself");
+  expect_input_error([&] { (void)fit_delay(sine, sine); }, "is periodic");
 }
 
 std::vector<TimedPose> rest(SimulatedTracker& tracker, const Vec3& drift, double seconds) {
@@ -114,15 +114,15 @@ struct SimulatedGlove {
           std::round(open[i] + flexion[i] * (closed[i] - open[i]) + noise * tracker.normal()), 0.0, 4095.0));
     return out;
   }
-  std::vector<HeldCounts> hold_all() {
-    std::vector<HeldCounts> out;
+  std::vector<PoseCounts> hold_all() {
+    std::vector<PoseCounts> out;
     for (const GlovePose& pose : glove_poses()) {
       std::array<double, fingers> flexion{};
       for (std::size_t i = 0; i < fingers; ++i)
         flexion[i] = (pose.bent[i] ? 1 : 0) + repeat * tracker.normal();
       std::vector<std::array<std::uint16_t, fingers>> readings;
       for (int k = 0; k < 60; ++k) readings.push_back(read(flexion));
-      out.push_back(hold_counts(readings));
+      out.push_back(pose_counts(readings));
     }
     return out;
   }
@@ -144,9 +144,9 @@ TEST(GloveFit, JointsAreWithinThreeDegrees) {
       const GloveFit fit = fit_glove(glove.hold_all(), 50);
       EXPECT_EQ(fit.falls_on_bending, falls);
       EXPECT_TRUE(fit.doubts.empty());
-      DeviceConfig config;
-      config.calibration = fit.calibration;
-      FlexionCalibrator calibrator(config, 40);
+      GloveConfig glove_config;
+      glove_config.calibration = fit.calibration;
+      FlexionCalibrator calibrator(glove_config, 40);
       for (int pose = 0; pose < 40; ++pose) {
         std::array<double, fingers> flexion{};
         for (double& x : flexion) x = tracker.uniform(0, 1);
@@ -172,7 +172,7 @@ TEST(GloveFit, NamesTheFingerThatDidNotBendAndSwappedSensors) {
   SimulatedGlove glove{tracker, {800, 800, 800, 800, 800}, {1300, 1300, 1300, 830, 1300}, 3, 0.01};
   expect_input_error([&] { (void)fit_glove(glove.hold_all(), 50); }, "ring finger");
   glove.closed[3] = 1300;
-  std::vector<HeldCounts> swapped = glove.hold_all();
+  std::vector<PoseCounts> swapped = glove.hold_all();
   std::swap(swapped[2], swapped[6]);  // a left glove on a right hand
   const GloveFit fit = fit_glove(swapped, 50);
   ASSERT_FALSE(fit.doubts.empty());
@@ -260,23 +260,24 @@ TEST(EyeFit, OnePixelOffIsAFewMillimetres) {
 
 TEST(EyeFit, TheSightGivesTheDistanceAndRefusesNonsense) {
   // Eyes 64 mm apart, the rod at 0.4 m, the screen at 0.7 m: the marks are 48 mm apart.
-  const EyeDistance fit = eye_distance_by_sight(0.048, 0.7, 0.4);
+  const EyeDistance fit = eye_distance_by_sighting(0.048, 0.7, 0.4);
   EXPECT_NEAR(fit.distance, 0.064, 1e-12);
   SimulatedTracker tracker(6);
   double squares = 0;
   constexpr int trials = 20000;
   for (int k = 0; k < trials; ++k) {
-    const double off = eye_distance_by_sight(0.048 + 1e-3 * tracker.normal(), 0.7 + 5e-3 * tracker.normal(),
-                                             0.4 + 5e-3 * tracker.normal())
+    const double off = eye_distance_by_sighting(0.048 + 1e-3 * tracker.normal(),
+                                                0.7 + 5e-3 * tracker.normal(), 0.4 + 5e-3 * tracker.normal())
                            .distance -
                        0.064;
     squares += off * off / trials;
   }
   EXPECT_NEAR(std::sqrt(squares), fit.error, 0.05 * fit.error);
-  expect_input_error([] { (void)eye_distance_by_sight(0.01, 0.7, 0.4); }, "between the eyes");
-  EXPECT_DOUBLE_EQ(pixel_by_card(342.4), 0.25e-3);
-  expect_input_error([] { (void)pixel_by_card(0); }, "no screen");
-  expect_input_error([] { (void)eye_distance_by_sight(0.05, 0.4, 0.7); }, "between the eyes and the screen");
+  expect_input_error([] { (void)eye_distance_by_sighting(0.01, 0.7, 0.4); }, "between the eyes");
+  EXPECT_DOUBLE_EQ(pixel_size_from_card(342.4), 0.25e-3);
+  expect_input_error([] { (void)pixel_size_from_card(0); }, "any screen");
+  expect_input_error([] { (void)eye_distance_by_sighting(0.05, 0.4, 0.7); },
+                     "between the eyes and the screen");
 }
 
 }  // namespace

@@ -6,16 +6,16 @@
 #include <iostream>
 
 #include "common/error.h"
-#include "drivers/twins/bent_field.h"
 #include "tests/fitting/simulated_tracker.h"
+#include "twins/trackers/distorted_field.h"
 
 namespace prosector {
 namespace {
 
 /// A field that is off by `off` (m RMS) in a cube of 0.6 m, by metal beside it.
-BentField bent_field(const Vec3& metal = {0.52, 0.1, 0.05}, const Vec3& moment = {1, 0.3, 0.2},
-                     double off = 15.4e-3) {
-  BentField field;
+DistortedField bent_field(const Vec3& metal = {0.52, 0.1, 0.05}, const Vec3& moment = {1, 0.3, 0.2},
+                          double off = 15.4e-3) {
+  DistortedField field;
   field.metal = metal;
   field.moment = moment.normalized();
   field.shift = field.turn = 1;
@@ -31,11 +31,11 @@ BentField bent_field(const Vec3& metal = {0.52, 0.1, 0.05}, const Vec3& moment =
   return field;
 }
 
-FieldSample sample_at(SimulatedTracker& tracker, const BentField& field, const Pose& truth) {
+FieldSample sample_at(SimulatedTracker& tracker, const DistortedField& field, const Pose& truth) {
   return {tracker.read(field.report(truth)), truth};
 }
 
-std::vector<FieldSample> grid(SimulatedTracker& tracker, const BentField& field, int count) {
+std::vector<FieldSample> grid(SimulatedTracker& tracker, const DistortedField& field, int count) {
   std::vector<FieldSample> out;
   const auto at = [&](int i) { return -0.3 + 0.6 * i / (count - 1); };
   for (int i = 0; i < count; ++i)
@@ -48,7 +48,7 @@ std::vector<FieldSample> grid(SimulatedTracker& tracker, const BentField& field,
 }
 
 /// Places and orientations that nothing was fitted to, without noise: what is left is the map's own error.
-std::vector<FieldSample> held_out(const BentField& field, int places = 2000) {
+std::vector<FieldSample> held_out(const DistortedField& field, int places = 2000) {
   SimulatedTracker tracker(77);
   std::vector<FieldSample> out;
   for (int i = 0; i < places; ++i) {
@@ -59,7 +59,7 @@ std::vector<FieldSample> held_out(const BentField& field, int places = 2000) {
 }
 
 TEST(FieldFit, TakesMostOfABentField) {
-  const BentField field = bent_field();
+  const DistortedField field = bent_field();
   const std::vector<FieldSample> judged = held_out(field);
   const PoseErrors raw = pose_errors(judged, nullptr);
   EXPECT_NEAR(raw.position, 15.4e-3, 0.5e-3);
@@ -102,7 +102,7 @@ TEST(FieldFit, TellsWhatItLeaves) {
   constexpr unsigned repeats = 3;  // noise makes both errors differ from time to time
   for (const Case& c : cases)
     for (const int count : {5, 6, 7}) {
-      const BentField field = bent_field(c.metal, c.moment, c.off);
+      const DistortedField field = bent_field(c.metal, c.moment, c.off);
       const std::vector<FieldSample> judged = held_out(field, 8000);
       PoseErrors left, told;
       double left_out = 0;
@@ -145,22 +145,22 @@ TEST(FieldFit, ChoosesAPolynomialWhereTheFieldIsOne) {
 
 TEST(FieldFit, WithoutDistortionNothingGetsWorseThanTheNoise) {
   SimulatedTracker tracker(5);
-  const FieldFit fit = fit_field(grid(tracker, BentField{}, 5));
+  const FieldFit fit = fit_field(grid(tracker, DistortedField{}, 5));
   EXPECT_EQ(fit.chosen.degree, 0) << fit.chosen.name();
-  EXPECT_LT(pose_errors(held_out(BentField{}), &fit.map).position, 0.3e-3);
+  EXPECT_LT(pose_errors(held_out(DistortedField{}), &fit.map).position, 0.3e-3);
 }
 
 TEST(FieldFit, RefusesTooFewPlacesAndFlatOnes) {
   SimulatedTracker tracker(6);
-  EXPECT_THROW((void)fit_field(grid(tracker, BentField{}, 2)), InputError);
-  std::vector<FieldSample> flat = grid(tracker, BentField{}, 5);
+  EXPECT_THROW((void)fit_field(grid(tracker, DistortedField{}, 2)), InputError);
+  std::vector<FieldSample> flat = grid(tracker, DistortedField{}, 5);
   for (FieldSample& s : flat) s.reported.p.y() = 0;
   EXPECT_THROW((void)fit_field(flat), InputError);
 }
 
 TEST(FieldMap, IsReadBackAsItWasWritten) {
   SimulatedTracker tracker(7);
-  const BentField field = bent_field();
+  const DistortedField field = bent_field();
   for (const bool spline : {false, true}) {
     const FieldMap map =
         fit_field_form(grid(tracker, field, 4), spline ? spline_form(1e-3) : polynomial_form(2));
@@ -177,7 +177,8 @@ TEST(FieldMap, IsReadBackAsItWasWritten) {
 
 TEST(FieldMap, BadFilesAreRefusedByKeyAndLine) {
   SimulatedTracker tracker(8);
-  const std::string good = write_field_map(fit_field_form(grid(tracker, BentField{}, 3), polynomial_form(1)));
+  const std::string good =
+      write_field_map(fit_field_form(grid(tracker, DistortedField{}, 3), polynomial_form(1)));
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "common/error.h"
+#include "drivers/device/pose_chain.h"
 #include "drivers/fitting/eyes_guide.h"
 #include "drivers/fitting/field_guide.h"
 #include "drivers/fitting/glove_guide.h"
@@ -11,9 +12,8 @@
 #include "drivers/fitting/room_guide.h"
 #include "drivers/fitting/timed_guides.h"
 #include "drivers/fitting/tip_guide.h"
-#include "drivers/pose_chain.h"
-#include "drivers/twins/bent_field.h"
 #include "tests/fitting/simulated_tracker.h"
+#include "twins/trackers/distorted_field.h"
 
 namespace prosector {
 namespace {
@@ -180,22 +180,22 @@ TEST(PhantomGuide, WantsACameraForAPhantomsBoard) {
     EXPECT_THROW((void)PhantomGuide::device(config), InputError) << tracker;
   }
   config.tracker = "hands:0,2";
-  EXPECT_EQ(PhantomGuide::device(config).table, "table");
+  EXPECT_EQ(PhantomGuide::device(config).camera.table, "table");
   config.tracker = "tags:0";
-  config.tracker_device.table = "tablet";
-  EXPECT_EQ(PhantomGuide::device(config).table, "table");
-  EXPECT_TRUE(PhantomGuide::device(config).room_table.p.isZero());
+  config.tracker_device.camera.table = "tablet";
+  EXPECT_EQ(PhantomGuide::device(config).camera.table, "table");
+  EXPECT_TRUE(PhantomGuide::device(config).camera.room_table.p.isZero());
   config.phantom.board.clear();
-  EXPECT_EQ(PhantomGuide::device(config).table, "tablet");
+  EXPECT_EQ(PhantomGuide::device(config).camera.table, "tablet");
   const std::vector<Vec3> points = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};
   EXPECT_THROW(PhantomGuide(config, StationRole::right_hand, points, {}), InputError) << "has no shape";
 }
 
 // A camera tells a fifth of what a tracker does in the same time.
-TEST(StillWindow, IsStillAfterEnoughReadingsHoweverSeldomTheyCome) {
+TEST(StillnessDetector, IsStillAfterEnoughReadingsHoweverSeldomTheyCome) {
   for (const double rate : {8., 15., 30., 120.}) {
     SimulatedTracker tracker(11);
-    StillWindow window;
+    StillnessDetector window;
     std::int64_t time_ns = 0;
     const auto take = [&](const Vec3& place) {
       window.take(time_ns += static_cast<std::int64_t>(1e9 / rate),
@@ -236,19 +236,20 @@ TEST(TipGuide, WaitsForTheTipAndEndsWithIt) {
   EXPECT_EQ(std::get<double>(change_of(outcome, "tracker.stations.right.station")), 1);
   const std::string text =
       write_client_config("[tracker]\naddress = 'fastrak:/x'\n", outcome.changes, "c.toml");
-  EXPECT_LT((parse_client_config(text, "c.toml").tracker_device.mount[0].p - tip).norm(), 0.5e-3);
+  EXPECT_LT((parse_client_config(text, "c.toml").tracker_device.placement.mount[0].p - tip).norm(), 0.5e-3);
 }
 
 // The whole way of a bent field: guide, fit, file, driver's chain.
 TEST(FieldGuide, ItsMapPutsTheDriversPosesRight) {
   SimulatedTracker tracker(3);
-  BentField field;
+  DistortedField field;
   field.metal = {0.85, 0.2, -0.8};
   field.shift = 20e-3;
   field.turn = 0.03;
   ClientConfig config;
-  config.tracker_device.room_device = {Vec3(0, 0.9, 0.4), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
-  const Pose& room = config.tracker_device.room_device;
+  config.tracker_device.placement.room_device = {Vec3(0, 0.9, 0.4),
+                                                 Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
+  const Pose& room = config.tracker_device.placement.room_device;
   const Quat held(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));
   FieldGuide guide(config, StationRole::right_hand,
                    {Vec3(-0.2, 0.7, -0.5), Vec3(0.2, 1.1, -0.1), {4, 4, 4}, held}, "f.toml");
@@ -265,9 +266,9 @@ TEST(FieldGuide, ItsMapPutsTheDriversPosesRight) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("prosector-field-{}.toml", getpid());
   save_config_text(file, write_field_map(guide.fit().map));
-  const PoseChain without(config.tracker_device);
-  config.tracker_device.field_map = file.string();
-  const PoseChain with(config.tracker_device);
+  const PoseChain without(config.tracker_device.placement);
+  config.tracker_device.placement.field_map = file.string();
+  const PoseChain with(config.tracker_device.placement);
   std::filesystem::remove(file);
   double before = 0, after = 0, turned = 0;
   for (int k = 0; k < 500; ++k) {
@@ -375,8 +376,8 @@ TEST(EyesGuide, FindsDisplayEyesAndMount) {
   EXPECT_NEAR(*read.eyes.fov_horizontal, 40 * degree, 0.3 * degree);
   EXPECT_NEAR(*read.eyes.fov_vertical, 31 * degree, 0.3 * degree);
   EXPECT_NEAR(*read.eyes.convergence, 0.8, 0.1);
-  EXPECT_LT((read.tracker_device.mount[1].p - mount.p).norm(), 2e-3);
-  EXPECT_LT(read.tracker_device.mount[1].q.angularDistance(mount.q), 0.3 * degree);
+  EXPECT_LT((read.tracker_device.placement.mount[1].p - mount.p).norm(), 2e-3);
+  EXPECT_LT(read.tracker_device.placement.mount[1].q.angularDistance(mount.q), 0.3 * degree);
   guide.back();
   EXPECT_FALSE(guide.step().done);
 }
@@ -389,7 +390,7 @@ TEST(DelayGuide, ComparesDevicesOfOtherFramesAndUnits) {
     const double t = i / 120.0;
     const Vec3 p(0.1 * std::sin(2 * t) + 0.05 * std::sin(7.3 * t), 0.08 * std::cos(3.1 * t),
                  0.03 * std::sin(11 * t));
-    guide.take_other(static_cast<std::int64_t>(1e9 * t), 100 * (other * p) + Vec3(50, 0, 0));
+    guide.add_other_position(static_cast<std::int64_t>(1e9 * t), 100 * (other * p) + Vec3(50, 0, 0));
     DeviceSample sample;
     sample.has_pose = true;
     sample.time_ns = static_cast<std::int64_t>(1e9 * (t + 0.031));

@@ -77,13 +77,13 @@ TEST(PivotFit, RefusesSmallConesFewPosesAndSlips) {
   SimulatedTracker tracker(3);
   expect_refusal(swing(tracker, 10, 30 * degree), "at least 20");
   expect_refusal(swing(tracker, 200, 4 * degree), "swing it in a cone");
-  // Turned about its own axis alone, however far: where the tip is along it stays unknown.
+  // Corotated about its own axis alone, however far: where the tip is along it stays unknown.
   std::vector<Pose> rolled;
   for (int i = 0; i < 200; ++i) {
     const Quat q(Eigen::AngleAxisd(tracker.uniform(-3, 3), tip.normalized()));
     rolled.push_back(tracker.read({pivot - q * tip, q}));
   }
-  expect_refusal(rolled, "only in one direction");
+  expect_refusal(rolled, "in one direction");
   std::vector<Pose> slipped = swing(tracker, 200, 30 * degree);
   for (std::size_t i = 100; i < 200; ++i) slipped[i].p += Vec3(0.03, 0, 0);
   expect_refusal(slipped, "slipped");

@@ -1,6 +1,6 @@
 // A face as a device: our own face before a synthetic camera in real time, its faults, and how far off the
 // eyes are.
-#include "drivers/camera/face/face_device.h"
+#include "drivers/camera/devices/face_device.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/synthetic/synthetic_scene.h"
+#include "idl/message.h"
 #include "tests/hands/face_errors.h"
 #include "tests/real_data.h"
+#include "twins/camera/synthetic_scene.h"
 
 namespace prosector {
 namespace {
@@ -66,10 +67,9 @@ TEST_F(OwnFace, ComesFromASyntheticCameraInRealTimeAndAfterFaults) {
                           "[[fault]]\nkind = \"resized\"\nfrom = 1.5\nto = 2\n"
                           "[[fault]]\nkind = \"black\"\nfrom = 2\nto = 4\n"
                           "[[fault]]\nkind = \"unplugged\"\nfrom = 4.2\nto = 5\n";
-  DeviceConfig config;
-  config.room_device = {{0, 0.17, 0}, Quat(0, 0, 1, 0)};
-  config.eye_distance = 0.06;
-  const auto device = open_face("synthetic:" + scene.string(), config);
+  Placement placement;
+  placement.room_device = {{0, 0.17, 0}, Quat(0, 0, 1, 0)};
+  const auto device = open_face("synthetic:" + scene.string(), placement, {}, {.eye_distance = 0.06});
   std::array<std::optional<DeviceSample>, 3> last;
   std::vector<std::string> words;
   const std::int64_t start = monotonic_ns();
@@ -97,7 +97,7 @@ TEST_F(OwnFace, ComesFromASyntheticCameraInRealTimeAndAfterFaults) {
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& line) { return line.find(what) != std::string::npos; });
   };
-  EXPECT_TRUE(said("no face is seen"));
+  EXPECT_TRUE(said("no face detected"));
   EXPECT_TRUE(said("unplugged"));
   EXPECT_GT(back_ns, 0);
   const Vec3 eyes(0.05, 0.02, 0.6);
@@ -111,7 +111,7 @@ TEST_F(OwnFace, ComesFromASyntheticCameraInRealTimeAndAfterFaults) {
 TEST_F(OwnFace, IsntThereInAnEmptyRoom) {
   const std::filesystem::path scene = std::filesystem::path(testing::TempDir()) / "no_face.toml";
   std::ofstream(scene) << "[[camera]]\nrate = 10\nrays = 1\nwidth = 320\nheight = 240\nfocal = 300\n";
-  const auto device = open_face("synthetic:" + scene.string(), {});
+  const auto device = open_face("synthetic:" + scene.string(), {}, {}, {});
   std::vector<DeviceSample> samples;
   const std::int64_t start = monotonic_ns();
   while (seconds_since(start) < 20 && device->status().message.find("no face") == std::string::npos) {

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "common/clock.h"
-#include "drivers/camera/camera_frames.h"
+#include "drivers/camera/base/camera_frames.h"
 #include "drivers/camera/face/eyes_filter.h"
-#include "drivers/camera/face/eyes_place.h"
-#include "drivers/camera/synthetic/synthetic_scene.h"
-#include "drivers/client_config.h"
+#include "drivers/camera/face/eyes_pose.h"
+#include "drivers/config/client_config.h"
+#include "twins/camera/synthetic_scene.h"
 
 namespace prosector {
 namespace {
@@ -57,10 +57,10 @@ double rms_mm(double sum, int n) {
 
 FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMesh>& face,
                        const std::filesystem::path& models) {
-  FaceFinder finder(models);
+  FaceDetector finder(models);
   // Where one is by default, turned down a little, to the face.
-  const Pose screen_camera =
-      WindowSettings().device.room_device * Pose{Vec3::Zero(), Quat(Eigen::AngleAxisd(-0.2, Vec3::UnitX()))};
+  const Pose screen_camera = WindowSettings().device.placement.room_device *
+                             Pose{Vec3::Zero(), Quat(Eigen::AngleAxisd(-0.2, Vec3::UnitX()))};
   FaceErrors out;
   Wander raw, smoothed;
   for (int place = 0; place < what.places; ++place) {
@@ -86,7 +86,7 @@ FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMes
       const double seconds = k / rate;
       scene.carriers[0].pose = screen_head(what, place, seconds);
       truth = scene.carriers[0].pose.p;
-      const Image image = ScenePainter(scene).paint_at(seconds, first + static_cast<std::uint64_t>(k));
+      const Image image = SceneRenderer(scene).paint_at(seconds, first + static_cast<std::uint64_t>(k));
       ++out.pictures;
       std::int64_t start = monotonic_ns();
       const auto found = finder.find(image);
@@ -94,7 +94,7 @@ FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMes
       if (!found) continue;
       ++out.seen;
       start = monotonic_ns();
-      const EyesPlace eyes = place_eyes(*found, scene.lens, face->eye_distance);
+      const EyesPose eyes = estimate_eyes_pose(*found, scene.lens, face->eye_distance);
       const Pose head = filter.update(eyes.head, 1'000'000'000 + std::llround(1e9 * seconds));
       out.smooth_ms.push_back(milliseconds_since(start));
       const Vec3 way = (truth - screen_camera.p).normalized();

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "drivers/camera/face/face_finder.h"
-#include "drivers/camera/synthetic/face_mesh.h"
+#include "drivers/camera/face/face_detector.h"
+#include "twins/camera/face_mesh.h"
 
 namespace prosector {
 

@@ -22,8 +22,8 @@ const Vec3 desk(0.05, 0.02, 0.6);
 class FollowedFace : public testing::Test {
  protected:
   /// Shows the same faces for so long. Returns the face that leads at the end.
-  std::optional<EyesPlace> show(const std::vector<PlacedFace>& faces, double seconds) {
-    std::optional<EyesPlace> out;
+  std::optional<EyesPose> show(const std::vector<PlacedFace>& faces, double seconds) {
+    std::optional<EyesPose> out;
     for (const std::int64_t end_ns = now_ns_ + std::llround(1e9 * seconds); now_ns_ < end_ns;
          now_ns_ += step_ns) {
       out = follower_.follow(faces, now_ns_);

@@ -10,10 +10,10 @@
 #include "common/rotation_between.h"
 #include "common/smooth_normals.h"
 #include "drivers/camera/face/eyes_filter.h"
-#include "drivers/camera/face/eyes_place.h"
-#include "drivers/camera/synthetic/mesh_layer.h"
+#include "drivers/camera/face/eyes_pose.h"
 #include "tests/random.h"
 #include "tests/real_data.h"
+#include "twins/camera/mesh_layer.h"
 
 namespace prosector {
 namespace {
@@ -40,19 +40,19 @@ class CtHead {
   }
 
   /// Returns a picture of the head whose volume's middle is at `place`, and what rays meet.
-  std::pair<Image, MeshLayer> paint(const Lens& lens, const Vec3& place, double yaw) const {
+  std::pair<Image, MeshDepthBuffer> paint(const Lens& lens, const Vec3& place, double yaw) const {
     Mat3 facing;  // the volume's x is the patient's right, y ahead, z up
     facing << -1, 0, 0, 0, 0, -1, 0, -1, 0;
     const Pose camera_head = {place,
                               (Quat(Eigen::AngleAxisd(yaw, Vec3::UnitY())) * Quat(facing)).normalized()};
-    MeshLayer layer(2 * lens.width, 2 * lens.height, lens.ray({-1, -1}).head<2>(),
-                    lens.ray({lens.width * 1.0, lens.height * 1.0}).head<2>());
+    MeshDepthBuffer layer(2 * lens.width, 2 * lens.height, lens.ray({-1, -1}).head<2>(),
+                          lens.ray({lens.width * 1.0, lens.height * 1.0}).head<2>());
     layer.draw({positions_, normals_, triangles_, paint_}, camera_head,
                {Vec3(0.3, -0.5, -0.8).normalized(), 0.5});
     Image image{lens.width, lens.height, {}};
     for (int y = 0; y < lens.height; ++y)
       for (int x = 0; x < lens.width; ++x) {
-        const MeshLayer::Hit hit = layer.at(lens.ray({x * 1.0, y * 1.0}).head<2>().cast<float>());
+        const MeshDepthBuffer::Hit hit = layer.at(lens.ray({x * 1.0, y * 1.0}).head<2>().cast<float>());
         for (std::size_t c = 0; c < 3; ++c)
           image.rgb.push_back(
               std::isfinite(hit.depth)
@@ -83,7 +83,7 @@ class Faces : public testing::Test {
 };
 
 TEST_F(Faces, AreFoundAndTheirEyesPlaced) {
-  FaceFinder finder(std::filesystem::path(net_).parent_path());
+  FaceDetector finder(std::filesystem::path(net_).parent_path());
   const Lens lens;
   std::vector<double> ratios;
   for (const double depth : {0.5, 0.7})
@@ -93,7 +93,7 @@ TEST_F(Faces, AreFoundAndTheirEyesPlaced) {
       ASSERT_TRUE(face) << depth << ", " << yaw;
       EXPECT_LT(face->right_eye.x(), face->left_eye.x());
       EXPECT_GT(face->nose.y(), face->right_eye.y());
-      const EyesPlace eyes = place_eyes(*face, lens, usual_eye_distance);
+      const EyesPose eyes = estimate_eyes_pose(*face, lens, default_interpupillary_distance);
       EXPECT_LT(std::abs(eyes.roll), 0.45);
       EXPECT_NEAR(eyes.yaw, -yaw, 0.4);
       if (yaw != 0) {
@@ -110,23 +110,23 @@ TEST_F(Faces, AreFoundAndTheirEyesPlaced) {
 }
 
 TEST_F(Faces, AreNoneInPicturesOfNothing) {
-  FaceFinder finder(std::filesystem::path(net_).parent_path());
+  FaceDetector finder(std::filesystem::path(net_).parent_path());
   for (const Image& image :
        {Image{}, Image{640, 480, {1, 2, 3}}, Image{160, 120, std::vector<std::uint8_t>(160 * 120 * 3)}})
     EXPECT_FALSE(finder.find(image));
 }
 
 /// Returns what a camera sees of a face of the usual shape.
-FoundFace seen_face(const Lens& lens, const Pose& camera_head, double eye_distance) {
+DetectedFace seen_face(const Lens& lens, const Pose& camera_head, double eye_distance) {
   const auto at = [&](const Vec3& x) { return lens.project(camera_head * x); };
-  FoundFace face;
+  DetectedFace face;
   face.right_eye = at({eye_distance / 2, 0, 0});
   face.left_eye = at({-eye_distance / 2, 0, 0});
-  face.nose = at({0, -0.03, -nose_ahead * eye_distance});
+  face.nose = at({0, -0.03, -nose_depth_ratio * eye_distance});
   return face;
 }
 
-TEST(EyesPlace, IsExactForAFaceOfTheUsualShape) {
+TEST(EyesPose, IsExactForAFaceOfTheUsualShape) {
   Lens lens;
   lens.k1 = -0.2;
   for (const double yaw : {0.0, 0.4, -0.6})
@@ -138,7 +138,7 @@ TEST(EyesPlace, IsExactForAFaceOfTheUsualShape) {
           const Quat turned = Quat(Eigen::AngleAxisd(roll, Vec3::UnitZ())) *
                               Quat(Eigen::AngleAxisd(-yaw, Vec3::UnitY())) * facing;
           const Pose head = {middle, way * turned};
-          const EyesPlace eyes = place_eyes(seen_face(lens, head, eye_distance), lens, eye_distance);
+          const EyesPose eyes = estimate_eyes_pose(seen_face(lens, head, eye_distance), lens, eye_distance);
           SCOPED_TRACE(testing::Message()
                        << "turned " << yaw << ", " << roll << ", at " << middle.transpose());
           EXPECT_LT((eyes.head.p - middle).norm(), 0.02 * middle.norm());
@@ -148,11 +148,11 @@ TEST(EyesPlace, IsExactForAFaceOfTheUsualShape) {
         }
 }
 
-TEST(EyesPlace, ErrsInDistanceAsTheEyesDo) {
+TEST(EyesPose, ErrsInDistanceAsTheEyesDo) {
   const Lens lens;
-  const FoundFace face = seen_face(lens, {Vec3(0.1, 0, 0.6), Quat(0, 0, 0, 1)}, 0.063);
-  const double as_told = place_eyes(face, lens, 0.063).head.p.norm();
-  EXPECT_NEAR(place_eyes(face, lens, 1.1 * 0.063).head.p.norm(), 1.1 * as_told, 1e-9);
+  const DetectedFace face = seen_face(lens, {Vec3(0.1, 0, 0.6), Quat(0, 0, 0, 1)}, 0.063);
+  const double as_told = estimate_eyes_pose(face, lens, 0.063).head.p.norm();
+  EXPECT_NEAR(estimate_eyes_pose(face, lens, 1.1 * 0.063).head.p.norm(), 1.1 * as_told, 1e-9);
 }
 
 TEST(EyesFilter, RestsAlongTheViewMoreThanAcross) {
@@ -175,8 +175,8 @@ TEST(EyesFilter, RestsAlongTheViewMoreThanAcross) {
   EXPECT_LT((out.p - there.p).norm(), 0.001) << "m: at rest there is no lag";
 }
 
-TEST(FaceFinder, SaysWhatItNeeds) {
-  EXPECT_THROW(FaceFinder("/nowhere"), InputError);
+TEST(FaceDetector, SaysWhatItNeeds) {
+  EXPECT_THROW(FaceDetector("/nowhere"), InputError);
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 
 #include "common/error.h"
 #include "drivers/camera/hands/hand_tracker.h"
-#include "drivers/device.h"
-#include "drivers/hidden_bends.h"
+#include "drivers/device/gesture_flexions.h"
 #include "tests/gesture_bends.h"
 #include "tests/hands/hand_trial.h"
 
@@ -63,12 +62,12 @@ TEST_F(HandsInPictures, TellEachGestureOfTheTable) {
 }
 
 TEST(HiddenBends, GrowAndEndWhereTheyBegan) {
-  std::array<double, fingers> before = bends_for_gestures({});
+  std::array<double, fingers> before = gesture_flexions({});
   for (const double bend : before) EXPECT_EQ(bend, 0);
   for (int k = 1; k <= 100; ++k) {
     std::array<double, fingers> seen{};
     seen.fill(0.01 * k);
-    const auto now = bends_for_gestures(seen);
+    const auto now = gesture_flexions(seen);
     for (std::size_t f = 0; f < fingers; ++f) {
       EXPECT_GE(now[f], before[f]) << f;
       EXPECT_LE(now[f], 1) << f;
@@ -76,11 +75,11 @@ TEST(HiddenBends, GrowAndEndWhereTheyBegan) {
     before = now;
   }
   for (const double bend : before) EXPECT_EQ(bend, 1);
-  for (const double bend : bends_for_gestures({9, 9, 9, -9, -9})) EXPECT_TRUE(bend == 0 || bend == 1);
+  for (const double bend : gesture_flexions({9, 9, 9, -9, -9})) EXPECT_TRUE(bend == 0 || bend == 1);
 }
 
 Gesture told(const std::array<double, fingers>& seen) {
-  return GestureDetector(thresholds_of(DeviceConfig{})).update(bends_for_gestures(seen));
+  return GestureDetector(GestureThresholds{}).update(gesture_flexions(seen));
 }
 
 TEST(HiddenBends, FourFingersHalfBentAlikeAreAFist) {
@@ -104,14 +103,14 @@ TEST_F(HandsInPictures, AreFistsFromBehindToo) {
   std::int64_t now_ns = 0;
   for (const double away : {0.3, 0.5, 0.7}) {
     Random random(41);
-    BentHand hand{right_hand, {Vec3::Zero(), from_behind(away)}, {0.1, 0.1, 0.1, 0.1, 0.1}};
+    PosedHand hand{right_hand, {Vec3::Zero(), from_behind(away)}, {0.1, 0.1, 0.1, 0.1, 0.1}};
     hand.camera_wrist.p = Vec3(0.02, 0.02, 0.5) - hand.camera_wrist.q * Vec3(0, 0, -0.09);
     HandScene scene = random_scene(random, hand);
     scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
     scene.wall = {0.1F, 0.15F, 0.2F};
-    tracker.set_eye(0, {scene.lens, {}});
+    tracker.set_camera_setup(0, {scene.lens, {}});
     now_ns += 1'000'000'000;
-    GestureDetector detector(thresholds_of(DeviceConfig{}));
+    GestureDetector detector(GestureThresholds{});
     std::vector<Gesture> all;
     for (int k = 0; k < 10; ++k) {
       const double closed = std::clamp((k - 2) / 4.0, 0.0, 1.0);
@@ -119,7 +118,7 @@ TEST_F(HandsInPictures, AreFistsFromBehindToo) {
       scene.hands[0].flexion[0] = 0.1 + 0.7 * closed;
       now_ns += 66'666'667;
       for (const TrackedHand& tracked : tracker.see(0, {painter().paint(scene, random), now_ns, 0}))
-        all.push_back(detector.update(bends_for_gestures(tracked.flexion)));
+        all.push_back(detector.update(gesture_flexions(tracked.flexion)));
     }
     ASSERT_GE(all.size(), 8u) << away;
     EXPECT_EQ(all.front(), Gesture::flat) << away;
@@ -133,7 +132,7 @@ TEST_F(HandsInPictures, AreTwoOfTwoSides) {
   scene.light.ambient = 0.5;
   scene.light.towards = Vec3(0.2, -0.5, -0.8).normalized();
   scene.wall = {0.1F, 0.15F, 0.2F};
-  BentHand left{left_hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}}, right = left;
+  PosedHand left{left_hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}}, right = left;
   right.hand = right_hand;
   Mat3 upright;  // backs to the camera, fingers up
   upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -146,7 +145,7 @@ TEST_F(HandsInPictures, AreTwoOfTwoSides) {
     const auto hands = finder.find(painter().paint(scene, random));
     ASSERT_EQ(hands.size(), 2u);
     EXPECT_NE(hands[0].left, hands[1].left);
-    for (const FoundHand& hand : hands) {
+    for (const DetectedHand& hand : hands) {
       const auto truth = true_points(scene, scene.hands[hand.points[9].x() < 320 ? 0 : 1]);
       EXPECT_LT((hand.points[9] - truth[9]).norm(), 12) << "pixels";
     }
@@ -201,8 +200,8 @@ TEST_F(HandsInPictures, AreFoundInDimLight) {
 }
 
 /// Shows a hand with its back to the camera there, fingers up.
-BentHand hand_at(std::size_t hand, const Vec3& place) {
-  BentHand out{hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}};
+PosedHand hand_at(std::size_t hand, const Vec3& place) {
+  PosedHand out{hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}};
   out.camera_wrist = {place, from_behind(0)};
   return out;
 }
@@ -212,11 +211,11 @@ TEST_F(HandsInPictures, AreNotThoseOfBystanders) {
   HandScene scene = random_scene(random, {});
   scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
   scene.wall = {0.1F, 0.15F, 0.2F};
-  const BentHand far = hand_at(left_hand, {-0.3, 0, 1.6}), near = hand_at(right_hand, {0.1, 0.08, 0.5});
+  const PosedHand far = hand_at(left_hand, {-0.3, 0, 1.6}), near = hand_at(right_hand, {0.1, 0.08, 0.5});
   HandTracker tracker(nets_, HandNets::full, 1);
-  tracker.set_eye(0, {scene.lens, {}});
+  tracker.set_camera_setup(0, {scene.lens, {}});
   std::int64_t now_ns = 1'000'000'000;
-  const auto see = [&](const std::vector<BentHand>& hands) {
+  const auto see = [&](const std::vector<PosedHand>& hands) {
     scene.hands = hands;
     return tracker.see(0, {painter().paint(scene, random), now_ns += 33'333'333, 0});
   };
@@ -227,9 +226,9 @@ TEST_F(HandsInPictures, AreNotThoseOfBystanders) {
   EXPECT_LT(both[0].wrist.p.z(), 0.8) << "m";
   EXPECT_STREQ(tracker.lack(), "");
   EXPECT_TRUE(see({}).empty());
-  EXPECT_NE(std::string(tracker.lack()).find("no hand is seen"), std::string::npos) << tracker.lack();
+  EXPECT_NE(std::string(tracker.lack()).find("no hand detected"), std::string::npos) << tracker.lack();
   HandTracker reaching(nets_, HandNets::full, 1, {1, 2.5});
-  reaching.set_eye(0, {scene.lens, {}});
+  reaching.set_camera_setup(0, {scene.lens, {}});
   scene.hands = {far};
   EXPECT_EQ(reaching.see(0, {painter().paint(scene, random), now_ns, 0}).size(), 1U);
 }
@@ -239,8 +238,8 @@ TEST_F(HandsInPictures, AreTheNearestTwo) {
   HandScene scene = random_scene(random, {});
   scene.light = {Vec3(0.2, -0.5, -0.8).normalized(), 0.5};
   scene.wall = {0.1F, 0.15F, 0.2F};
-  const std::vector<BentHand> bystander = {hand_at(left_hand, {-0.35, 0, 1}),
-                                           hand_at(right_hand, {0.35, 0, 1})};
+  const std::vector<PosedHand> bystander = {hand_at(left_hand, {-0.35, 0, 1}),
+                                            hand_at(right_hand, {0.35, 0, 1})};
   HandFinder finder(nets_, HandNets::full);
   scene.hands = bystander;
   ASSERT_EQ(finder.find(painter().paint(scene, random)).size(), 2U);
@@ -248,7 +247,7 @@ TEST_F(HandsInPictures, AreTheNearestTwo) {
   const Image picture = painter().paint(scene, random);
   bool is_taken = false;
   for (int k = 0; k < 31 && !is_taken; ++k)
-    for (const FoundHand& hand : finder.find(picture)) is_taken |= length_of_hand(hand.points) > 180;
+    for (const DetectedHand& hand : finder.find(picture)) is_taken |= length_of_hand(hand.points) > 180;
   EXPECT_TRUE(is_taken) << "within a second";
 }
 
@@ -262,14 +261,14 @@ TEST(HandFinder, SaysWhatItNeeds) {
   }
 }
 
-TEST(PictureRegion, TakesATurnedSquare) {
+TEST(ImageRegion, TakesATurnedSquare) {
   Image image{64, 48, {}};
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x)
       for (const int c : {4 * x, 5 * y, 128}) image.rgb.push_back(static_cast<std::uint8_t>(c));
   Random random(8);
   for (int k = 0; k < 50; ++k) {
-    const PictureRegion region{
+    const ImageRegion region{
         {random.uniform(25, 38), random.uniform(20, 28)}, random.uniform(10, 20), random.uniform(-3, 3)};
     const std::size_t size = 4 + random.below(20);
     std::vector<float> out(3 * size * size);
@@ -285,7 +284,7 @@ TEST(PictureRegion, TakesATurnedSquare) {
   }
 }
 
-TEST(PictureRegion, IsBrightenedWhereItIsDark) {
+TEST(ImageRegion, IsBrightenedWhereItIsDark) {
   const auto brightened = [](float level) {
     std::vector<float> pixels(300, 0.5F * level);
     std::fill_n(pixels.begin(), 60, level);  // a fifth of the pixels
@@ -299,7 +298,7 @@ TEST(PictureRegion, IsBrightenedWhereItIsDark) {
   EXPECT_EQ(brightened(0).first, 0);
 }
 
-TEST(PictureRegion, IsBlackOrItsEdgeOutside) {
+TEST(ImageRegion, IsBlackOrItsEdgeOutside) {
   Image image{8, 8, std::vector<std::uint8_t>(8 * 8 * 3, 200)};
   std::vector<float> out(3 * 16);
   for (const Outside outside : {Outside::black, Outside::edge}) {

@@ -1,5 +1,6 @@
 // The hand laid through points: exact where they are exact, unsure where they are none of a hand.
 #include "drivers/camera/hands/hand_fit.h"
+#include "idl/message.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace prosector {
 namespace {
 
-HandView view_of(const HandScene& scene, const BentHand& hand) {
+HandView view_of(const HandScene& scene, const PosedHand& hand) {
   return {true_points(scene, hand), scene.lens, scene.camera_rig};
 }
 
@@ -18,7 +19,7 @@ HandView view_of(const HandScene& scene, const BentHand& hand) {
 HandScene shown(Random& random) {
   HandScene scene;
   scene.lens = webcam();
-  BentHand hand = random_hand(random, 0.3, 0.8);
+  PosedHand hand = random_hand(random, 0.3, 0.8);
   hand.size = random.uniform(0.8, 1.15);
   scene.hands = {hand};
   return scene;
@@ -30,7 +31,7 @@ TEST(HandFit, FindsTheHandThatMadeThePoints) {
   constexpr int tries = 200;
   for (int k = 0; k < tries; ++k) {
     const HandScene scene = shown(random);
-    const BentHand& hand = scene.hands[0];
+    const PosedHand& hand = scene.hands[0];
     const HandView view = view_of(scene, hand);
     const auto fit = fit_hand({&view, 1}, {hand.hand, hand.size}, std::nullopt);
     ASSERT_TRUE(fit);
@@ -49,7 +50,7 @@ TEST(HandFit, GoesOnFromWhereTheHandWas) {
   Random random(2);
   for (int k = 0; k < 100; ++k) {
     const HandScene scene = shown(random);
-    const BentHand& hand = scene.hands[0];
+    const PosedHand& hand = scene.hands[0];
     HandFit before{hand.camera_wrist, hand.flexion, 1, 0, true};
     before.wrist.p += random.point(0.01);
     before.wrist.q =
@@ -69,7 +70,7 @@ TEST(HandFit, MeasuresDepthByASecondCamera) {
   double one = 0, two = 0;
   for (int k = 0; k < 60; ++k) {
     HandScene scene = shown(random);
-    const BentHand hand = scene.hands[0];
+    const PosedHand hand = scene.hands[0];
     std::vector<HandView> views;
     for (const double x : {0.0, -0.12}) {
       scene.camera_rig = {Vec3(x, 0, 0), Quat::Identity()};
@@ -91,12 +92,12 @@ TEST(HandFit, MeasuresDepthByASecondCamera) {
 /// An open hand whose palm or back is tilted by so much from straight at the camera, and how networks see it.
 struct OpenHand {
   HandView view;
-  BentHand truth;
+  PosedHand truth;
 };
 
 OpenHand open_hand(Random& random, double tilt, double breadth) {
   OpenHand out;
-  BentHand& hand = out.truth;
+  PosedHand& hand = out.truth;
   hand.hand = random.below(2);
   for (double& bend : hand.flexion) bend = random.uniform(0, 0.15);
   Mat3 upright;  // fingers up
@@ -111,12 +112,12 @@ OpenHand open_hand(Random& random, double tilt, double breadth) {
                         hand.camera_wrist.q * Vec3(0, 0, -0.09);
   out.view.lens = webcam();
   const auto points = points_of_hand(hand.hand, hand.flexion);
-  const double usual_miss = 0.015 * out.view.lens.fx * 0.19 / depth;
+  const double typical_residual = 0.015 * out.view.lens.fx * 0.19 / depth;
   HandDepths depths{};
   for (std::size_t k = 0; k < hand_points; ++k) {
     const Vec3 seen = hand.camera_wrist * Vec3(breadth * points[k].x(), points[k].y(), points[k].z());
-    out.view.points[k] =
-        out.view.lens.project(seen) + usual_miss * Vec2(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7));
+    out.view.points[k] = out.view.lens.project(seen) +
+                         typical_residual * Vec2(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7));
     depths[k] = out.view.lens.fx * (seen.z() - hand.camera_wrist.p.z()) / depth;
   }
   out.view.depths = depths;

@@ -24,7 +24,7 @@ double normal_number(Random& random) {
 }
 
 /// Draws the mean of all rays of each pixel, as light.
-std::vector<Rgb> light_of(const HandScene& scene, const MeshLayer& layer,
+std::vector<Rgb> light_of(const HandScene& scene, const MeshDepthBuffer& layer,
                           const std::vector<Eigen::Vector2f>& rays) {
   std::vector<Rgb> out;
   auto ray = rays.begin();
@@ -32,7 +32,7 @@ std::vector<Rgb> light_of(const HandScene& scene, const MeshLayer& layer,
     for (int x = 0; x < scene.lens.width; ++x) {
       Rgb sum{};
       for (int s = 0; s < side * side; ++s) {
-        const MeshLayer::Hit hit = layer.at(*ray++);
+        const MeshDepthBuffer::Hit hit = layer.at(*ray++);
         const float fade = 1 - 0.3F * static_cast<float>(y) / static_cast<float>(scene.lens.height);
         for (std::size_t c = 0; c < 3; ++c)
           sum[c] += (std::isfinite(hit.depth) ? hit.light[c] : fade * scene.wall[c]) / (side * side);
@@ -61,8 +61,8 @@ Lens webcam() {
   return out;
 }
 
-BentHand random_hand(Random& random, double nearest, double farthest) {
-  BentHand out;
+PosedHand random_hand(Random& random, double nearest, double farthest) {
+  PosedHand out;
   out.hand = random.below(2);
   // Fingers up (the camera's −y), the palm or the back to the camera.
   Mat3 upright;
@@ -81,7 +81,7 @@ BentHand random_hand(Random& random, double nearest, double farthest) {
   return out;
 }
 
-HandScene random_scene(Random& random, const BentHand& hand) {
+HandScene random_scene(Random& random, const PosedHand& hand) {
   HandScene out;
   out.lens = webcam();
   out.hands = {hand};
@@ -99,9 +99,9 @@ HandPainter::HandPainter(const Lens& lens) : lens_(lens), rays_(rays_of(lens)) {
 
 Image HandPainter::paint(const HandScene& scene, Random& random) const {
   if (scene.lens != lens_) throw InternalError("a hand painter draws for one lens");
-  std::vector<BentHand> hands = scene.hands;
-  for (BentHand& hand : hands) hand.camera_wrist = scene.camera_rig * hand.camera_wrist;
-  MeshLayer layer(lens_);
+  std::vector<PosedHand> hands = scene.hands;
+  for (PosedHand& hand : hands) hand.camera_wrist = scene.camera_rig * hand.camera_wrist;
+  MeshDepthBuffer layer(lens_);
   layer_.draw(hands, scene.light, layer);
   Image out{scene.lens.width, scene.lens.height, {}};
   for (const Rgb& light : light_of(scene, layer, rays_))
@@ -112,7 +112,7 @@ Image HandPainter::paint(const HandScene& scene, Random& random) const {
   return out;
 }
 
-std::array<Vec2, 21> true_points(const HandScene& scene, const BentHand& hand) {
+std::array<Vec2, 21> true_points(const HandScene& scene, const PosedHand& hand) {
   std::array<Vec2, 21> out;
   const auto points = points_of_hand(hand.hand, hand.flexion);
   for (std::size_t k = 0; k < out.size(); ++k)
@@ -120,7 +120,7 @@ std::array<Vec2, 21> true_points(const HandScene& scene, const BentHand& hand) {
   return out;
 }
 
-double length_in_picture(const HandScene& scene, const BentHand& hand) {
+double length_in_picture(const HandScene& scene, const PosedHand& hand) {
   const Vec3 middle = scene.camera_rig * hand.camera_wrist * Vec3(0, 0, -0.09);
   return scene.lens.fx * hand_length * hand.size / middle.z();
 }

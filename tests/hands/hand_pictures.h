@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "common/image.h"
-#include "drivers/camera/lens.h"
-#include "drivers/camera/synthetic/hand_layer.h"
+#include "drivers/camera/base/lens.h"
 #include "tests/random.h"
+#include "twins/camera/hand_layer.h"
 
 namespace prosector {
 
 struct HandScene {
   Lens lens;
   Pose camera_rig;  // what the hands' poses are in, in the camera's frame
-  std::vector<BentHand> hands;
+  std::vector<PosedHand> hands;
   Lamp light;
   Rgb wall = {0.3F, 0.32F, 0.35F};
   double noise = 3;  // of 255
@@ -25,10 +25,10 @@ Lens webcam();
 
 /// Returns a hand in a likely pose before the camera: its palm or back shown, turned up to 40° about each
 /// axis.
-BentHand random_hand(Random& random, double nearest, double farthest);
+PosedHand random_hand(Random& random, double nearest, double farthest);
 
 /// Returns a lamp, a wall and a tone of skin at random.
-HandScene random_scene(Random& random, const BentHand& hand);
+HandScene random_scene(Random& random, const PosedHand& hand);
 
 class HandPainter {
  public:
@@ -39,13 +39,13 @@ class HandPainter {
  private:
   Lens lens_;
   std::vector<Eigen::Vector2f> rays_;  // directions, several a pixel
-  HandLayer layer_;
+  HandRenderer layer_;
 };
 
 /// Returns where the camera sees a hand's points.
-std::array<Vec2, 21> true_points(const HandScene& scene, const BentHand& hand);
+std::array<Vec2, 21> true_points(const HandScene& scene, const PosedHand& hand);
 
 /// Returns the hand's length in the picture when it lies flat before the camera, pixels.
-double length_in_picture(const HandScene& scene, const BentHand& hand);
+double length_in_picture(const HandScene& scene, const PosedHand& hand);
 
 }  // namespace prosector

@@ -7,8 +7,7 @@
 
 #include "drivers/camera/hands/hand_fit.h"
 #include "drivers/camera/hands/hand_tracker.h"
-#include "drivers/device.h"
-#include "drivers/hidden_bends.h"
+#include "drivers/device/gesture_flexions.h"
 #include "tests/gesture_bends.h"
 #include "tests/real_data.h"
 
@@ -23,7 +22,7 @@ double thread_ms() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-Vec3 palm_middle(const BentHand& hand) {
+Vec3 palm_middle(const PosedHand& hand) {
   return hand.camera_wrist * Vec3(hand.size * hand_palm(hand.hand).center);
 }
 
@@ -53,7 +52,7 @@ class TrialRun {
 
   /// Shows a picture. Returns how the hand is taken to be, where it is.
   std::optional<HandFit> show(HandScene scene) {
-    const BentHand& hand = scene.hands[0];
+    const PosedHand& hand = scene.hands[0];
     ++trial.pictures;
     std::vector<HandView> views;
     bool right_side = true;
@@ -62,7 +61,7 @@ class TrialRun {
       scene.camera_rig = eye.camera_rig;
       const Image image = painter_.paint(scene, random_);
       const double start = thread_ms();
-      const std::vector<FoundHand>& found = eye.finder.find(image);
+      const std::vector<DetectedHand>& found = eye.finder.find(image);
       find_ms += thread_ms() - start;
       if (found.empty()) continue;
       views.push_back({found[0].points, scene.lens, eye.camera_rig, found[0].depths});
@@ -85,7 +84,7 @@ class TrialRun {
   HandTrial trial;
 
  private:
-  void judge_points(const HandScene& scene, const BentHand& hand, const HandPoints& points) {
+  void judge_points(const HandScene& scene, const PosedHand& hand, const HandPoints& points) {
     const auto truth = true_points(scene, hand);
     const double length = length_in_picture(scene, hand);
     double sum = 0;
@@ -96,7 +95,7 @@ class TrialRun {
     for (std::size_t k = 0; k < hand_points; ++k) trial.points.add((points[k] - truth[k]).norm() / length);
   }
 
-  void judge_fit(const BentHand& hand, const HandFit& fit) {
+  void judge_fit(const PosedHand& hand, const HandFit& fit) {
     ++trial.sure;
     const Vec3 off = fit.wrist * Vec3(hand.size * hand_palm(hand.hand).center) - palm_middle(hand);
     trial.lateral.add(off.head<2>().norm());
@@ -135,14 +134,13 @@ class GestureMaker {
     constexpr int open_pictures = 6, moving = 4, held = 4;
     Random random(seed);
     HandScene scene = random_scene(random, random_hand(random, 0.35, 0.6));
-    BentHand& hand = scene.hands[0];
+    PosedHand& hand = scene.hands[0];
     std::array<double, fingers> made = bends_of(row);
     for (double& bend : made) bend += random.uniform(-0.05, 0.1);
-    DeviceConfig config;
-    config.pinch = true;
-    std::array<GestureDetector, 2> detectors{GestureDetector(thresholds_of(config)),
-                                             GestureDetector(thresholds_of(config))};
-    tracker_.set_eye(0, {scene.lens, {}});
+    GestureThresholds thresholds;
+    thresholds.pinch = true;
+    std::array<GestureDetector, 2> detectors{GestureDetector(thresholds), GestureDetector(thresholds)};
+    tracker_.set_camera_setup(0, {scene.lens, {}});
     now_ns_ += 1'000'000'000;
     Gesture told = Gesture::none;
     bool right_side = false;
@@ -154,7 +152,7 @@ class GestureMaker {
       if (k == 0 || (k >= open_pictures && rested != 1 && rested != 3)) image = painter_.paint(scene, random);
       now_ns_ += 33'333'333;
       for (const TrackedHand& tracked : tracker_.see(0, {image, now_ns_, 0})) {
-        told = detectors[tracked.hand].update(bends_for_gestures(tracked.flexion));
+        told = detectors[tracked.hand].update(gesture_flexions(tracked.flexion));
         right_side = tracked.hand == hand.hand;
       }
       if (rested < 0) continue;
@@ -199,7 +197,7 @@ HandTrial first_sight(const std::filesystem::path& nets, HandNets size, const Ha
 HandTrial followed_hand(const std::filesystem::path& nets, HandNets size, const HandPainter& painter,
                         std::size_t pictures, std::size_t cameras, unsigned seed) {
   TrialRun run(nets, size, painter, cameras, seed);
-  BentHand hand = random_hand(run.random(), 0.35, 0.7);
+  PosedHand hand = random_hand(run.random(), 0.35, 0.7);
   HandScene scene = random_scene(run.random(), hand);
   std::array<Swing, 6> ways;
   for (std::size_t k = 0; k < 3; ++k) ways[k] = random_swing(run.random(), -0.04, 0.04);
@@ -210,7 +208,7 @@ HandTrial followed_hand(const std::filesystem::path& nets, HandNets size, const 
   const Pose start = hand.camera_wrist;
   for (std::size_t k = 0; k < pictures; ++k) {
     const double t = static_cast<double>(k) / 30;
-    BentHand& shown = scene.hands[0];
+    PosedHand& shown = scene.hands[0];
     shown.camera_wrist.p = start.p + Vec3(ways[0].at(t), ways[1].at(t), ways[2].at(t));
     shown.camera_wrist.q = (Quat(Eigen::AngleAxisd(ways[3].at(t), Vec3::UnitX())) *
                             Eigen::AngleAxisd(ways[4].at(t), Vec3::UnitY()) *

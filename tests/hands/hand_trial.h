@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/hand_pose.h"
 #include "drivers/camera/hands/hand_finder.h"
 #include "tests/hands/hand_pictures.h"
 

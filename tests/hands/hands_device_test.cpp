@@ -1,6 +1,6 @@
 // Bare hands as a device: what comes of pictures in a row, of two cameras, of a synthetic camera in real
 // time.
-#include "drivers/camera/hands/hands_device.h"
+#include "drivers/camera/devices/hands_device.h"
 
 #include <gtest/gtest.h>
 
@@ -44,12 +44,12 @@ class BareHands : public testing::Test {
   std::filesystem::path nets_ = fetched_nets();
   Random random_{31};
   HandScene scene_;
-  BentHand hand_;
+  PosedHand hand_;
 };
 
 TEST_F(BareHands, RestWhereTheyAre) {
   HandTracker tracker(nets_, HandNets::full, 1);
-  tracker.set_eye(0, {webcam(), {}});
+  tracker.set_camera_setup(0, {webcam(), {}});
   std::vector<Vec3> places;
   for (std::uint64_t k = 0; k < 20; ++k) {
     const auto hands = tracker.see(0, frame(k));
@@ -76,9 +76,9 @@ TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
   for (const double turn : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(turn, Vec3(1, 1, 0).normalized())) * upright).normalized();
     HandTracker one(nets_, HandNets::full, 1), two(nets_, HandNets::full, 2);
-    one.set_eye(0, {webcam(), {}});
-    two.set_eye(0, {webcam(), {}});
-    two.set_eye(1, {webcam(), second});
+    one.set_camera_setup(0, {webcam(), {}});
+    two.set_camera_setup(0, {webcam(), {}});
+    two.set_camera_setup(1, {webcam(), second});
     for (std::uint64_t k = 0; k < 4; ++k) {
       hand_.camera_wrist.p.z() = 0.45 + 0.005 * static_cast<double>(k);
       EXPECT_TRUE(two.see(1, frame(k, second)).empty() || k == 0)
@@ -102,7 +102,7 @@ TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
 
 TEST_F(BareHands, AreLostWithoutWordsAndFoundAgain) {
   HandTracker tracker(nets_, HandNets::lite, 1);
-  tracker.set_eye(0, {webcam(), {}});
+  tracker.set_camera_setup(0, {webcam(), {}});
   ASSERT_EQ(tracker.see(0, frame(0)).size(), 1u);
   Frame torn = frame(1);
   torn.image.rgb.resize(1000);
@@ -130,7 +130,7 @@ TEST_F(BareHands, StayWhereTheyAreWhileSinglePicturesAreTorn) {
     hand_.flexion.fill(way % 2 == 0 ? 0.1 : 0.8);
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(0.2 * way, Vec3::UnitZ())) * upright).normalized();
     HandTracker tracker(nets_, HandNets::full, 1);
-    tracker.set_eye(0, {webcam(), {}});
+    tracker.set_camera_setup(0, {webcam(), {}});
     const Frame whole = frame(0);
     std::optional<Pose> first;
     for (int k = 0; k < 32; ++k) {
@@ -163,9 +163,9 @@ TEST_F(BareHands, ComeFromASyntheticCameraInRealTime) {
          "[[hand]]\nmotion = \"bare_hands.csv\"\nstation = 1\n"
          "[[hand]]\nleft = true\nmotion = \"bare_hands.csv\"\nstation = 2\n"
          "[[fault]]\nkind = \"black\"\nfrom = 1\nto = 1.4\n";
-  DeviceConfig config;
-  config.room_device = {Vec3(0, 1.1, 0.55), Quat::Identity()};
-  const auto device = open_hands("synthetic:" + (folder / "bare_hands.toml").string(), config);
+  Placement placement;
+  placement.room_device = {Vec3(0, 1.1, 0.55), Quat::Identity()};
+  const auto device = open_hands("synthetic:" + (folder / "bare_hands.toml").string(), placement, {}, {}, {});
   // Until each hand gave some records, however busy the machine is.
   std::vector<DeviceSample> samples;
   std::array<std::optional<DeviceSample>, 2> last;
@@ -201,7 +201,7 @@ TEST_F(BareHands, ComeFromASyntheticCameraInRealTime) {
 }
 
 TEST_F(BareHands, SayThatTheCameraIsAway) {
-  const auto device = open_hands("/dev/no-such-camera", {});
+  const auto device = open_hands("/dev/no-such-camera", {}, {}, {}, {});
   std::vector<DeviceSample> samples;
   const std::int64_t start = monotonic_ns();
   while (device->status().health != DeviceHealth::absent && seconds_since(start) < 3)
@@ -213,7 +213,8 @@ TEST_F(BareHands, SayThatTheCameraIsAway) {
 }
 
 TEST(HandsDevice, WantsOneCameraOrTwo) {
-  for (const char* path : {"", ",", "0,", "0,1,2"}) EXPECT_THROW(open_hands(path, {}), InputError) << path;
+  for (const char* path : {"", ",", "0,", "0,1,2"})
+    EXPECT_THROW(open_hands(path, {}, {}, {}, {}), InputError) << path;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What rays meet of triangles: the place, the nearer one, its outside.
-#include "drivers/camera/synthetic/mesh_layer.h"
+#include "twins/camera/mesh_layer.h"
 
 #include <gtest/gtest.h>
 
@@ -29,20 +29,21 @@ double met(const Corners& corners, const Vec3& ray) {
   return front && x[0] > 0 && x[1] > 0 && x[0] + x[1] < 1 ? x[2] : INFINITY;
 }
 
-TEST(MeshLayer, MeetsWhatRaysMeet) {
+TEST(MeshDepthBuffer, MeetsWhatRaysMeet) {
   Random random(1);
   int compared = 0, missed = 0;
   for (int k = 0; k < 300; ++k) {
     Corners corners;
     for (auto& x : corners.positions) x = (random.point(0.3) + Vec3(0, 0, 0.6)).cast<float>();
     corners.normals.fill(Eigen::Vector3f(0, 0, -1));
-    MeshLayer layer(400, 400, {-1, -1}, {1, 1});
+    MeshDepthBuffer layer(400, 400, {-1, -1}, {1, 1});
     layer.draw(corners.mesh(), {}, {});
     for (int r = 0; r < 200; ++r) {
       const double a = (static_cast<double>(random.below(400)) + 0.5) / 200 - 1,
                    b = (static_cast<double>(random.below(400)) + 0.5) / 200 - 1;
       const double wanted = met(corners, {a, b, 1});
-      const MeshLayer::Hit hit = layer.at(Eigen::Vector2f(static_cast<float>(a), static_cast<float>(b)));
+      const MeshDepthBuffer::Hit hit =
+          layer.at(Eigen::Vector2f(static_cast<float>(a), static_cast<float>(b)));
       if (std::isfinite(wanted) != std::isfinite(hit.depth)) {
         ++missed;  // at an edge
       } else if (std::isfinite(wanted)) {
@@ -55,7 +56,7 @@ TEST(MeshLayer, MeetsWhatRaysMeet) {
   EXPECT_LT(missed, compared / 50);
 }
 
-TEST(MeshLayer, ShowsTheNearerAndItsOutsideOnly) {
+TEST(MeshDepthBuffer, ShowsTheNearerAndItsOutsideOnly) {
   const auto square = [](float z, bool turned) {
     Corners out;
     out.positions = {Eigen::Vector3f(-1, -1, z), Eigen::Vector3f(-1, 3, z), Eigen::Vector3f(3, -1, z)};
@@ -64,7 +65,7 @@ TEST(MeshLayer, ShowsTheNearerAndItsOutsideOnly) {
     return out;
   };
   for (const bool near_first : {true, false}) {
-    MeshLayer layer(64, 64, {-0.5, -0.5}, {0.5, 0.5});
+    MeshDepthBuffer layer(64, 64, {-0.5, -0.5}, {0.5, 0.5});
     const Corners near = square(0.5F, false), far = square(0.8F, false), behind = square(0.3F, true);
     layer.draw((near_first ? near : far).mesh(), {}, {});
     layer.draw((near_first ? far : near).mesh(), {}, {});
@@ -76,13 +77,13 @@ TEST(MeshLayer, ShowsTheNearerAndItsOutsideOnly) {
   }
 }
 
-TEST(MeshLayer, IsLitByLampAndRoom) {
+TEST(MeshDepthBuffer, IsLitByLampAndRoom) {
   Corners flat;
   flat.positions = {Eigen::Vector3f(-1, -1, 0.5F), Eigen::Vector3f(-1, 3, 0.5F),
                     Eigen::Vector3f(3, -1, 0.5F)};
   flat.normals.fill(Eigen::Vector3f(0, 0, -1));
   for (const double angle : {0.0, 0.7, 1.2, 2.5}) {
-    MeshLayer layer(8, 8, {-0.5, -0.5}, {0.5, 0.5});
+    MeshDepthBuffer layer(8, 8, {-0.5, -0.5}, {0.5, 0.5});
     layer.draw(flat.mesh(), {}, {Vec3(std::sin(angle), 0, -std::cos(angle)), 0.3});
     const double lit = 0.3 + 0.7 * std::max(std::cos(angle), 0.0);
     EXPECT_NEAR(layer.at({0, 0}).light[0], 0.5 * lit, 1e-4);
@@ -90,12 +91,12 @@ TEST(MeshLayer, IsLitByLampAndRoom) {
   }
 }
 
-TEST(MeshLayer, LeavesOutWhatReachesBehindTheCamera) {
+TEST(MeshDepthBuffer, LeavesOutWhatReachesBehindTheCamera) {
   Corners across;
   across.positions = {Eigen::Vector3f(-1, -1, -0.5F), Eigen::Vector3f(-1, 3, 0.5F),
                       Eigen::Vector3f(3, -1, 0.5F)};
   across.normals.fill(Eigen::Vector3f(0, 0, -1));
-  MeshLayer layer(16, 16, {-1, -1}, {1, 1});
+  MeshDepthBuffer layer(16, 16, {-1, -1}, {1, 1});
   layer.draw(across.mesh(), {}, {});
   for (float a = -0.9F; a < 1; a += 0.2F) EXPECT_TRUE(std::isinf(layer.at({a, a}).depth));
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "drivers/camera/hands/net_file.h"
-#include "drivers/camera/hands/network.h"
+#include "drivers/camera/nets/net_file.h"
+#include "drivers/camera/nets/network.h"
 #include "tests/hands/reference_net.h"
 #include "tests/real_data.h"
 

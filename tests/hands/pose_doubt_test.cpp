@@ -1,5 +1,5 @@
 // A hand that turns over in a picture or two is not believed; one that moves as hands do always is.
-#include "drivers/camera/hands/pose_doubt.h"
+#include "drivers/camera/hands/jump_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ Quat turned(double angle, const Vec3& axis) {
   return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
-TEST(PoseDoubt, BelievesWhateverHandsDo) {
+TEST(JumpFilter, BelievesWhateverHandsDo) {
   Random random(1);
   for (int way = 0; way < 200; ++way) {
-    PoseDoubt doubt;
+    JumpFilter doubt;
     Pose palm{random.point(0.5), turned(random.uniform(0, 3), random.point(1))};
     std::int64_t time = 5;
     for (int k = 0; k < 40; ++k) {
-      EXPECT_TRUE(doubt.believes(palm, time)) << way << " " << k;
+      EXPECT_TRUE(doubt.accepts_pose(palm, time)) << way << " " << k;
       const double seconds = random.uniform(0.01, 0.07);
       time += static_cast<std::int64_t>(1e9 * seconds);
       palm.p += 4 * seconds * random.point(1).normalized();
@@ -28,10 +28,10 @@ TEST(PoseDoubt, BelievesWhateverHandsDo) {
   }
 }
 
-TEST(PoseDoubt, PassesOverHandsThatTurnOverOrLeapForLessThanThreePictures) {
+TEST(JumpFilter, PassesOverHandsThatTurnOverOrLeapForLessThanThreePictures) {
   Random random(2);
   for (int way = 0; way < 200; ++way) {
-    PoseDoubt doubt;
+    JumpFilter doubt;
     const Pose palm{random.point(0.5), turned(random.uniform(0, 3), random.point(1))};
     Pose stray = palm;
     if (way % 2 == 0)
@@ -40,21 +40,22 @@ TEST(PoseDoubt, PassesOverHandsThatTurnOverOrLeapForLessThanThreePictures) {
       stray.p += random.uniform(0.6, 1) * random.point(1).normalized();
     std::int64_t time = 0;
     for (int k = 0; k < 30; ++k, time += 33'000'000)
-      EXPECT_EQ(doubt.believes(k % 5 == 3 || k % 10 == 4 ? stray : palm, time), k % 5 != 3 && k % 10 != 4);
-    for (int k = 0; k < 5; ++k, time += 33'000'000) EXPECT_EQ(doubt.believes(stray, time), k >= 2) << k;
+      EXPECT_EQ(doubt.accepts_pose(k % 5 == 3 || k % 10 == 4 ? stray : palm, time),
+                k % 5 != 3 && k % 10 != 4);
+    for (int k = 0; k < 5; ++k, time += 33'000'000) EXPECT_EQ(doubt.accepts_pose(stray, time), k >= 2) << k;
     doubt.forget();
-    EXPECT_TRUE(doubt.believes(palm, time));
+    EXPECT_TRUE(doubt.accepts_pose(palm, time));
   }
 }
 
-TEST(PoseDoubt, BelievesNoneOfPosesThatAreElsewhereEachTime) {
+TEST(JumpFilter, BelievesNoneOfPosesThatAreElsewhereEachTime) {
   Random random(3);
-  PoseDoubt doubt;
+  JumpFilter doubt;
   const Pose palm{Vec3(0, 0, 0.5), Quat::Identity()};
-  EXPECT_TRUE(doubt.believes(palm, 0));
+  EXPECT_TRUE(doubt.accepts_pose(palm, 0));
   for (int k = 1; k < 8; ++k)
-    EXPECT_FALSE(doubt.believes({k % 2 == 0 ? palm.p : Vec3(2, 0, 0.5), turned(2.5, Vec3::Unit(k % 3))},
-                                k * 33'000'000));
+    EXPECT_FALSE(doubt.accepts_pose({k % 2 == 0 ? palm.p : Vec3(2, 0, 0.5), turned(2.5, Vec3::Unit(k % 3))},
+                                    k * 33'000'000));
 }
 
 }  // namespace

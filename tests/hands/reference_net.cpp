@@ -54,7 +54,7 @@ Numbers convolved(const NetPlan& plan, const NetLayer& l, const Picture& in) {
   const Shape& shape = plan.tensors[l.output].shape;
   const bool each = l.kind == LayerKind::depthwise;
   const std::size_t channels = in.shape[3], made = shape[3], wy = filter.shape[1], wx = filter.shape[2];
-  Numbers out(numbers_of(shape));
+  Numbers out(tensor_size(shape));
   if (l.inputs.size() > 2)
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = plan.tensors[l.inputs[2]].values[k % made];
   slide(l, in.shape, shape, wy, wx, [&](std::size_t pixel, long y, long x, std::size_t w) {
@@ -71,7 +71,7 @@ Numbers convolved(const NetPlan& plan, const NetLayer& l, const Picture& in) {
 
 Numbers pooled(const NetPlan& plan, const NetLayer& l, const Picture& in) {
   const Shape& shape = plan.tensors[l.output].shape;
-  Numbers out(numbers_of(shape), -std::numeric_limits<float>::infinity());
+  Numbers out(tensor_size(shape), -std::numeric_limits<float>::infinity());
   slide(l, in.shape, shape, l.window_y, l.window_x, [&](std::size_t pixel, long y, long x, std::size_t) {
     if (!in.inside(y, x)) return;
     for (std::size_t c = 0; c < shape[3]; ++c)
@@ -103,7 +103,7 @@ Numbers resized(const NetPlan& plan, const NetLayer& l, const Picture& in) {
 
 Numbers padded(const NetPlan& plan, const NetLayer& l, const Picture& in) {
   const Shape& shape = plan.tensors[l.output].shape;
-  Numbers out(numbers_of(shape));
+  Numbers out(tensor_size(shape));
   for (std::size_t y = 0; y < in.shape[1]; ++y)
     for (std::size_t x = 0; x < in.shape[2]; ++x)
       for (std::size_t c = 0; c < in.shape[3]; ++c)
@@ -181,7 +181,7 @@ class NetMaker {
   }
   std::size_t constant(Shape shape, double reach) {
     const std::size_t out = open(std::move(shape));
-    for (std::size_t k = 0; k < numbers_of(plan.tensors[out].shape); ++k)
+    for (std::size_t k = 0; k < tensor_size(plan.tensors[out].shape); ++k)
       plan.tensors[out].values.push_back(static_cast<float>(random_.uniform(-reach, reach)));
     return out;
   }
@@ -250,7 +250,7 @@ NetPlan random_net(Random& random) {
   const std::size_t pixels = doubled[1] * doubled[2] * (channels + 2);
   const std::size_t flat = net.add({.kind = LayerKind::reshape, .inputs = {x}}, {1, pixels, 1});
   const std::size_t small = net.slide(LayerKind::convolution, x, 4, 1, Activation::none);
-  const std::size_t rest = numbers_of(net.shape(small));
+  const std::size_t rest = tensor_size(net.shape(small));
   const std::size_t other = net.add({.kind = LayerKind::reshape, .inputs = {small}}, {1, rest, 1});
   net.plan.outputs.push_back(
       net.add({.kind = LayerKind::concatenation, .inputs = {flat, other}}, {1, pixels + rest, 1}));

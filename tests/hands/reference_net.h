@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "drivers/camera/hands/net_plan.h"
+#include "drivers/camera/nets/net_plan.h"
 #include "tests/random.h"
 
 namespace prosector {

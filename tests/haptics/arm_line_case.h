@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "drivers/arm.h"
+#include "drivers/device/arm.h"
 #include "tests/haptics/press_case.h"
 
 namespace prosector {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "drivers/arm.h"
+#include "drivers/device/arm.h"
 #include "tests/folders.h"
 
 namespace prosector {

@@ -1,5 +1,5 @@
 // The driver of Force Dimension's arms, at a library with the same functions.
-#include "drivers/dhd.h"
+#include "drivers/arms/dhd.h"
 
 #include <limits>
 
@@ -87,7 +87,7 @@ TEST_F(DhdDriver, WhileItIsCalibratedItIsNowhere) {
   twin_.faults.needs_calibration = true;
   EXPECT_FALSE(go(0.1, {1, 0, 0}).valid);
   EXPECT_EQ(twin_.arm()->model().force(), Vec3::Zero());
-  EXPECT_TRUE(says("place of rest")) << message();
+  EXPECT_TRUE(says("rest position")) << message();
   twin_.faults.needs_calibration = false;
   expect_there(go(0.1));
 }
@@ -114,7 +114,7 @@ TEST_F(DhdDriver, UnpluggedItIsLostAndComesBackByItself) {
   EXPECT_FALSE(go(0.01).valid);
   go(1);
   EXPECT_EQ(arm_->status().health, DeviceHealth::absent);
-  EXPECT_TRUE(says("can't be opened")) << message();
+  EXPECT_TRUE(says("cannot be opened")) << message();
   twin_.faults.away = false;
   expect_there(go(2));
   EXPECT_EQ(arm_->status().reopens, 1u);
@@ -152,7 +152,7 @@ TEST_F(DhdDriver, SaysWhatIsWrongWithLibraryOrDevice) {
   EXPECT_TRUE(says("'omega' must be the number")) << message();
   arm_ = open("7@" + library_);
   go(0.01);
-  EXPECT_TRUE(says("'7' can't be opened")) << message();
+  EXPECT_TRUE(says("'7' cannot be opened")) << message();
   twin_.faults.version = 9;
   arm_ = open(address_);
   go(0.01);

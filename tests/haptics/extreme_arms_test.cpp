@@ -7,16 +7,17 @@
 #include <limits>
 #include <map>
 
-#include "drivers/dhd.h"
-#include "drivers/hdapi.h"
-#include "drivers/inverse3.h"
-#include "drivers/omni.h"
-#include "drivers/omni_arm_math.h"
-#include "drivers/omni_packets.h"
-#include "drivers/plausible.h"
-#include "drivers/twins/omni_body.h"
-#include "drivers/vrpn_arm.h"
+#include "common/commands.h"
+#include "drivers/arms/dhd.h"
+#include "drivers/arms/hdapi.h"
+#include "drivers/arms/inverse3.h"
+#include "drivers/arms/omni.h"
+#include "drivers/arms/omni_arm_math.h"
+#include "drivers/arms/vrpn_arm.h"
+#include "drivers/device/plausible.h"
+#include "drivers/protocols/omni_packets.h"
 #include "tests/haptics/library_arm_case.h"
+#include "twins/arms/omni_body.h"
 
 namespace prosector {
 namespace {
@@ -70,14 +71,14 @@ Outcome from_inverse3(double extreme) {
   std::int64_t now_ns = 1;
   Inverse3Arm arm({}, [&] { return now_ns; });
   Outcome out;
-  arm.hear(haply_text("0.5"));
+  arm.handle_text(haply_text("0.5"));
   EXPECT_TRUE(arm.read().valid);
   arm.set_force({extreme, -extreme, extreme});
-  const auto force = inverse3::force_of(arm.hear(haply_text("0.5")));
+  const auto force = inverse3::force_of(arm.handle_text(haply_text("0.5")));
   out.force = force ? force->force.norm() : Limits::infinity();
   (void)arm.read();
   const auto before = arm.status().resyncs;
-  arm.hear(haply_text(json(extreme)));
+  arm.handle_text(haply_text(json(extreme)));
   out.valid = arm.read().valid;
   out.counted = arm.status().resyncs - before;
   return out;
@@ -87,7 +88,7 @@ Outcome from_inverse3(double extreme) {
 struct Said {
   vrpn::Bytes to_driver, from_driver;
 };
-class SaidLine final : public ByteLine {
+class SaidLine final : public ByteStream {
  public:
   explicit SaidLine(Said& said) : said_(said) {}
   bool receive(vrpn::Bytes& out) override {

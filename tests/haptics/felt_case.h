@@ -32,13 +32,13 @@ struct FeltCase {
       step(input);
     }
   }
-  Vec3 told_force() const {
+  Vec3 reported_force() const {
     Vec3 out = Vec3::Zero();
     for (const ContactPlane& plane : last.planes) out += plane.force;
     return out;
   }
   /// N/m: how the force along `direction` (unit) grows as the hand goes against it.
-  double told_stiffness(const Vec3& direction = Vec3::UnitY()) const {
+  double reported_stiffness(const Vec3& direction = Vec3::UnitY()) const {
     double out = 0;
     for (const ContactPlane& plane : last.planes) {
       const double along = std::pow(plane.normal.dot(direction), 2);

@@ -112,8 +112,8 @@ TEST_F(Felt, FarFromAllNothingIsTold) {
 TEST_F(Felt, ForceIsWhatTheContactDoes) {
   press(-0.006);
   const Vec3 contact = simulation.hands()[0].contact.force;  // on the body
-  EXPECT_GT(told_force().y(), 0.5);
-  EXPECT_NEAR((told_force() + contact).norm(), 0, 0.02 * contact.norm());
+  EXPECT_GT(reported_force().y(), 0.5);
+  EXPECT_NEAR((reported_force() + contact).norm(), 0, 0.02 * contact.norm());
 }
 
 TEST_F(Felt, ThePlaneIsWhereTheArmIs) {
@@ -126,10 +126,10 @@ TEST_F(Felt, ThePlaneIsWhereTheArmIs) {
 
 TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
   press(-0.006);
-  const double told = told_stiffness();
-  const double before = told_force().y();
+  const double told = reported_stiffness();
+  const double before = reported_force().y();
   press(-0.0065);
-  const double slope = (told_force().y() - before) / 0.0005;
+  const double slope = (reported_force().y() - before) / 0.0005;
   EXPECT_NEAR(told / slope, 1, 0.11) << "of " << slope << " N/m";
 }
 
@@ -221,9 +221,9 @@ TEST(FeltSheet, StiffnessIsTheSlopeOfForceOverWay) {
     c.settle(moved(to, 40));
   };
   press(0.02, -0.015);
-  const double told = c.told_stiffness(), before = c.told_force().y();
+  const double told = c.reported_stiffness(), before = c.reported_force().y();
   press(-0.015, -0.0155);
-  const double slope = (c.told_force().y() - before) / 5e-4;
+  const double slope = (c.reported_force().y() - before) / 5e-4;
   EXPECT_GT(before, 0.5);
   EXPECT_NEAR(told / slope, 1, 0.15) << "of " << slope << " N/m";
 }

@@ -18,7 +18,7 @@ constexpr double approach = 0.01;                              // m: where the h
 constexpr double approach_time = 0.3;                          // s
 constexpr double swing = 0.3;                                  // of the depth
 constexpr double felt_at_all = 0.05;                           // N
-constexpr double told_from = 0.05;                             // m: how far off the tissue is told of
+constexpr double plane_distance = 0.05;                        // m: how far off the tissue is told of
 
 /// Messages that are under way. An overtaken one is dropped, as best effort does.
 template <class T>
@@ -80,12 +80,12 @@ using Planes = std::vector<ContactPlane>;
 
 Planes tell(const HapticScheme& scheme, const HapticCase& test, double place, double speed) {
   const double depth = -place;
-  if (test.free || depth < (scheme.before_contact ? -told_from : 0)) return {};
+  if (test.free || depth < (scheme.before_contact ? -plane_distance : 0)) return {};
   ContactPlane plane;
   plane.id = 1;
   plane.normal = Vec3::UnitX();
   plane.stiffness =
-      scheme.told_stiffness < 0 ? -scheme.told_stiffness * test.stiffness : scheme.told_stiffness;
+      scheme.reported_stiffness < 0 ? -scheme.reported_stiffness * test.stiffness : scheme.reported_stiffness;
   plane.tangential = plane.stiffness;
   plane.damping = test.tissue_damping;
   plane.radius = 0.01;

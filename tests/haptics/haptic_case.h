@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "client/haptics/haptic_loop.h"
-#include "drivers/omni.h"
-#include "drivers/twins/arm_model.h"
+#include "drivers/arms/omni.h"
+#include "twins/arms/arm_model.h"
 
 namespace prosector {
 
@@ -21,8 +21,8 @@ struct LineQuality {
 struct HapticScheme {
   const char* name;
   const char* help;
-  double told_stiffness;  // N/m, of planes; below 0: times the tissue's own, negated
-  bool before_contact;    // planes are told of before they are reached
+  double reported_stiffness;  // N/m, of planes; below 0: times the tissue's own, negated
+  bool before_contact;        // planes are told of before they are reached
   Safeguards safeguards;
 };
 

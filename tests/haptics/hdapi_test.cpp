@@ -1,5 +1,5 @@
 // The driver of OpenHaptics' arms, at a library with the same functions.
-#include "drivers/hdapi.h"
+#include "drivers/arms/hdapi.h"
 
 #include "tests/haptics/library_arm_case.h"
 
@@ -67,7 +67,7 @@ TEST_F(HdapiDriver, AForceThatIsRefusedBeginsAtNothingAgain) {
   go(1);
   twin_.faults.force_error = hdapi::exceeded_max_force;
   EXPECT_FALSE(go(0.01, {1, 0, 0}).valid);
-  EXPECT_TRUE(says("refused")) << message();
+  EXPECT_TRUE(says("rejected")) << message();
   EXPECT_TRUE(says("0201")) << message();
   twin_.faults.force_error = 0;
   expect_there(go(0.01));
@@ -80,7 +80,7 @@ TEST_F(HdapiDriver, UnpluggedItIsLostAndComesBackByItself) {
   EXPECT_FALSE(go(0.01, {1, 0, 0}).valid);
   go(1, {1, 0, 0});
   EXPECT_EQ(arm_->status().health, DeviceHealth::absent);
-  EXPECT_TRUE(says("can't be opened")) << message();
+  EXPECT_TRUE(says("cannot be opened")) << message();
   EXPECT_EQ(twin_.arm()->model().force(), Vec3::Zero());
   twin_.faults.away = false;
   expect_there(go(2));
@@ -110,7 +110,7 @@ TEST_F(HdapiDriver, AServoThatStandsStillIsNoticed) {
   };
   EXPECT_FALSE(wait(25).valid);
   wait(600);
-  EXPECT_TRUE(says("stands still")) << message();
+  EXPECT_TRUE(says("has stopped")) << message();
   expect_there(go(2));
 }
 

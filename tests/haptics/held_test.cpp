@@ -22,8 +22,8 @@ TickInput moved_to(const Vec3& at) {
 void expect_as_on_the_hand(const FeltCase& c, double share) {
   const Vec3 on_bodies = c.simulation.hands()[0].contact.force;
   EXPECT_GT(on_bodies.norm(), 0.1);
-  EXPECT_LT((c.told_force() + on_bodies).norm(), share * on_bodies.norm())
-      << c.told_force().transpose() << " told, " << -on_bodies.transpose() << " there";
+  EXPECT_LT((c.reported_force() + on_bodies).norm(), share * on_bodies.norm())
+      << c.reported_force().transpose() << " told, " << -on_bodies.transpose() << " there";
 }
 
 void go(FeltCase& c, Vec3& at, const Vec3& to, int ticks = 60) {
@@ -51,7 +51,7 @@ TEST(Held, AThingHasItsWeight) {
   ASSERT_TRUE(c.simulation.hands()[0].holding);
   go(c, at, {0, 0.25, 0.03});
   for (int k = 0; k < 120; ++k) c.step(moved_to(at));
-  EXPECT_NEAR(c.told_force().y(), -0.32 * 9.81, 0.02);
+  EXPECT_NEAR(c.reported_force().y(), -0.32 * 9.81, 0.02);
   ASSERT_EQ(c.last.planes.size(), 1u);
   EXPECT_TRUE(c.last.planes[0].holds);
   EXPECT_LT(c.last.planes[0].stiffness, 0.01) << "as heavy wherever it is";
@@ -69,11 +69,11 @@ TEST(Held, WhatAToolPressesIsFelt) {
   go(c, at, at - Vec3(0, 0.02, 0));
   c.settle(moved_to(at));
   expect_as_on_the_hand(c, 0.03);
-  EXPECT_GT(c.told_force().y(), 0.5);
-  const double told = c.told_stiffness(), before = c.told_force().y();
+  EXPECT_GT(c.reported_force().y(), 0.5);
+  const double told = c.reported_stiffness(), before = c.reported_force().y();
   go(c, at, at - Vec3(0, 5e-4, 0));
   c.settle(moved_to(at));
-  const double slope = (c.told_force().y() - before) / 5e-4;
+  const double slope = (c.reported_force().y() - before) / 5e-4;
   EXPECT_NEAR(told / slope, 1, 0.2) << "of " << slope << " N/m";
 }
 
@@ -157,11 +157,11 @@ TEST(Held, TissuePullsBackAsItIsPulled) {
   go(c, at, at + Vec3(0, 0.003, 0));
   c.settle(moved_to(at));
   expect_as_on_the_hand(c, 0.03);
-  EXPECT_LT(c.told_force().y(), -0.3);
-  const double told = c.told_stiffness(), before = c.told_force().y();
+  EXPECT_LT(c.reported_force().y(), -0.3);
+  const double told = c.reported_stiffness(), before = c.reported_force().y();
   go(c, at, at + Vec3(0, 5e-4, 0));
   c.settle(moved_to(at));
-  const double slope = (before - c.told_force().y()) / 5e-4;
+  const double slope = (before - c.reported_force().y()) / 5e-4;
   EXPECT_NEAR(told / slope, 1, 0.2) << "of " << slope << " N/m";
   EXPECT_TRUE(std::any_of(c.last.planes.begin(), c.last.planes.end(),
                           [](const ContactPlane& plane) { return plane.holds; }));

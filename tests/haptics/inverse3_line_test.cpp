@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "common/clock.h"
-#include "drivers/inverse3.h"
-#include "drivers/twins/inverse3_server.h"
+#include "drivers/arms/inverse3.h"
 #include "tests/haptics/arm_line_case.h"
+#include "twins/arms/inverse3_server.h"
 
 namespace prosector {
 namespace {
@@ -60,7 +60,7 @@ TEST(Inverse3Line, SilenceIsSaidAndTriedAnew) {
   ASSERT_TRUE(comes(*arm, valid)) << arm->status().message;
   twin.mute = true;
   ASSERT_TRUE(comes(*arm, [&](const ArmReading& r) {
-    return !r.valid && arm->status().message.find("nothing comes any more") != std::string::npos;
+    return !r.valid && arm->status().message.find("no more data") != std::string::npos;
   })) << arm->status().message;
   twin.mute = false;
   EXPECT_TRUE(comes(*arm, valid)) << arm->status().message;

@@ -1,13 +1,13 @@
 // The driver of Haply's Inverse3: its texts, and a closed loop with its twin in the test's time.
-#include "drivers/inverse3.h"
+#include "drivers/arms/inverse3.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "common/error.h"
-#include "drivers/twins/inverse3_twin.h"
 #include "tests/haptics/press_case.h"
+#include "twins/arms/inverse3_twin.h"
 
 namespace prosector {
 namespace {
@@ -66,7 +66,7 @@ class Inverse3Driver : public testing::Test {
 
   void talk() {
     twin_.advance(now_ns_);
-    twin_.take(arm_.hear(begun_ ? twin_.state() : twin_.begin()));
+    twin_.take(arm_.handle_text(begun_ ? twin_.state() : twin_.begin()));
     begun_ = true;
   }
   ArmReading go(double seconds, const Vec3& force = Vec3::Zero()) {
@@ -91,10 +91,10 @@ TEST_F(Inverse3Driver, APlaneIsFeltAsStiffAsItIs) {
   for (const double stiffness : {300., 1000.}) {
     Inverse3Twin twin({pressing_hand(), 1, 0}, now_ns_);
     Inverse3Arm arm(ArmConfig{pressing_hand().room_arm}, [this] { return now_ns_; });
-    twin.take(arm.hear(twin.begin()));
+    twin.take(arm.handle_text(twin.begin()));
     const auto talk = [&](std::int64_t now) {
       twin.advance(now);
-      twin.take(arm.hear(twin.state()));
+      twin.take(arm.handle_text(twin.state()));
     };
     expect_felt(press(arm, twin.arm(), stiffness, now_ns_, talk), stiffness);
     EXPECT_EQ(twin.bad_texts(), 0u);
@@ -141,7 +141,7 @@ TEST_F(Inverse3Driver, GarbageIsSaidAndGetsNoForce) {
   go(1, {1, 0, 0});
   for (int k = 0; k < 10; ++k) {
     now_ns_ += ms;
-    const auto answer = inverse3::force_of(arm_.hear("{\"inverse3\":[{\"device_id\""));
+    const auto answer = inverse3::force_of(arm_.handle_text("{\"inverse3\":[{\"device_id\""));
     EXPECT_FALSE(answer) << "nobody is told a force";
     EXPECT_FALSE(arm_.read().valid);
     arm_.set_force({1, 0, 0});
@@ -155,12 +155,12 @@ TEST_F(Inverse3Driver, WhateverComesAPoseIsOne) {
     SCOPED_TRACE(seed);
     Inverse3Twin twin({pressing_hand(), seed, 0.3}, now_ns_);
     Inverse3Arm arm(ArmConfig{pressing_hand().room_arm}, [this] { return now_ns_; });
-    twin.take(arm.hear(twin.begin()));
+    twin.take(arm.handle_text(twin.begin()));
     int valid = 0;
     for (int k = 0; k < 3000; ++k) {
       now_ns_ += ms;
       twin.advance(now_ns_);
-      twin.take(arm.hear(twin.state()));
+      twin.take(arm.handle_text(twin.state()));
       arm.set_force({1, 0, 0});
       const ArmReading reading = arm.read();
       if (!reading.valid) continue;

@@ -7,11 +7,11 @@
 #include <random>
 #include <string>
 
-#include "drivers/arm.h"
-#include "drivers/shared_library.h"
-#include "drivers/twins/library_twin.h"
+#include "drivers/device/arm.h"
+#include "drivers/ports/shared_library.h"
 #include "tests/folders.h"
 #include "tests/haptics/press_case.h"
+#include "twins/arms/library_twin.h"
 
 namespace prosector {
 

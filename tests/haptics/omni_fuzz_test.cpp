@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "drivers/omni_packets.h"
-#include "drivers/twins/omni_twin.h"
+#include "drivers/protocols/omni_packets.h"
+#include "twins/arms/omni_twin.h"
 
 namespace prosector {
 namespace {

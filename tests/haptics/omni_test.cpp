@@ -4,10 +4,11 @@
 #include <numbers>
 #include <random>
 
-#include "drivers/omni.h"
-#include "drivers/omni_arm_math.h"
-#include "drivers/twins/omni_twin.h"
+#include "common/commands.h"
+#include "drivers/arms/omni.h"
+#include "drivers/arms/omni_arm_math.h"
 #include "tests/haptics/press_case.h"
+#include "twins/arms/omni_twin.h"
 
 namespace prosector {
 namespace {
@@ -71,7 +72,7 @@ TEST(OmniGeometry, MotorsDoTheWorkOfTheForceOverTheWholeRange) {
   over_joint_range([](const std::array<int, 3>& counts, const Vec3&, std::mt19937_64& random) {
     std::uniform_real_distribution<double> newton(-0.3, 0.3);
     const Vec3 force(newton(random), newton(random), newton(random));
-    const Vec3 torque = omni::torque_of_full_command * omni::commands_for(omni::joints_of(counts), force);
+    const Vec3 torque = omni::full_command_torque * omni::commands_for(omni::joints_of(counts), force);
     for (std::size_t i = 0; i < 3; ++i) {  // each motor turns what its own encoder counts
       std::array<int, 3> more = counts, less = counts;
       ++more[i];
@@ -281,7 +282,7 @@ TEST_F(OmniDriver, SaysWhatIsMissing) {
   faults_.kind = {0x00, 0x99, 0x0b, 0x00};
   go(1);
   EXPECT_EQ(arm_.status().health, DeviceHealth::absent);
-  EXPECT_NE(arm_.status().message.find("no Omni"), std::string::npos);
+  EXPECT_NE(arm_.status().message.find("not an Omni"), std::string::npos);
   faults_.kind = omni_body::register_bytes(omni_body::vendor_register);
   EXPECT_TRUE(go(2).valid);
   faults_.mute = true;

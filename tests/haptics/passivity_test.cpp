@@ -34,12 +34,12 @@ TEST(Passivity, CountsTurnsAgainstATorque) {
   Passivity passivity;
   passivity.observe(Pose{}, 0, 0, dt);
   passivity.applied({Vec3::Zero(), {0, 0, 0.2}});
-  passivity.observe({Vec3::Zero(), turned_by({0, 0, -0.05})}, 1, 0, dt);
+  passivity.observe({Vec3::Zero(), rotated_by({0, 0, -0.05})}, 1, 0, dt);
   EXPECT_NEAR(passivity.book().taken, 0.01, 1e-12);
   passivity.observe(Pose{}, 0, 0, dt);
   EXPECT_NEAR(passivity.book().given, 0.01, 1e-12);
   passivity.applied({Vec3::Zero(), {0, 0, 0.2}});
-  passivity.observe({Vec3::Zero(), turned_by({0, 0, 0.01})}, 0, 0,
+  passivity.observe({Vec3::Zero(), rotated_by({0, 0, 0.01})}, 0, 0,
                     dt);  // it gave 2 mJ that nobody had put in
   const Vec3 spin(0, 0, 2);
   Vec3 torque(0, 0, 0.2);

@@ -166,7 +166,7 @@ TEST(PlaneSet, ARepeatedMessageIsASignOfLifeAndNothingElse) {
   for (; t < 1; t += 0.1) {
     set.take(one, t);
     for (double again = 0.005; again < 0.099; again += 0.005) {
-      set.heard_again(t + again);
+      set.repeat_received(t + again);
       EXPECT_FALSE(set.stale(t + again + 0.015));
     }
   }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "drivers/arm.h"
-#include "drivers/twins/held_arm.h"
+#include "drivers/device/arm.h"
+#include "twins/arms/held_arm.h"
 
 namespace prosector {
 

@@ -8,9 +8,9 @@
 
 #include "client/haptics/haptic_loop.h"
 #include "common/rotation.h"
-#include "drivers/dhd.h"
-#include "drivers/twins/wrist_model.h"
+#include "drivers/arms/dhd.h"
 #include "tests/haptics/haptic_case.h"
+#include "twins/arms/wrist_model.h"
 
 namespace prosector {
 namespace {
@@ -57,7 +57,7 @@ TurnResult turn_into_the_floor(double stiffness, const HandImpedance& hand, bool
     wrist.set_torque(loop.torque());
     const double share = std::clamp(t - 1, 0., 1.), before = turn(Quat::Identity(), wrist.orientation()).x();
     arm.advance(dt, Vec3::Zero(), Vec3::Zero());
-    wrist.advance(dt, turned_by({share * aimed_turn, 0, 0}));
+    wrist.advance(dt, rotated_by({share * aimed_turn, 0, 0}));
     const double now = turn(Quat::Identity(), wrist.orientation()).x();
     unshown -= (lever * std::cos(now) * arm.force().y() - wrist.torque().x()) * (now - before);
     out.least_energy = std::min(out.least_energy, arm.energy() + wrist.energy() + unshown);
@@ -109,7 +109,7 @@ TEST(Torque, WhereNoMotorTurnsTheStylusTurningIsNoEnergyThatIsMissing) {
     if (k % cycles_a_message == 0) loop.take({&plane, 1}, t);
     ArmReading reading;
     reading.valid = true;
-    reading.stylus = {Vec3::Zero(), turned_by({angle, 0, 0})};
+    reading.stylus = {Vec3::Zero(), rotated_by({angle, 0, 0})};
     felt = loop.cycle(reading, t + dt).y();
     EXPECT_EQ(loop.torque(), Vec3::Zero());
     expected = 500 * lever * std::sin(-angle);
@@ -133,7 +133,7 @@ TEST(Torque, ForceActsAtTheStylusPointHoweverFarThatIsFromTheWrist) {
   for (int k = 0; k < 3000; ++k) {
     const double t = k * dt;
     if (k % cycles_a_message == 0) loop.take({&weight, 1}, t);
-    const Quat q = turned_by({0.3 * std::sin(3 * t), 0, 0});
+    const Quat q = rotated_by({0.3 * std::sin(3 * t), 0, 0});
     ArmReading reading;
     reading.valid = reading.turns = true;
     reading.stylus = {-(q * grip), q};

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "common/clock.h"
-#include "drivers/twins/vrpn_server.h"
-#include "drivers/vrpn_arm.h"
+#include "drivers/arms/vrpn_arm.h"
 #include "tests/haptics/arm_line_case.h"
+#include "twins/arms/vrpn_server.h"
 
 namespace prosector {
 namespace {

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "common/error.h"
-#include "drivers/twins/vrpn_twin.h"
-#include "drivers/vrpn_arm.h"
+#include "drivers/arms/vrpn_arm.h"
 #include "tests/haptics/press_case.h"
+#include "twins/arms/vrpn_twin.h"
 
 namespace prosector {
 namespace {
@@ -71,7 +71,7 @@ struct NetFaults {
 };
 
 /// A line to a twin in the same process.
-class NetLine final : public ByteLine {
+class NetLine final : public ByteStream {
  public:
   NetLine(VrpnTwin& twin, NetFaults& faults, const std::int64_t& now_ns)
       : twin_(twin), faults_(faults), now_ns_(now_ns) {}
@@ -116,8 +116,8 @@ class VrpnDriver : public testing::Test {
   static VrpnTwinOptions options(std::uint64_t seed, double garbage = 0) {
     return {pressing_hand(), "Arm0", seed, garbage};
   }
-  std::function<std::unique_ptr<ByteLine>()> line(VrpnTwin& twin) {
-    return [this, &twin]() -> std::unique_ptr<ByteLine> {
+  std::function<std::unique_ptr<ByteStream>()> line(VrpnTwin& twin) {
+    return [this, &twin]() -> std::unique_ptr<ByteStream> {
       if (net_.away) throw InputError("lab:3883: Connection refused");
       return std::make_unique<NetLine>(twin, net_, now_ns_);
     };
@@ -189,9 +189,9 @@ TEST_F(VrpnDriver, ReadsPlaceTurnAndButtonsAndSetsForces) {
 
 TEST_F(VrpnDriver, MotorsThatRestAreToldAsHot) {
   go(0.1);
-  twin_.complain(vrpn::duty_cycle_error);
+  twin_.queue_error_code(vrpn::duty_cycle_error);
   EXPECT_TRUE(go(0.002).hot);
-  twin_.complain(vrpn::no_force_error);
+  twin_.queue_error_code(vrpn::no_force_error);
   EXPECT_FALSE(go(0.002).hot);
 }
 
@@ -215,7 +215,7 @@ TEST_F(VrpnDriver, SilenceIsNoPoseAndTriedAnew) {
   EXPECT_FALSE(go(0.2).valid);
   EXPECT_EQ(arm_.status().health, DeviceHealth::silent);
   go(3);
-  EXPECT_TRUE(says("says nothing")) << arm_.status().message;
+  EXPECT_TRUE(says("no longer sends data")) << arm_.status().message;
   net_.mute = false;
   expect_there(go(1));
 }

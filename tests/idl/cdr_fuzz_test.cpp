@@ -70,7 +70,7 @@ void fuzz(dds_entity_t participant, const Message& valid, std::mt19937_64& rando
   const Entity topic(dds_create_topic(participant, codec.descriptor, topics[index].name, nullptr, nullptr),
                      "topic");
   TopicSpec spec = topics[index];
-  spec.reliable = spec.kept_for_late = true;
+  spec.reliable = spec.transient_local = true;
   const Entity reader(dds_create_reader(participant, topic.get(), endpoint_qos(spec).get(), nullptr),
                       "reader");
   const Entity writer(dds_create_writer(participant, topic.get(), endpoint_qos(spec).get(), nullptr),

@@ -16,7 +16,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "idl/session_watch.h"
+#include "idl/host_conflict_monitor.h"
 #include "idl/topics.h"
 #include "tests/dds_domains.h"
 #include "tests/folders.h"
@@ -85,7 +85,7 @@ TEST(CycloneBus, ServerIndexTakenIsAnInputError) {
   EXPECT_THROW(join(BusEnd::server, test::dds_domain::cyclone_bus + 1), InputError);
   BusConfig config;
   config.domain = test::dds_domain::cyclone_bus + 1;
-  EXPECT_EQ(free_server_index(config), 1u);
+  EXPECT_EQ(find_free_server_index(config), 1u);
 }
 
 TEST(CycloneBus, SessionsAreListedAndProbed) {
@@ -102,9 +102,9 @@ TEST(CycloneBus, SessionsAreListedAndProbed) {
   EXPECT_EQ(sessions[0].session, "first");
   EXPECT_EQ(sessions[1].session, "second");
   config.session = "second";
-  EXPECT_TRUE(SessionWatch(config).other(1s).has_value());
+  EXPECT_TRUE(HostConflictMonitor(config).other(1s).has_value());
   config.session = "third";
-  EXPECT_FALSE(SessionWatch(config).other(400ms).has_value());
+  EXPECT_FALSE(HostConflictMonitor(config).other(400ms).has_value());
 }
 
 TEST(CycloneBus, LeavingIsHeard) {

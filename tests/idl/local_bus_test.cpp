@@ -43,11 +43,7 @@ std::vector<std::uint64_t> arriving_ticks(const LocalNetworkConfig& network_conf
 }
 
 Command grasp_number(std::uint64_t sequence) {
-  Command command;
-  command.participant = 7;
-  command.sequence = sequence;
-  command.kind = CommandKind::grasp;
-  return command;
+  return {7, sequence, Grasp{}};
 }
 
 TEST(LocalBus, EveryTopicArrivesAtTheEndsThatReadIt) {
@@ -121,9 +117,9 @@ TEST(LocalBus, LateJoinerGetsWhatIsKept) {
   std::vector<Received> received;
   late->take(received);
   std::size_t kept = 0;
-  for (const TopicSpec& spec : topics) kept += spec.writers == Writers::server && spec.kept_for_late;
+  for (const TopicSpec& spec : topics) kept += spec.writers == Writers::server && spec.transient_local;
   EXPECT_EQ(received.size(), kept);
-  for (const Received& r : received) EXPECT_TRUE(topics[r.message.index()].kept_for_late);
+  for (const Received& r : received) EXPECT_TRUE(topics[r.message.index()].transient_local);
 }
 
 TEST(LocalBus, SlowReaderSeesTheNewestOfEachInstance) {
@@ -173,7 +169,7 @@ TEST(LocalBus, FloodsAreCutToTheRateOfTheTopic) {
     taken += received.size();
   }
   EXPECT_NEAR(static_cast<double>(taken), 50 + 2 * 50, 3);
-  EXPECT_EQ(server->counters().dropped.at("Command: too many a second"), 2000 - taken);
+  EXPECT_EQ(server->counters().dropped.at("Command: too many per second"), 2000 - taken);
 }
 
 TEST(LocalBus, SecondServerWithTheSameIndexIsRefused) {

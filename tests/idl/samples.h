@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/messages.h"
+#include "idl/message.h"
 
 namespace prosector {
 

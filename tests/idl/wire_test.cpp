@@ -129,19 +129,33 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<HandInput>("next gesture", [](HandInput& m) { m.hands[1].gesture = static_cast<Gesture>(12); }),
       spoiled<UserState>("NaN position", [](UserState& m) { m.hands[0].pose.p.x() = nan; }),
       spoiled<Command>("nobody", [](Command& m) { m.participant = 0; }),
-      spoiled<Command>("kind", [](Command& m) { m.kind = static_cast<CommandKind>(99); }),
-      spoiled<Command>("third hand", [](Command& m) { m.hand = 2; }),
-      spoiled<Command>("body", [](Command& m) { m.body = max_bodies; }),
-      spoiled<Command>("role", [](Command& m) { m.role = static_cast<Role>(3); }),
-      spoiled<Command>("control", [](Command& m) { m.control = static_cast<PanelControl>(6); }),
-      spoiled<Command>("value", [](Command& m) { m.value = 1.5; }),
-      spoiled<Command>("pace", [](Command& m) { m.kind = CommandKind::set_pace, m.value = most_pace + 1; }),
+      spoiled<Command>("third hand", [](Command& m) { m.body = Grasp{2}; }),
+      spoiled<Command>("body", [](Command& m) { m.body = Detach{max_bodies}; }),
+      spoiled<Command>("role",
+                       [](Command& m) {
+                         m.body = SetRole{7, static_cast<Role>(3)};
+                       }),
+      spoiled<Command>("control",
+                       [](Command& m) {
+                         m.body = SetControl{static_cast<PanelControl>(6), 0};
+                       }),
+      spoiled<Command>("value",
+                       [](Command& m) {
+                         m.body = SetControl{PanelControl::stiffness, 1.5};
+                       }),
+      spoiled<Command>("pace", [](Command& m) { m.body = SetPace{max_pace + 1}; }),
       spoiled<Command>("accuracy",
-                       [](Command& m) { m.kind = CommandKind::set_accuracy, m.value = most_accuracy + 1; }),
-      spoiled<Command>("value NaN", [](Command& m) { m.value = nan; }),
-      spoiled<Command>("flattened", [](Command& m) { m.shape.A.row(1).setZero(); }),
-      spoiled<Command>("blown up", [](Command& m) { m.shape.A *= 1e9; }),
-      spoiled<Command>("shape NaN", [](Command& m) { m.shape.A(2, 1) = nan; }),
+                       [](Command& m) {
+                         m.body = SetAccuracy{1, max_accuracy + 1};
+                       }),
+      spoiled<Command>("value NaN", [](Command& m) { m.body = SetPace{nan}; }),
+      spoiled<Command>("flattened", [](Command& m) { std::get<Inspect>(m.body).shape.A.row(1).setZero(); }),
+      spoiled<Command>("blown up", [](Command& m) { std::get<Inspect>(m.body).shape.A *= 1e9; }),
+      spoiled<Command>("shape NaN", [](Command& m) { std::get<Inspect>(m.body).shape.A(2, 1) = nan; }),
+      spoiled<Command>("panel far away",
+                       [](Command& m) {
+                         m.body = OpenPanel{1, PanelPlacement::put, {0, 1e6, 0}};
+                       }),
       spoiled<CommandResult>("long reason", [](CommandResult& m) { m.reason.assign(1024, 'x'); }),
       spoiled<SceneInfo>(
           "parent of none",
@@ -197,7 +211,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<TopologyRevision>("cause",
                                 [](TopologyRevision& m) { m.cause = static_cast<TopologyCause>(4); }),
       spoiled<TopologyRevision>("piece of −2", [](TopologyRevision& m) { m.piece_of = -2; }),
-      spoiled<TopologyRevision>("half a keyframe", [](TopologyRevision& m) { m.map = {}; }),
+      spoiled<TopologyRevision>("incomplete keyframe", [](TopologyRevision& m) { m.map = {}; }),
       spoiled<TopologyRevision>("point NaN",
                                 [](TopologyRevision& m) { m.patch.points[1].now.x() = std::nanf(""); }),
       spoiled<TopologyRevision>("vertex far",
@@ -236,14 +250,14 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Panel>("pose", [](Panel& m) { m.pose.p.z() = nan; }),
       spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
       spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
-      spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 2 * most_pace; }),
+      spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 2 * max_pace; }),
       spoiled<Presence>("three arms", [](Presence& m) { m.arms = 4; }),
       spoiled<FeltPlanes>("nobody", [](FeltPlanes& m) { m.participant = 0; }),
       spoiled<FeltPlanes>("third hand", [](FeltPlanes& m) { m.hand = 2; }),
       spoiled<FeltPlanes>("too many planes", [](FeltPlanes& m) { m.planes.resize(5, m.planes[0]); }),
       spoiled<FeltPlanes>("body", [](FeltPlanes& m) { m.planes[1].body = max_bodies; }),
       spoiled<FeltPlanes>("point", [](FeltPlanes& m) { m.planes[0].point.y() = nan; }),
-      spoiled<FeltPlanes>("off the hand", [](FeltPlanes& m) { m.planes[0].arm.x() = 2; }),
+      spoiled<FeltPlanes>("too far from the hand", [](FeltPlanes& m) { m.planes[0].arm.x() = 2; }),
       spoiled<FeltPlanes>("normal", [](FeltPlanes& m) { m.planes[0].normal.setZero(); }),
       spoiled<FeltPlanes>("huge force", [](FeltPlanes& m) { m.planes[0].force.z() = 2000; }),
       spoiled<FeltPlanes>("negative stiffness", [](FeltPlanes& m) { m.planes[0].stiffness = -1; }),
@@ -271,7 +285,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
       spoiled<BodyStatus>("correction", [](BodyStatus& m) { m.correction = infinity; }),
       spoiled<BodyStatus>("error NaN", [](BodyStatus& m) { m.error = nan; }),
-      spoiled<BodyStatus>("prices", [](BodyStatus& m) { m.prices.resize(max_prices + 1); }),
+      spoiled<BodyStatus>("prices", [](BodyStatus& m) { m.prices.resize(max_configuration_costs + 1); }),
       spoiled<BodyStatus>("price NaN", [](BodyStatus& m) { m.prices[1].ms = nan; }),
       spoiled<BodyStatus>("part NaN", [](BodyStatus& m) { m.parts.model = nan; }),
       spoiled<BodyStatus>("part below 0", [](BodyStatus& m) { m.parts.time = -0.5; }),
@@ -440,16 +454,20 @@ std::string as_wire_bytes(const Message& message) {
           add(m.impact);
           add(m.touching);
         } else if constexpr (std::is_same_v<M, Command>) {
-          add(m.sequence);
-          add(m.kind);
-          add(m.body);
-          add(m.subject);
-          add(m.role);
-          add(m.shape.A);
-          add(m.shape.p);
-          add(m.control);
-          add(m.value);
-          add(m.revision);
+          WireArena arena;
+          prosector_Command w;
+          to_wire(m, w, arena);
+          add(w.number);
+          add(w.kind);
+          add(w.hand);
+          add(w.body);
+          add(w.subject);
+          add(w.role);
+          add(w.shape.a);
+          add(w.shape.p);
+          add(w.control_id);
+          add(w.value);
+          add(w.revision);
         } else if constexpr (std::is_same_v<M, TopologyRevision>) {
           add(m.previous_hash);
           add(m.chain_hash);

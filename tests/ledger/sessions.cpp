@@ -217,7 +217,7 @@ Session press() {
   out.scene.soft[0].regions.push_back({.center = {0, 0.03, 0}, .radius = 0.03, .youngs_modulus = 2e4});
   out.input = [](int tick, Simulation&) {
     TickInput input;
-    input.drives = {{1, {{0, 0.08 - 0.0004 * std::min(tick, 120 - tick), 0}, Quat::Identity()}}};
+    input.kinematic_targets = {{1, {{0, 0.08 - 0.0004 * std::min(tick, 120 - tick), 0}, Quat::Identity()}}};
     return input;
   };
   return out;

@@ -9,8 +9,9 @@
 #include "client/offer/offer_server.h"
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/camera/camera.h"
-#include "drivers/device.h"
+#include "drivers/camera/base/camera.h"
+#include "drivers/config/device_config.h"
+#include "drivers/device/driver_table.h"
 
 namespace prosector {
 namespace {
@@ -58,7 +59,7 @@ TEST_P(EachProtocol, OurOwnDriverReadsWhatIsOffered) {
 TEST_P(EachProtocol, GarbageAndCrowdsDisturbNobody) {
   const OfferServer server(offer(), two_things);
   std::mt19937 random(11);
-  std::vector<std::unique_ptr<ByteLine>> crowd;
+  std::vector<std::unique_ptr<ByteStream>> crowd;
   for (int k = 0; k < 40; ++k) {  // more than are let in
     crowd.push_back(connect_tcp("127.0.0.1", std::to_string(server.port())));
     std::vector<std::uint8_t> garbage(1 + random() % 5000);
@@ -132,7 +133,7 @@ TEST(Offers, NamesArePlainAndEachOnce) {
                                  {"somebody with a very long name.left", {}},
                                  {"somebody with a very long name too.left", {}},
                                  {"scalpel no. 11 of the second tray", {}}};
-  make_names_plain(things);
+  make_names_valid(things);
   EXPECT_EQ(things[0].name, "Ann_M__ller.right");
   EXPECT_EQ(things[1].name, "Ann_M__ller-2.right");
   EXPECT_EQ(things[2].name, "somebody_with_a.left");

@@ -19,7 +19,7 @@ cat >"$root/home/person/session.sh" <<'TXT'
 set -eu
 cd
 prosector-server /usr/share/prosector/scenes/minimal.toml --session bare --seconds 120 --journal journal.sqlite >server 2>&1 &
-for wait in $(seq 300); do ! grep -q 'take part' server || break; sleep 0.2; done
+for wait in $(seq 300); do ! grep -q 'participate:' server || break; sleep 0.2; done
 prosector-client observe --session bare --name visitor --display offscreen --size 320x240 --seconds 3 --patience 30 \
   --screenshot picture.png --summary figures.json >client 2>&1 || { cat server client; exit 1; }
 kill -TERM $!

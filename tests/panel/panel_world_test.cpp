@@ -44,10 +44,10 @@ TEST(PanelWorld, TouchingElsewhereMovesOrClosesIt) {
 TEST(PanelWorld, GoesAfterAWhileWithoutTouch) {
   Room room;
   room.step(hand(ada, liver), moment());
-  const int patience = static_cast<int>(std::ceil(panel_patience / tick));
-  room.step(hand(ada, liver), 2 * patience);
+  const int time_limit = static_cast<int>(std::ceil(panel_patience / tick));
+  room.step(hand(ada, liver), 2 * time_limit);
   EXPECT_EQ(room.world.panels().size(), 1u) << "while the part is touched it stays";
-  room.step(hand(ada), patience - 1);
+  room.step(hand(ada), time_limit - 1);
   EXPECT_EQ(room.world.panels().size(), 1u);
   room.step(hand(ada), 3);
   EXPECT_TRUE(room.world.panels().empty());

@@ -16,7 +16,7 @@ Pose random_board(std::mt19937& random) {
 }
 
 HeldPlace tablet_at(ParticipantId who, const Pose& at) {
-  return {who, HeldThing::tablet, true, at};
+  return {who, HeldObject::tablet, true, at};
 }
 
 int ticks_of(double seconds) {
@@ -83,7 +83,7 @@ TEST(Tablet, ThatIsLostRestsThenLetsGoAndComesBack) {
   const Pose board{{0.1, 1.2, 0.3}, Quat(0.8, 0.6, 0, 0)};
   room.world.take(tablet_at(ada, board));
   room.step(std::vector<PanelHand>{});
-  room.world.take(HeldPlace{ada, HeldThing::tablet, false, {}});
+  room.world.take(HeldPlace{ada, HeldObject::tablet, false, {}});
   room.step(hand(ada), ticks_of(tablet_rest));
   room.event(PanelEvent::Kind::put_back, ada);
   EXPECT_EQ(only_pose(room.world.panels()).p, board.p) << "it rests, and nobody moves it";
@@ -94,7 +94,7 @@ TEST(Tablet, ThatIsLostRestsThenLetsGoAndComesBack) {
   room.world.take(tablet_at(ada, board));
   room.step(hand(ada));
   EXPECT_EQ(only_pose(room.world.panels()).p, board.p);
-  room.world.take(HeldPlace{ada, HeldThing::tablet, false, {}});
+  room.world.take(HeldPlace{ada, HeldObject::tablet, false, {}});
   room.step(hand(ada), ticks_of(tablet_rest) + ticks_of(panel_patience) + 3);
   EXPECT_TRUE(room.world.panels().empty());
 }
@@ -109,7 +109,7 @@ TEST(Tablet, ThatWasSentAwayComesUpAgainOnlyWhenItIsShownAnew) {
     room.step(hand(ada));
   }
   EXPECT_TRUE(room.world.panels().empty());
-  room.world.take(HeldPlace{ada, HeldThing::tablet, false, {}});
+  room.world.take(HeldPlace{ada, HeldObject::tablet, false, {}});
   room.step(hand(ada), ticks_of(tablet_rest) + 2);
   room.world.take(tablet_at(ada, {}));
   room.step(hand(ada));
@@ -142,7 +142,7 @@ TEST(Tablet, ThatIsMovedAgainstAFingerIsPressedAsByAFinger) {
 /// A stylus whose tip is so high over a control, upright on the board.
 HeldPlace stylus_over(const Pose& board, PanelControl control, double height) {
   const Vec3 face = control_face(describe(control), 0);
-  return {eve, HeldThing::stylus, true, board * Pose{{face.x(), face.y(), height}, Quat::Identity()}};
+  return {eve, HeldObject::stylus, true, board * Pose{{face.x(), face.y(), height}, Quat::Identity()}};
 }
 
 TEST(Tablet, AStylusPressesEachButtonOncePerPress) {
@@ -167,7 +167,7 @@ TEST(Tablet, AStylusThatIsLostPressesNothing) {
   room.world.take(tablet_at(ada, {}));
   room.world.take(stylus_over({}, PanelControl::attach, 0.03));
   room.step(std::vector<PanelHand>{});
-  room.world.take(HeldPlace{eve, HeldThing::stylus, false, {}});
+  room.world.take(HeldPlace{eve, HeldObject::stylus, false, {}});
   room.step(std::vector<PanelHand>{});
   for (const bool touched : {room.world.panels().at(0).controls[0].touched}) EXPECT_FALSE(touched);
   EXPECT_EQ(room.world.panels()[0].controls[0].position, 0);
@@ -176,8 +176,8 @@ TEST(Tablet, AStylusThatIsLostPressesNothing) {
 TEST(Tablet, NonsenseIsPassedOver) {
   Room room;
   room.world.take(tablet_at(ada, {Vec3(0, std::nan(""), 0), Quat::Identity()}));
-  room.world.take(HeldPlace{eve, HeldThing::stylus, true, {Vec3(1e9, 0, 0), Quat::Identity()}});
-  room.world.take(HeldPlace{eve, HeldThing::tablet, false, {}});
+  room.world.take(HeldPlace{eve, HeldObject::stylus, true, {Vec3(1e9, 0, 0), Quat::Identity()}});
+  room.world.take(HeldPlace{eve, HeldObject::tablet, false, {}});
   room.step(std::vector<PanelHand>{});
   EXPECT_TRUE(room.world.panels().empty());
 }
@@ -190,7 +190,7 @@ TEST(Tablet, GoesOnAfterARestoreAsIfThereHadBeenNone) {
     HeldPlace place = stylus_over({}, PanelControl::attach, 0.03 - 0.0006 * i);
     place.seen = random() % 8 != 0;
     told.push_back(place);
-    told.push_back({ada, HeldThing::tablet, random() % 5 != 0, {Vec3(0, 0.0001 * i, 0), Quat::Identity()}});
+    told.push_back({ada, HeldObject::tablet, random() % 5 != 0, {Vec3(0, 0.0001 * i, 0), Quat::Identity()}});
   }
   for (std::size_t i = 0; i < told.size(); ++i) {
     run.world.take(told[i]);

@@ -274,7 +274,7 @@ TEST(AreaContact, TissueGetsTheImpulseAndItsMoment) {
     scene.rigid[0].friction = 0;
     Simulation simulation(scene, options());
     TickInput input;
-    input.drives.push_back({0, {{0.021, 0.078, 0.013}, Quat::Identity()}});
+    input.kinematic_targets.push_back({0, {{0.021, 0.078, 0.013}, Quat::Identity()}});
     simulation.step(input);
     ASSERT_EQ(simulation.exchanges().size(), 1U);
     const Exchange touch = simulation.exchanges()[0];
@@ -314,7 +314,7 @@ TEST(AreaContact, FrictionHoldsWithoutCreep) {
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   Simulation simulation(scene, options());
   TickInput input;
-  input.drives.push_back({0, {{0, -0.05, 0}, Quat::Identity()}});
+  input.kinematic_targets.push_back({0, {{0, -0.05, 0}, Quat::Identity()}});
   const auto place = [&] {
     const auto nodes = simulation.soft_state(1).motion.x.reshaped(3, simulation.soft(1).nodes());
     return Vec3(nodes.rowwise().mean());

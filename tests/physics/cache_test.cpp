@@ -44,9 +44,9 @@ std::string read(const std::filesystem::path& file) {
 TEST(Cache, ASingleFlippedBitIsNoticedAndTheEquilibriumFoundAnew) {
   CachedScene scene;
   const std::uint64_t hash = scene.compile();
-  EXPECT_TRUE(scene.says("settled"));
+  EXPECT_TRUE(scene.says("equilibrium found"));
   ASSERT_EQ(scene.compile(), hash);
-  EXPECT_FALSE(scene.says("settled"));
+  EXPECT_FALSE(scene.says("equilibrium found"));
   const std::filesystem::path file = scene.file();
   const std::string whole = read(file);
   std::mt19937_64 random(17);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "server/physics/mechanics/contact/memory.h"
+#include "server/physics/mechanics/contact/contact_memory.h"
 #include "server/physics/mechanics/coupled/rigid_block.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
@@ -17,7 +17,7 @@ namespace {
 
 TickInput drive(BodyId body, const Vec3& to) {
   TickInput input;
-  input.drives.push_back({body, {to, Quat::Identity()}});
+  input.kinematic_targets.push_back({body, {to, Quat::Identity()}});
   return input;
 }
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 #include "server/physics/mechanics/rigid/cut_surface.h"
 #include "server/physics/mechanics/rigid/triangulate.h"
 

@@ -8,7 +8,7 @@
 
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/kuhn_box.h"
-#include "common/anatomy/quartered.h"
+#include "common/anatomy/midpoint_subdivided.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
@@ -56,7 +56,7 @@ CompileOptions with_all_nodes_touched() {
     TetMesh tets = kuhn_box(desc.size, cells, cells, cells);
     for (Vec3& x : tets.positions) x += desc.pose.p - desc.size / 2;
     TriangleMesh surface = with_boundary(tets).surface;
-    return embed(std::move(tets), quartered(std::move(surface))).anatomy;
+    return embed(std::move(tets), midpoint_subdivided(std::move(surface))).anatomy;
   };
   return out;
 }

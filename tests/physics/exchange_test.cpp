@@ -70,7 +70,7 @@ TEST(Exchange, AFastPlatesImpulseIsWhatTheTissueGot) {
   Vec3 given = Vec3::Zero();
   for (const double y : {0.04, 0.04, 0.04}) {
     TickInput input;
-    input.drives.push_back({0, {{0, y, 0}, Quat::Identity()}});
+    input.kinematic_targets.push_back({0, {{0, y, 0}, Quat::Identity()}});
     simulation.step(input);
     for (const Exchange& touch : simulation.exchanges()) given += (touch.b == 0 ? 1 : -1) * touch.impulse;
     const Vec3 got = momentum(simulation.soft(1), simulation.soft_state(1));

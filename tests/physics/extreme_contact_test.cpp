@@ -47,7 +47,7 @@ struct Watched {
   }
   void drive(BodyId what, const Pose& to) {
     TickInput input;
-    input.drives.push_back({what, to});
+    input.kinematic_targets.push_back({what, to});
     step(input);
   }
   void expect_back() {

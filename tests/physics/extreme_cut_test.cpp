@@ -117,7 +117,7 @@ TEST(ExtremeCut, WhileTheBlockIsSqueezed) {
   const Vec3 at = take(simulation);
   const auto jaws = [&](double z, TickInput& input) {
     for (const BodyId jaw : {BodyId{1}, BodyId{2}})
-      input.drives.push_back({jaw, {{0, 0.03, jaw == 1 ? -z : z}, Quat::Identity()}});
+      input.kinematic_targets.push_back({jaw, {{0, 0.03, jaw == 1 ? -z : z}, Quat::Identity()}});
   };
   for (int i = 0; i < 60; ++i) {
     TickInput input = target(at);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "server/physics/mechanics/organs/momentum.h"
 #include "server/physics/mechanics/organs/organ_geometry.h"
 #include "server/physics/mechanics/organs/sheet_parts.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "idl/message.h"
 #include "server/physics/mechanics/organs/organ_geometry.h"
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"

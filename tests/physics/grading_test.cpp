@@ -102,12 +102,12 @@ TEST(Grading, RefusesWhatItCantDivide) {
   Anatomy rope = block();
   rope.tets.tets.clear();
   rope.segments = {{0, 1}};
-  EXPECT_NE(message(rope).find("[[soft]] \"block\": grade is \"rims\", allowed for solids"),
+  EXPECT_NE(message(rope).find("[[soft]] \"block\": grade is \"rims\", allowed only for solids"),
             std::string::npos)
       << message(rope);
   Anatomy flat = block();
   flat.tets.positions[flat.tets.tets[0][0]] = flat.tets.positions[flat.tets.tets[0][1]];
-  EXPECT_NE(message(flat).find("but its mesh can't be: "), std::string::npos) << message(flat);
+  EXPECT_NE(message(flat).find("but its mesh does not allow it: "), std::string::npos) << message(flat);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Bodies that shiver in their place are calmed and put to rest; what moves on, and what nothing touches, is
 // not.
 
-#include "server/physics/mechanics/coupled/lingering.h"
+#include "server/physics/mechanics/coupled/vibration.h"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ VecX at(double x) {
 }
 
 /// What becomes of a body, tick by tick, of which `place` tells where it is in each.
-std::vector<Unrest> follow(int ticks, const std::function<double(int)>& place) {
+std::vector<VibrationState> follow(int ticks, const std::function<double(int)>& place) {
   Lingerers lingerers(tick);
-  std::vector<Unrest> out;
+  std::vector<VibrationState> out;
   for (int t = 0; t < ticks; ++t) {
     lingerers.begin_tick(static_cast<std::uint64_t>(t));
     out.push_back(lingerers.linger({somebody_else, at(place(t)), within}));
@@ -32,18 +32,18 @@ std::vector<Unrest> follow(int ticks, const std::function<double(int)>& place) {
 }
 
 TEST(Lingerers, CalmWhatShiversInItsPlaceAndThenPutItToRest) {
-  const std::vector<Unrest> unrest = follow(200, [](int t) { return t % 2 ? 0.9 * within : 0; });
-  EXPECT_EQ(unrest[119], Unrest::moving);
-  EXPECT_EQ(unrest[125], Unrest::calmed);
-  EXPECT_EQ(unrest[145], Unrest::calmed);
-  EXPECT_EQ(unrest[155], Unrest::over);
+  const std::vector<VibrationState> unrest = follow(200, [](int t) { return t % 2 ? 0.9 * within : 0; });
+  EXPECT_EQ(unrest[119], VibrationState::moving);
+  EXPECT_EQ(unrest[125], VibrationState::calmed);
+  EXPECT_EQ(unrest[145], VibrationState::calmed);
+  EXPECT_EQ(unrest[155], VibrationState::over);
 }
 
 TEST(Lingerers, LetWhatMovesOnMove) {
-  for (const Unrest unrest : follow(1000, [](int t) { return within * t / 100; }))
-    EXPECT_EQ(unrest, Unrest::moving);
-  for (const Unrest unrest : follow(1000, [](int t) { return 2 * within * std::sin(0.1 * t); }))
-    EXPECT_EQ(unrest, Unrest::moving);
+  for (const VibrationState unrest : follow(1000, [](int t) { return within * t / 100; }))
+    EXPECT_EQ(unrest, VibrationState::moving);
+  for (const VibrationState unrest : follow(1000, [](int t) { return 2 * within * std::sin(0.1 * t); }))
+    EXPECT_EQ(unrest, VibrationState::moving);
 }
 
 TEST(Lingerers, BeginAtWholeSecondsAndForgetWhomNobodyAskedAbout) {

@@ -79,17 +79,18 @@ TEST(Organ, AMeshThatCannotBeCutSaysSoAndTheRunGoesOn) {
 }
 
 TEST(Organ, ACutWhosePiecesCannotBeSolvedIsTakenBackAndToldOf) {
-  CompileOptions crumb = options();
-  const auto made = crumb.anatomy;
-  crumb.anatomy = [&](const SoftDesc& desc) {  // a flat tetrahedron by itself: no body can be made of it
-    auto anatomy = made(desc);
-    const auto n = static_cast<std::uint32_t>(anatomy->tets.positions.size());
-    for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(0, 0.01, 0), Vec3(0.003, 0.003, 1e-6)})
-      anatomy->tets.positions.push_back(Vec3(0, 0.03, 0.03) + x);
-    anatomy->tets.tets.push_back({n, n + 1, n + 2, n + 3});
-    return anatomy;
-  };
-  Simulation simulation(block_and_scalpel(), crumb);
+  CompileOptions least_fragment = options();
+  const auto made = least_fragment.anatomy;
+  least_fragment.anatomy =
+      [&](const SoftDesc& desc) {  // a flat tetrahedron by itself: no body can be made of it
+        auto anatomy = made(desc);
+        const auto n = static_cast<std::uint32_t>(anatomy->tets.positions.size());
+        for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(0, 0.01, 0), Vec3(0.003, 0.003, 1e-6)})
+          anatomy->tets.positions.push_back(Vec3(0, 0.03, 0.03) + x);
+        anatomy->tets.tets.push_back({n, n + 1, n + 2, n + 3});
+        return anatomy;
+      };
+  Simulation simulation(block_and_scalpel(), least_fragment);
   const std::uint64_t uncut = simulation.soft(1).content_hash();
   Vec3 at = take(simulation);
   std::string note;
@@ -98,14 +99,14 @@ TEST(Organ, ACutWhosePiecesCannotBeSolvedIsTakenBackAndToldOf) {
     const StepReport& report = simulation.step(target(at));
     EXPECT_TRUE(report.topology.empty());
     for (const BodyReport& row : report.bodies)
-      if (row.note.find("the cut was taken back") != std::string::npos) note = row.body + ": " + row.note;
+      if (row.note.find("the cut was undone") != std::string::npos) note = row.body + ": " + row.note;
   }
   EXPECT_EQ(note.rfind("block: ", 0), 0U) << note;
   EXPECT_EQ(simulation.revision(1), 0U);
   EXPECT_EQ(simulation.body_count(), 2U);
   EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   const std::vector<std::uint8_t> saved = simulation.checkpoint();
-  Simulation restored(block_and_scalpel(), crumb);
+  Simulation restored(block_and_scalpel(), least_fragment);
   restored.restore(saved);
   EXPECT_EQ(restored.state_hash(), simulation.state_hash());
 }

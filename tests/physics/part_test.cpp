@@ -75,7 +75,7 @@ TEST(Part, SnapsIntoItsPlaceFromNearbyOnly) {
     for (int i = 1; i <= 60; ++i) simulation.step(target(grip + Vec3(0.1 * i / 60, 0, 0)));
     run(simulation, 60, target(grip + Vec3(0.1, 0, 0)));
     const std::string far = answer(simulation, part(PartEvent::Kind::attach, body));
-    EXPECT_NE(far.find("cm from its place"), std::string::npos) << far;
+    EXPECT_NE(far.find("cm from its original position"), std::string::npos) << far;
     EXPECT_FALSE(simulation.part(body).attached);
     for (int i = 1; i <= 60; ++i) simulation.step(target(grip + Vec3(0.1 - 0.085 * i / 60, 0, 0)));
     run(simulation, 60, target(grip + Vec3(0.015, 0, 0)));

@@ -45,7 +45,7 @@ CompileOptions halved(int threads = 1) {
 
 TickInput press_at(double x, double depth, double z = 0) {
   TickInput input;
-  input.drives.push_back({0, {{x, 0.06 + ball_radius - depth, z}, Quat::Identity()}});
+  input.kinematic_targets.push_back({0, {{x, 0.06 + ball_radius - depth, z}, Quat::Identity()}});
   return input;
 }
 
@@ -266,7 +266,7 @@ SceneDesc refinable_and_scalpel() {
 }
 
 TickInput with_ball(TickInput input, double depth) {
-  input.drives.push_back({1, {{0.02, 0.06 + ball_radius - depth, 0.02}, Quat::Identity()}});
+  input.kinematic_targets.push_back({1, {{0.02, 0.06 + ball_radius - depth, 0.02}, Quat::Identity()}});
   return input;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "idl/message.h"
 #include "server/physics/mechanics/organs/blade.h"
 #include "tests/physics/scalpel.h"
 

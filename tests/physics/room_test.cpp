@@ -251,8 +251,8 @@ TEST(Room, WhatBeginsBehindASidePassesThroughIt) {
   CompileOptions listening = options();
   listening.progress = [&](const std::string& line) { said.push_back(line); };
   Simulation without(scene, options()), with(with_room, listening);
-  for (const char* words : {"bar: begins behind the room's floor", "ball: begins behind the room's floor",
-                            "box: begins behind the room's wall"})
+  for (const char* words : {"bar: starts behind the room's floor", "ball: starts behind the room's floor",
+                            "box: starts behind the room's wall"})
     EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const std::string& line) {
       return line.find(words) != std::string::npos;
     })) << words;
@@ -282,8 +282,9 @@ TEST(Room, WhatIsLostComesBackOnceAndIsSaidOnce) {
     std::copy_if(told.begin(), told.end(), std::back_inserter(own),
                  [&](const Told& t) { return t.body == body; });
     ASSERT_EQ(own.size(), 2u) << body;
-    EXPECT_NE(own[0].note.find("left the room: it is back at its place"), std::string::npos) << own[0].note;
-    EXPECT_NE(own[1].note.find("again: it rests there"), std::string::npos) << own[1].note;
+    EXPECT_NE(own[0].note.find("left the room: moved back to its initial position"), std::string::npos)
+        << own[0].note;
+    EXPECT_NE(own[1].note.find("it rests there"), std::string::npos) << own[1].note;
   }
   for (BodyId body = 0; body < 2; ++body) EXPECT_TRUE(simulation.asleep(body));
   EXPECT_NEAR(simulation.rigid_state(0).pose.p.y(), 1, 1e-6);
@@ -302,7 +303,7 @@ TEST(Room, WhatSomebodyTakesAndDropsMayBeLostAnew) {
   simulation.step(event(HandEvent::Kind::release, at));
   const std::vector<Told> told = run_and_listen(simulation, 300, event(HandEvent::Kind::vanish, at));
   ASSERT_EQ(told.size(), 2u);
-  EXPECT_NE(told[0].note.find("it is back at its place"), std::string::npos);
+  EXPECT_NE(told[0].note.find("moved back to its initial position"), std::string::npos);
 }
 
 TEST(Room, StateHoldsWhatWasLost) {

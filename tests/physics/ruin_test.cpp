@@ -129,7 +129,7 @@ TEST(EntangledBodies, AreLedOnAlikeAfterRestore) {
     if (tick == 10) other.restore(simulation.checkpoint());
     const StepReport& report = simulation.step({});
     led = led || std::any_of(report.bodies.begin(), report.bodies.end(), [](const BodyReport& row) {
-            return row.note.find("led out of it") != std::string::npos;
+            return row.note.find("being separated") != std::string::npos;
           });
     if (tick < 10) continue;
     other.step({});

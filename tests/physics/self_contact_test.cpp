@@ -196,7 +196,7 @@ TEST_P(StruckClamp, KeepsMomentumAndGainsNoEnergy) {
   Simulation simulation(scene, clamps());
   const auto strike = [&](double y) {
     TickInput input;
-    input.drives.push_back({0, {{0.03, y, 0}, Quat::Identity()}});
+    input.kinematic_targets.push_back({0, {{0.03, y, 0}, Quat::Identity()}});
     simulation.step(input);
   };
   for (double y = 0.08; y > 0.061; y -= 0.003) strike(y);
@@ -231,7 +231,7 @@ TEST(SelfContactOf, WhatWasPressedTogetherRecovers) {
   Simulation simulation(scene, clamps());
   const auto press = [&](double y) {
     TickInput input;
-    input.drives.push_back({1, {{0, y, 0}, Quat::Identity()}});
+    input.kinematic_targets.push_back({1, {{0, y, 0}, Quat::Identity()}});
     simulation.step(input);
   };
   double met = 0;

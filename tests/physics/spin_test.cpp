@@ -37,7 +37,7 @@ Vec3 angular_momentum(const SoftBody& body, const SoftBodyState& state, const Ve
   return sum;
 }
 
-/// Turned by `spin` (rad/s) about an axis aslant, without damping, for so many ticks.
+/// Corotated by `spin` (rad/s) about an axis aslant, without damping, for so many ticks.
 Spun spin_cube(const Cube& cube, double spin, int ticks) {
   SoftDesc desc;
   desc.name = "cube";

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "server/physics/mechanics/coupled/lingering.h"
+#include "server/physics/mechanics/coupled/vibration.h"
 #include "server/physics/stations/compile/compile.h"
 #include "server/physics/stations/dissecting/tissue_near.h"
 #include "server/physics/stations/hands/hands.h"
@@ -81,7 +81,7 @@ std::optional<int> ticks_until_rest(State& state, double way, bool touched) {
       contact.a.kind = ContactSide::Kind::soft;
       contact.a.body = 0;
     }
-    fall_asleep(state, islands, false);
+    update_sleep(state, islands, false);
     if (block.state.asleep) return tick;
   }
   return std::nullopt;

@@ -77,7 +77,7 @@ Slid slide(const SceneDesc& scene) {
   const auto sheet = static_cast<BodyId>(scene.rigid.size() + scene.soft.size() - 1);
   // What touches a driven body stays awake, even if that is driven to where it is.
   TickInput awake;
-  awake.drives = {{.body = 0, .pose = scene.rigid[0].pose}};
+  awake.kinematic_targets = {{.body = 0, .pose = scene.rigid[0].pose}};
   run(simulation, 36, awake);
   const Motion before = simulation.soft_state(sheet).motion;
   run(simulation, static_cast<int>(seconds * 60), awake);

@@ -24,7 +24,7 @@ AttachDesc bonded_below(double height) {
 
 TickInput ball_at(const Vec3& middle) {
   TickInput input;
-  input.drives.push_back({0, {middle, Quat::Identity()}});
+  input.kinematic_targets.push_back({0, {middle, Quat::Identity()}});
   return input;
 }
 

@@ -11,7 +11,7 @@
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "server/calibration/choose_scene.h"
-#include "server/session/journal_reader.h"
+#include "server/session/journal/journal_reader.h"
 #include "tests/play/play.h"
 
 namespace prosector::test {

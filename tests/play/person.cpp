@@ -17,7 +17,7 @@ constexpr double slowest = 0.05,
 }  // namespace
 
 Pose Person::wrist() const {
-  return {at_ + turned_ * Vec3(0, 0, fingertips), turned_};
+  return {at_ + rotated_ * Vec3(0, 0, fingertips), rotated_};
 }
 
 double Person::some_speed() {
@@ -110,9 +110,9 @@ void Person::meddle(const Simulation& simulation, TickInput& input) {
 
 void Person::plan(const Simulation& simulation, TickInput& input) {
   ++acts_;
-  turned_ = Quat(Eigen::AngleAxisd(random_.uniform(-1.5, 1.5), Vec3::UnitY()) *
-                 Eigen::AngleAxisd(random_.uniform(-1.3, 0.3), Vec3::UnitX()) *
-                 Eigen::AngleAxisd(random_.uniform(-1.5, 1.5), Vec3::UnitZ()));
+  rotated_ = Quat(Eigen::AngleAxisd(random_.uniform(-1.5, 1.5), Vec3::UnitY()) *
+                  Eigen::AngleAxisd(random_.uniform(-1.3, 0.3), Vec3::UnitX()) *
+                  Eigen::AngleAxisd(random_.uniform(-1.5, 1.5), Vec3::UnitZ()));
   const std::size_t what = random_.below(16);
   if (what < 6) return sweep(simulation);
   if (what < 9) return poke(simulation);

@@ -44,7 +44,7 @@ class Person {
   Random random_;
   std::vector<Waypoint> way_;  // last first
   Vec3 at_ = Vec3(0, 1.5, 0.5);
-  Quat turned_ = Quat::Identity();
+  Quat rotated_ = Quat::Identity();
   double flexion_ = 0.1, waited_ = 0;
   bool there_ = false;
   std::string story_;

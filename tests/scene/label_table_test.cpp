@@ -10,7 +10,9 @@
 #include <random>
 
 #include "common/error.h"
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/local_name.h"
+#include "common/math.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
 #include "tests/folders.h"
@@ -61,18 +63,18 @@ TEST(LabelTable, SaysWhatIsWrongAndWhere) {
   struct {
     const char *text, *line, *what;
   } const table[] = {
-      {"", "t.csv", "names nothing"},
-      {"name\n", "t.csv", "names nothing"},
+      {"", "t.csv", "no labels; at least one"},
+      {"name\n", "t.csv", "no labels; at least one"},
       {"id,ta\n", ":1:", "no column \"name\""},
       {"id,nmae\n", ":1:", "did you mean \"name\""},
       {"name,\n", ":1:", "must be one of: id, name, ta, color, name.LANGUAGE"},
-      {"name,name.d_e\n", ":1:", "no language tag"},
-      {"name,name\n", ":1:", "is there twice"},
-      {"name,id\nliver\n", ":2:", "1 cells; the first row names 2"},
+      {"name,name.d_e\n", ":1:", "is not a language tag"},
+      {"name,name\n", ":1:", "duplicate column"},
+      {"name,id\nliver\n", ":2:", "1 cells; the header row has 2"},
       {"id,name\n0,liver\n", ":2:", "in [1, 65535]"},
       {"id,name\n65536,liver\n", ":2:", "in [1, 65535]"},
       {"id,name\n1.5,liver\n", ":2:", "whole number"},
-      {"id,name\n1,a\n1,b\n", ":3:", "there already, in line 2"},
+      {"id,name\n1,a\n1,b\n", ":3:", "already used in line 2"},
       {"id,name\n1,a\n2,a\n", ":3:", "names must differ"},
       {"id,name\n1,\n", ":2:", "name is missing"},
       {"name,color\na,red\n", ":2:", "#rrggbb"},
@@ -83,7 +85,7 @@ TEST(LabelTable, SaysWhatIsWrongAndWhere) {
       {"1\n", ":1:", "without a name"},
       {"1 a 1 2 999\n", ":1:", "[0, 255]"},
       {"1 a 1 2\n", ":1:", "three or four"},
-      {"1 a 1 2 3 4 5\n", ":1:", "written _"},
+      {"1 a 1 2 3 4 5\n", ":1:", "names as _"},
       {"-1 a\n", ":1:", "in [1, 65535]"},
   };
   for (const auto& row : table) {
@@ -160,7 +162,7 @@ TEST(Materials, AreKnownByAWordOfTheName) {
                      {"", "tissue"},
                      {"vena cava", "vessel"},
                      {"Precentral L", "tissue"}};
-  for (const auto& row : table) EXPECT_EQ(material_of(row.part).name, row.material) << row.part;
+  for (const auto& row : table) EXPECT_EQ(material_for_part(row.part).name, row.material) << row.part;
   for (const Material& material : materials()) {
     EXPECT_EQ(find_material(material.name), &material);
     EXPECT_TRUE(material.rigid || (material.youngs_modulus > 0 && material.toughness > 0)) << material.name;

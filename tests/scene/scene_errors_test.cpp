@@ -19,14 +19,14 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
        "test.toml:4: [[soft]] \"liver\": youngs_modulus = -3 Pa: must be in (0, "},
       {"name = \"s\"\ntick_rat = 3\n", "test.toml:2: unknown key \"tick_rat\"; did you mean \"tick_rate\"?"},
       {"name = \"s\"\n\n[hand]\nqqqqqqqqq = 3\n",
-       "test.toml:4: [hand]: unknown key \"qqqqqqqqq\"; known are: mass"},
+       "test.toml:4: [hand]: unknown key \"qqqqqqqqq\"; known: mass"},
       {"tick_rate = 60\n", "name is missing"},
       {"name = \"s\"\n[[rigid]]\nmesh = \"a.obj\"\n", "test.toml:2: [[rigid]] 1: name is missing"},
       {"name = \"s\"\nx = = 1\n", "test.toml:2: "},
       {"name = \"s\"\nsession = 3\n", "test.toml:2: [session] must be a table"},
       {"name = \"s\"\n[rigid]\nname = \"a\"\n", "test.toml:2: rigid must be a list of tables"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\n",
-       "test.toml:6: [[soft]] \"a\": this name is taken by the body of line 3"},
+       "test.toml:6: [[soft]] \"a\": this name is already used by the body in line 3"},
       {"name = \"s\"\n[[rigid]]\nname = \"table\"\nmesh = \"m\"\nparent = \"tabel\"\n",
        "test.toml:5: [[rigid]] \"table\": parent = \"tabel\": no body has this name; did you mean "
        "\"table\"?"},
@@ -37,12 +37,12 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
        "test.toml:2: [[soft]] \"a\": has 0 of volume, mesh and shape"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nmesh = \"m\"\nshape = \"ball\"\n",
        "test.toml:5: [[soft]] \"a\": has 2"},
-      {"name = \"s\"\n[[rigid]]\nname = \"a\"\n", "has no geometry"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\n", "no geometry"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nvolume = \"v\"\nlabel = 0\n",
-       "test.toml:5: [[soft]] \"a\": label = 0 marks what belongs to no structure; allowed: 1 to 65535, or "
+       "test.toml:5: [[soft]] \"a\": label = 0 is the background; allowed: 1 to 65535, or "
        "-1"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nvolume = \"v\"\nlabel = 0\n",
-       "test.toml:5: [[rigid]] \"a\": label = 0 marks"},
+       "test.toml:5: [[rigid]] \"a\": label = 0 is the background"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nvolume = \"v\"\n",
        "test.toml:5: [[rigid]] \"a\": has several of mesh, volume, [[rigid.part]]s, and curves or patches: "
        "give one"},
@@ -50,25 +50,26 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
        "test.toml:5: [[rigid]] \"a\": label needs a volume"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nrotation = [0, 0, 0, 0]\n", "not all zero"},
       {"name = \"s\"\n[patient]\nright = [1, 0, 0]\nhead = [0.5, 0, 0.5]\n",
-       "test.toml:4: [patient]: right and head are perpendicular directions, not zero"},
+       "test.toml:4: [patient]: right and head must be perpendicular and non-zero"},
       {"name = \"s\"\n[patient]\nright = [0, 0, 0]\n", "test.toml:2: [patient]: right and head"},
       {"name = \"s\"\n[[light]]\ndirection = [0, 0, 0]\n", "test.toml:3: [[light]] 1: direction is zero"},
       {"name = \"s\"\n[[light]]\nkind = \"laser\"\n", "must be one of: directional, point, spot"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nmodel = \"\"\n", "model = "},
       {"name = \"\\u0000\"\n", "name = "},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\naccuracy = \"2 mm\"\n",
-       "test.toml:5: [[soft]] \"a\": accuracy = '2 mm': must be text: a number in (0, 100] and its unit, for "
-       "instance \"2 %\""},
+       "test.toml:5: [[soft]] \"a\": accuracy = '2 mm': must be text: a number in (0, 100] and its unit, "
+       "e.g. "
+       "\"2 %\""},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = 4\n",
-       "budget = 4 ms: must be text: a number in (0, 1000] and its unit, for instance \"2 ms\""},
+       "budget = 4 ms: must be text: a number in (0, 1000] and its unit, e.g. \"2 ms\""},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\naccuracy = \"2 %\"\nbudget = \"4 ms\"\n",
        "test.toml:6: [[soft]] \"a\": accuracy and budget are both given"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"sheet\"\nbudget = \"4 ms\"\n",
        "test.toml:5: [[soft]] \"a\": budget is for solid bodies"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = \"4 ms\"\nnewton_iterations = 4\n",
-       "test.toml:6: [[soft]] \"a\": newton_iterations is chosen by the server where budget is given"},
+       "test.toml:6: [[soft]] \"a\": the server chooses newton_iterations if budget is given"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = \"4 ms\"\nintegrator = \"rk4\"\n",
-       "integrator = \"rk4\": where budget is given, allowed: implicit_euler"},
+       "integrator = \"rk4\": allowed with budget: implicit_euler"},
   };
   for (const Case& c : cases)
     EXPECT_NE(complaint(c.text).find(c.says), std::string::npos)
@@ -95,14 +96,14 @@ TEST(SceneErrors, CurvesAndPatches) {
       {rigid + curve + "points = [[0, 0, 0], [1, 0]]\n",
        "must be a list of [x, y, z] in [-1000, 1000], 4096 at most"},
       {rigid + curve + "points = [[0, 0, nan]]\n", "must be a list of [x, y, z]"},
-      {rigid + curve + "kind = \"ellipse\"\nto = 7\n", "more than once around"},
+      {rigid + curve + "kind = \"ellipse\"\nto = 7\n", "at most one full turn"},
       {rigid + curve + "kind = \"parabola\"\nto = 0\n", "must end after it begins"},
       {rigid + curve + line + "tolerance = 0\n", "tolerance = 0 m: must be in [1e-06, 1]"},
-      {rigid + patch + line + "columns = 3\n", "4 points don't fill rows of 3 columns"},
+      {rigid + patch + line + "columns = 3\n", "4 points do not fill rows of 3 columns"},
       {rigid + patch + line, "along v: 1 points are too few for degree 3"},
       {rigid + patch + "kind = \"coons\"\n", "0 sides: a Coons patch has 4"},
       {rigid + curve + line + "[[rigid.part]]\n", "has several of mesh"},
-      {soft + "shape = \"ball\"\n[[soft.curve]]\n" + line, "[[soft.curve]] needs a rope to lie along it"},
+      {soft + "shape = \"ball\"\n[[soft.curve]]\n" + line, "[[soft.curve]] needs a rope"},
       {soft + "shape = \"rope\"\n[[soft.curve]]\n" + line + "[[soft.curve]]\n" + line,
        "at most 1 are allowed"},
   };
@@ -117,9 +118,9 @@ TEST(SceneErrors, CollisionOfBodies) {
   };
   const std::pair<const char*, const char*> cases[] = {
       {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
-      {"[[soft]]\nname = \"b\"\nshape = \"rope\"\ncollision = \"hull\"\n", "a rope has no triangles"},
+      {"[[soft]]\nname = \"b\"\nshape = \"rope\"\ncollision = \"hull\"\n", "a rope has no hull"},
       {"collision = \"hull\"\nself_contact = true\n",
-       "test.toml:7: [[soft]] \"a\": self_contact is for what collides as mesh: collision is \"hull\""},
+       "test.toml:7: [[soft]] \"a\": self_contact needs collision = \"mesh\": collision is \"hull\""},
       {"refine = \"finger\"\n", "must be one of: none, touch"},
       {"refine = \"touch\"\nelement = \"tet10\"\n",
        "test.toml:6: [[soft]] \"a\": refine = \"touch\" needs linear elements: element is \"tet10\""},
@@ -132,7 +133,7 @@ TEST(SceneErrors, CollisionOfBodies) {
       {"touches = [\"default\", \"organ\"]\n",
        "test.toml:6: [[soft]] \"a\": touches \"organ\": no body is in this group; did you mean \"organs\"?"},
       {"collision = \"none\"\ncontinuous = true\n",
-       "test.toml:7: [[soft]] \"a\": continuous needs something that collides"},
+       "test.toml:7: [[soft]] \"a\": continuous needs a collision shape"},
   };
   for (const auto& [lines, says] : cases)
     EXPECT_NE(complaint(soft(lines)).find(says), std::string::npos) << complaint(soft(lines));
@@ -148,7 +149,7 @@ TEST(SceneErrors, TooManyCollisionGroups) {
     text += "[[rigid]]\nname = \"b" + std::to_string(i) + "\"\nmesh = \"m\"\ngroup = \"g" +
             std::to_string(i) + "\"\n";
   }
-  EXPECT_NE(complaint(text).find("[[rigid]] \"b30\": group = \"g30\": there are 32 collision groups already"),
+  EXPECT_NE(complaint(text).find("[[rigid]] \"b30\": group = \"g30\": 32 collision groups exist already"),
             std::string::npos)
       << complaint(text);
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "common/error.h"
-#include "server/session/replay.h"
+#include "server/session/journal/replay.h"
 #include "tests/calibration/tables.h"
 #include "tests/session/hosted.h"
 
@@ -46,7 +46,7 @@ TEST(ChoiceJournal, ReplaysWithoutTheTableOfItsMachine) {
     const auto bus = network.join(test::Hosted::config(BusEnd::server));
     ServerLoop loop(simulation, *bus, "prosector", journal.get(), [](const std::string&) {},
                     {.choices = choices});
-    EXPECT_NE(loop.content().scene.bodies[test::Hosted::liver].method.find("accuracy 10 % asked for"),
+    EXPECT_NE(loop.content().scene.bodies[test::Hosted::liver].method.find("accuracy 10 % requested"),
               std::string::npos);
     EXPECT_EQ(loop.body_meter().newest().at(test::Hosted::liver).expected_ms, choices[0].expected.ms);
     for (int i = 0; i < 5; ++i) loop.tick();

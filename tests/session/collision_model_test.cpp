@@ -1,10 +1,10 @@
 // What clients are told that bodies collide as.
 
-#include "server/session/collision_model.h"
+#include "server/session/sending/collision_model.h"
 
 #include <gtest/gtest.h>
 
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/session/hand_sender.h"
+#include "server/session/sending/hand_sender.h"
 #include "tests/session/hosted.h"
 
 namespace prosector {
@@ -137,16 +137,8 @@ TEST(ContactSession, NoneIsLeftOverOfAHandThatIsGone) {
       touched = touched || (contact != nullptr && contact->touching);
     }
     EXPECT_TRUE(touched);
-    if (std::string(how) == "leaves") ada.command(CommandKind::leave);
-    if (std::string(how) == "observer") {
-      Command command;
-      command.participant = hana.id;
-      command.sequence = ++hana.sequence;
-      command.kind = CommandKind::set_role;
-      command.subject = ada.id;
-      command.role = Role::observer;
-      hana.bus->publish(command);
-    }
+    if (std::string(how) == "leaves") ada.command(Leave{});
+    if (std::string(how) == "observer") hana.command(SetRole{ada.id, Role::observer});
     for (int i = 0; i < 40; ++i) {
       if (std::string(how) == "not tracked") {
         HandInput input = ada.hand_at(test::press(0));

@@ -37,7 +37,7 @@ struct Dissection {
     run(20);
     hand_is_there = true;  // where the scalpel is
     for (int i = 0; i < 30 && !holds(); ++i) {
-      ada.command(CommandKind::grasp);
+      ada.command(Grasp{});
       run(1);
     }
     run(20);
@@ -58,15 +58,7 @@ struct Dissection {
       for (Guest* guest : {&ada, &eve}) guest->take();
     }
   }
-  void rewind(std::uint32_t revision) {
-    Command c;
-    c.participant = ada.id;
-    c.sequence = ++ada.sequence;
-    c.kind = CommandKind::rewind;
-    c.body = cut_body;
-    c.revision = revision;
-    ada.bus->publish(c);
-  }
+  void rewind(std::uint32_t revision) { ada.command(Rewind{cut_body, revision}); }
   bool holds() const {
     return !hosted.simulation.hands().empty() && hosted.simulation.hands()[0].holding == scalpel;
   }

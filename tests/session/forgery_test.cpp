@@ -8,7 +8,7 @@
 #include "common/clock.h"
 #include "idl/cyclone_bus.h"
 #include "idl/local_bus.h"
-#include "server/session/session.h"
+#include "server/session/people/session.h"
 #include "tests/dds_domains.h"
 
 namespace prosector {
@@ -55,12 +55,8 @@ Presence presence_of(ParticipantId id, const std::string& name) {
   return p;
 }
 
-Command command_of(ParticipantId id, CommandKind kind) {
-  Command c;
-  c.participant = id;
-  c.sequence = 1;
-  c.kind = kind;
-  return c;
+Command command_of(ParticipantId id, const CommandBody& body) {
+  return {id, 1, body};
 }
 
 HandInput hand_of(ParticipantId id, std::uint64_t sequence, const Vec3& at) {
@@ -78,7 +74,7 @@ struct Room {
       : network(dds, domain), server(network.join(BusEnd::server)), ada(network.join(BusEnd::dissector)) {
     ada->publish(presence_of(ada_id, "ada"));
     EXPECT_TRUE(pump(5000ms, [&] {
-      if (!ada_is_in()) ada->publish(command_of(ada_id, CommandKind::join));
+      if (!ada_is_in()) ada->publish(command_of(ada_id, Join{}));
       return ada_is_in();
     }));
   }
@@ -109,7 +105,7 @@ struct Room {
   }
   /// Waits, without ticking, until the server would hear this end.
   static void wait_until_heard(Bus& bus) {
-    for (int i = 0; i < 400 && !bus.publish(command_of(rogue_id, CommandKind::leave)); ++i)
+    for (int i = 0; i < 400 && !bus.publish(command_of(rogue_id, Leave{})); ++i)
       std::this_thread::sleep_for(10ms);
     std::this_thread::sleep_for(100ms);
   }
@@ -165,7 +161,7 @@ TEST_P(Forgery, AProcessThatIsGoneBeforeItIsHeardEndsNobody) {
   auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   rogue->publish(presence_of(rogue_id, "rogue"));
-  rogue->publish(command_of(rogue_id, CommandKind::join));
+  rogue->publish(command_of(rogue_id, Join{}));
   rogue->publish(hand_of(ada_id, 1000000, {0.9, 0.9, 0.9}));
   rogue->dispose(presence_of(ada_id, "ada"));
   std::this_thread::sleep_for(200ms);

@@ -1,6 +1,6 @@
 // Stepping down under overload: the decision by itself, then through a session, its journal and a replay.
 
-#include "server/session/governor.h"
+#include "server/session/run/governor.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "common/error.h"
-#include "server/session/input_bytes.h"
-#include "server/session/replay.h"
+#include "server/session/journal/input_bytes.h"
+#include "server/session/journal/replay.h"
 #include "tests/session/hosted.h"
 
 namespace prosector {
@@ -151,7 +151,7 @@ TEST(Governor, WhatItDecidesIsJournalledAndReplaysToTheSameHash) {
       const int down = governed.simulation.soft_state(test::Hosted::liver).steps_down;
       most_down = std::max(most_down, down);
       if (t == 100) {
-        EXPECT_NE(governed.loop->status().degraded.find("liver stepped down by"), std::string::npos);
+        EXPECT_NE(governed.loop->status().degraded.find("liver: effort reduced by"), std::string::npos);
         ASSERT_NE(ada.replica.body_status(test::Hosted::liver), nullptr);
         EXPECT_GT(ada.replica.body_status(test::Hosted::liver)->stepped_down, 0u);
       }

@@ -10,7 +10,7 @@
 #include "client/replica/replica.h"
 #include "idl/local_bus.h"
 #include "server/physics/mechanics/soft/soft_body.h"
-#include "server/session/server_loop.h"
+#include "server/session/run/server_loop.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
@@ -42,15 +42,9 @@ struct Guest {
     p.name = name;
     p.role = role;
     bus->publish(p);
-    command(CommandKind::join);
+    command(Join{});
   }
-  void command(CommandKind kind) {
-    Command c;
-    c.participant = id;
-    c.sequence = ++sequence;
-    c.kind = kind;
-    bus->publish(c);
-  }
+  void command(const CommandBody& body) { bus->publish(Command{id, ++sequence, body}); }
   HandInput hand_at(const Vec3& at) {
     HandInput i;
     i.participant = id;

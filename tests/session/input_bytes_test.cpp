@@ -1,6 +1,6 @@
 // A tick's input as bytes: every kind comes back, and journals that were written before stay readable.
 
-#include "server/session/input_bytes.h"
+#include "server/session/journal/input_bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ ConsumedInput one_of_each() {
   out.input.targets = {target};
   out.input.heads = {{11, {1.5, 1.6, 1.7}, {0.6, 0, -0.8}}};
   out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
-  out.input.held = {{11, HeldThing::tablet, true, {{1, 2, 3}, Quat(0.5, 0.5, -0.5, 0.5)}},
-                    {12, HeldThing::stylus, false, {}}};
+  out.input.held = {{11, HeldObject::tablet, true, {{1, 2, 3}, Quat(0.5, 0.5, -0.5, 0.5)}},
+                    {12, HeldObject::stylus, false, {}}};
   CutEvent undo{CutEvent::Kind::undo, 11, 0, 0, {}};
   CutEvent rewind{CutEvent::Kind::rewind, 12, 2, 9, {}};
   rewind.state = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{9, 8, 7});

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "server/session/replay.h"
+#include "server/session/journal/replay.h"
 #include "tests/random.h"
 #include "tests/session/recorded.h"
 
@@ -297,7 +297,7 @@ TEST(JournalPlace, IsReadByOthersAndWhereNothingCanBeWritten) {
   EXPECT_EQ(whole.last_tick(), 20u);
   EXPECT_EQ(whole.trouble(), "");
   EXPECT_EQ(alone.header().session, "prosector");
-  EXPECT_NE(alone.trouble().find("-wal is not beside it"), std::string::npos) << alone.trouble();
+  EXPECT_NE(alone.trouble().find("-wal is not in the same folder"), std::string::npos) << alone.trouble();
 }
 
 TEST(JournalPlace, EndsAsOneFileThatIsReadAnywhere) {
@@ -365,7 +365,7 @@ TEST(JournalPace, ADiskThatWaitsHoldsUpOneTickAndIsSaid) {
   const std::int64_t begin = monotonic_ns();
   for (int i = 0; i < 5; ++i) hosted.tick();
   EXPECT_LT(monotonic_ns() - begin, 500'000'000);
-  EXPECT_NE(hosted.loop.status().degraded.find("journal is behind"), std::string::npos);
+  EXPECT_NE(hosted.loop.status().degraded.find("journal writing is behind"), std::string::npos);
   other.execute("COMMIT");
   for (int i = 0; i < 1000 && !journal->settle(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

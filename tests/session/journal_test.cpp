@@ -1,6 +1,6 @@
 // What a journal keeps repeats the run bit for bit; what breaks the journal does not break the session.
 
-#include "server/session/journal.h"
+#include "server/session/journal/journal.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "common/error.h"
-#include "server/session/input_bytes.h"
-#include "server/session/replay.h"
+#include "server/session/journal/input_bytes.h"
+#include "server/session/journal/replay.h"
 #include "tests/session/recorded.h"
 
 namespace prosector {

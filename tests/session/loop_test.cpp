@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "common/error.h"
-#include "server/session/journal_reader.h"
-#include "server/session/replay.h"
+#include "server/session/journal/journal_reader.h"
+#include "server/session/journal/replay.h"
 #include "tests/session/hosted.h"
 #include "tests/session/temporary_file.h"
 
@@ -80,7 +80,7 @@ TEST(ServerLoop, ACheckpointThatCannotBeRestoredIsSkippedAndTheSessionGoesOn) {
   int made = 0;
   const auto checkpoint = [&] {
     if (++made != 2) return saved->checkpoint();
-    throw InputError("checkpoint: a number that isn't finite before byte 7");
+    throw InputError("checkpoint: a number is not finite before byte 7");
   };
   LoopOptions loop_options;
   loop_options.checkpoint = checkpoint;
@@ -92,7 +92,7 @@ TEST(ServerLoop, ACheckpointThatCannotBeRestoredIsSkippedAndTheSessionGoesOn) {
   EXPECT_EQ(hosted.loop.figures().refused_checkpoints, 1u);
   EXPECT_EQ(pressing.ada.replica.roster().size(), 1u);
   const auto reported = [](const std::string& line) {
-    return line.find("can't be restored and is skipped (1 so far)") != std::string::npos;
+    return line.find("cannot be restored and is skipped (1 so far)") != std::string::npos;
   };
   EXPECT_EQ(std::ranges::count_if(hosted.log, reported), 1);
   // A replay rebuilds its state at the checkpoints that were made, and not at the one that was refused.
@@ -130,7 +130,7 @@ TEST(ServerLoop, EveryoneKnowsWhoHoldsWhatAndWhoeverComesLater) {
   Hosted hosted;
   Pressing pressing(hosted);
   pressing.run(70);
-  pressing.ada.command(CommandKind::grasp);
+  pressing.ada.command(Grasp{});
   pressing.run(3);
   pressing.ada.take();
   const HandRef by_ada{1, right_hand};
@@ -141,7 +141,7 @@ TEST(ServerLoop, EveryoneKnowsWhoHoldsWhatAndWhoeverComesLater) {
   eve.take();
   EXPECT_EQ(holders(eve.replica, Hosted::liver), std::vector<HandRef>{by_ada});
   EXPECT_TRUE(holders(eve.replica, 1).empty());
-  pressing.ada.command(CommandKind::release);
+  pressing.ada.command(Release{});
   pressing.run(3);
   eve.take();
   EXPECT_TRUE(holders(eve.replica, Hosted::liver).empty());
@@ -153,25 +153,17 @@ TEST(ServerLoop, AHolderThatIsMadeAnObserverHoldsNothing) {
   hana.greet("hana", Role::host);
   Pressing pressing(hosted);
   pressing.run(70);
-  pressing.ada.command(CommandKind::grasp);
+  pressing.ada.command(Grasp{});
   pressing.run(3);
   ASSERT_EQ(hosted.simulation.hands().size(), 1U);
   ASSERT_TRUE(hosted.simulation.hands()[0].holding);
-  Command give;
-  give.participant = 3;
-  give.sequence = 9;
-  give.kind = CommandKind::set_role;
-  give.subject = 1;
-  give.role = Role::observer;
-  hana.bus->publish(give);
+  hana.command(SetRole{1, Role::observer});
   pressing.run(3);  // and ada goes on sending hands
   EXPECT_TRUE(hosted.simulation.hands().empty());
   hana.take();
   EXPECT_EQ(hana.replica.roster().at(1).role, Role::observer);
   EXPECT_TRUE(holders(hana.replica, Hosted::liver).empty());
-  give.sequence = 10;
-  give.role = Role::dissector;
-  hana.bus->publish(give);
+  hana.command(SetRole{1, Role::dissector});
   pressing.run(3);
   EXPECT_EQ(hosted.simulation.hands().size(), 1U);
 }
@@ -202,7 +194,7 @@ TEST(ServerLoop, WhatAnObserverSendsChangesNoBit) {
         mask.id = 1;
         mask.sequence = 1'000'000 + static_cast<std::uint64_t>(i);
         eve.bus->publish(mask.hand_at({0, -1, 0}));
-        eve.command(i % 2 == 0 ? CommandKind::reset : CommandKind::grasp);
+        eve.command(i % 2 == 0 ? CommandBody(ResetBody{}) : CommandBody(Grasp{}));
       }
       pressing.run(1);
       eve.take();
@@ -226,7 +218,7 @@ TEST(ServerLoop, AFloodIsCountedAndTheSessionGoesOn) {
     HandInput bad = mallory.hand_at({0, std::numeric_limits<double>::quiet_NaN(), 0});
     EXPECT_FALSE(mallory.bus->publish(bad));  // not even sent; idl's tests try what others may send
     for (int k = 0; k < 50; ++k) {
-      mallory.command(CommandKind::grasp);
+      mallory.command(Grasp{});
       mallory.bus->publish(pressing.ada.hand_at({0, 0, 0}));
     }
     pressing.run(1);

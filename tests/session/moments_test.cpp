@@ -1,6 +1,6 @@
 // States to rewind to: what is kept when memory is short, and how that is told.
 
-#include "server/session/moments.h"
+#include "server/session/people/moments.h"
 
 #include <gtest/gtest.h>
 

@@ -71,7 +71,8 @@ TEST(ServerProcess, StepsDownWhenStarvedSaysSoAndStepsUpAgain) {
     return told == nullptr ? -1 : static_cast<int>(told->stepped_down);
   };
   const auto status_names_it = [&] {
-    return replica.status() && replica.status()->degraded.find("jelly stepped down by") != std::string::npos;
+    return replica.status() &&
+           replica.status()->degraded.find("jelly: effort reduced by") != std::string::npos;
   };
   ASSERT_TRUE(feed_until(
       *bus, replica, [&] { return steps_down() == 0; }, 30s))
@@ -85,8 +86,8 @@ TEST(ServerProcess, StepsDownWhenStarvedSaysSoAndStepsUpAgain) {
   EXPECT_TRUE(feed_until(
       *bus, replica, [&] { return steps_down() == 0 && !status_names_it(); }, 60s))
       << server.output();
-  EXPECT_TRUE(server.says("jelly is solved less exactly, by 1 of 3 steps: the server is overloaded"));
-  EXPECT_TRUE(server.says("jelly is solved as described again: there is room"));
+  EXPECT_TRUE(server.says("jelly: solver effort is reduced by 1 of 3 steps: the server is overloaded"));
+  EXPECT_TRUE(server.says("jelly is solved at its configured effort again: the server has spare capacity"));
 
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0);

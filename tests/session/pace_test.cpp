@@ -1,8 +1,8 @@
-// The host's hand on time: who may, what goes on while time stands still, and that nothing else changes.
+// The host's hand on time: who may, what goes on while time is stopped, and that nothing else changes.
 
 #include <gtest/gtest.h>
 
-#include "server/session/tick_schedule.h"
+#include "server/session/run/tick_schedule.h"
 #include "tests/session/hosted.h"
 
 namespace prosector {
@@ -34,15 +34,9 @@ class HandOnTime : public testing::Test {
   }
   std::uint64_t tick() const { return hosted.simulation.time().tick; }
   /// Asks, turns once, and returns the answer.
-  CommandResult ask(Guest& guest, CommandKind kind, double value = 0, std::uint32_t revision = 0) {
-    Command c;
-    c.participant = guest.id;
-    c.sequence = ++guest.sequence;
-    c.kind = kind;
-    c.value = value;
-    c.revision = revision;
-    guest.bus->publish(c);
-    for (int i = 0; i < 5 && (guest.results.empty() || guest.results.back().sequence != c.sequence); ++i)
+  CommandResult ask(Guest& guest, const CommandBody& body) {
+    guest.command(body);
+    for (int i = 0; i < 5 && (guest.results.empty() || guest.results.back().sequence != guest.sequence); ++i)
       turn(1);
     return guest.results.empty() ? CommandResult{} : guest.results.back();
   }
@@ -56,26 +50,26 @@ class HandOnTime : public testing::Test {
 };
 
 TEST_F(HandOnTime, IsTheHostsAlone) {
-  for (const CommandKind kind : {CommandKind::set_pace, CommandKind::step_ticks}) {
-    const CommandResult answer = ask(bo, kind, 0, 1);
+  for (const CommandBody& body : {CommandBody(SetPace{0}), CommandBody(StepTicks{1})}) {
+    const CommandResult answer = ask(bo, body);
     EXPECT_FALSE(answer.accepted);
     EXPECT_NE(answer.reason.find("only the host"), std::string::npos) << answer.reason;
   }
-  EXPECT_EQ(ask(bo, CommandKind::reset_all).reason, "only the host rewinds");
+  EXPECT_EQ(ask(bo, ResetAll{}).reason, "only the host can rewind");
   const std::uint64_t before = tick();
   turn(5);
   EXPECT_EQ(tick(), before + 5);
 }
 
 TEST_F(HandOnTime, RefusesWhatIsOutOfBounds) {
-  EXPECT_NE(ask(ada, CommandKind::set_pace, least_pace / 2).reason.find("allowed"), std::string::npos);
+  EXPECT_NE(ask(ada, SetPace{min_pace / 2}).reason.find("allowed"), std::string::npos);
   for (const std::uint32_t steps : {0u, most_steps + 1})
-    EXPECT_NE(ask(ada, CommandKind::step_ticks, 0, steps).reason.find("allowed"), std::string::npos) << steps;
+    EXPECT_NE(ask(ada, StepTicks{steps}).reason.find("allowed"), std::string::npos) << steps;
   EXPECT_EQ(ada.replica.pace(), 1);
 }
 
 TEST_F(HandOnTime, StopsEveryThingWhilePeopleComeAndGo) {
-  EXPECT_TRUE(ask(ada, CommandKind::set_pace, 0).accepted);
+  EXPECT_TRUE(ask(ada, SetPace{0}).accepted);
   turn(2);
   const std::uint64_t before = tick(), hash = hosted.simulation.state_hash();
   bo.bus->publish(bo.hand_at({0, 0.1, 0.05}));
@@ -90,21 +84,21 @@ TEST_F(HandOnTime, StopsEveryThingWhilePeopleComeAndGo) {
   EXPECT_TRUE(eve.replica.complete()) << eve.replica.missing();
   EXPECT_EQ(eve.replica.pace(), 0) << "who comes later is told, too";
   EXPECT_TRUE(bo.replica.roster().contains(3));
-  EXPECT_NE(ask(bo, CommandKind::undo).reason.find("time stands still"), std::string::npos);
-  eve.command(CommandKind::leave);
+  EXPECT_NE(ask(bo, Undo{}).reason.find("time is stopped"), std::string::npos);
+  eve.command(Leave{});
   turn(2);
   EXPECT_FALSE(bo.replica.roster().contains(3));
-  EXPECT_TRUE(ask(ada, CommandKind::set_pace, 1).accepted);
+  EXPECT_TRUE(ask(ada, SetPace{1}).accepted);
   turn(10);
   EXPECT_GE(tick(), before + 10);
   EXPECT_EQ(bo.replica.pace(), 1);
 }
 
 TEST_F(HandOnTime, StepsAsManyTicksAsAsked) {
-  EXPECT_TRUE(ask(ada, CommandKind::set_pace, 0).accepted);
+  EXPECT_TRUE(ask(ada, SetPace{0}).accepted);
   turn(2);
   const std::uint64_t before = tick();
-  EXPECT_TRUE(ask(ada, CommandKind::step_ticks, 0, 7).accepted);
+  EXPECT_TRUE(ask(ada, StepTicks{7}).accepted);
   turn(30);
   EXPECT_EQ(tick(), before + 7);
 }
@@ -113,10 +107,10 @@ TEST_F(HandOnTime, ResetsEverythingToTheBeginningAlsoWhileTimeStandsStill) {
   const VecX at_rest = hosted.simulation.soft_state(Hosted::liver).motion.x;
   press_a_while();
   ASSERT_GT((hosted.simulation.soft_state(Hosted::liver).motion.x - at_rest).lpNorm<Eigen::Infinity>(), 1e-3);
-  EXPECT_TRUE(ask(ada, CommandKind::set_pace, 0).accepted);
+  EXPECT_TRUE(ask(ada, SetPace{0}).accepted);
   turn(2);
   const SimTime before = hosted.simulation.time();
-  EXPECT_TRUE(ask(ada, CommandKind::reset_all).accepted);
+  EXPECT_TRUE(ask(ada, ResetAll{}).accepted);
   turn(3);
   EXPECT_EQ(hosted.simulation.time().tick, before.tick + 1);
   EXPECT_EQ(hosted.simulation.time().epoch, before.epoch + 1);
@@ -124,30 +118,22 @@ TEST_F(HandOnTime, ResetsEverythingToTheBeginningAlsoWhileTimeStandsStill) {
 }
 
 TEST_F(HandOnTime, SaysHowExactlyTissueIsSolved) {
-  const auto ask_effort = [&](Guest& guest, CommandKind kind, BodyId body, std::uint32_t steps) {
-    Command c;
-    c.participant = guest.id;
-    c.sequence = ++guest.sequence;
-    c.kind = kind;
-    c.body = body;
-    c.revision = steps;
-    guest.bus->publish(c);
+  const auto ask_effort = [&](Guest& guest, const CommandBody& body) {
+    guest.command(body);
     turn(3);
     return guest.results.back();
   };
   const auto steps_down = [&] { return hosted.simulation.soft_state(Hosted::liver).steps_down; };
-  EXPECT_EQ(ask_effort(bo, CommandKind::set_effort, Hosted::liver, 1).reason,
-            "only the host says how exactly tissue is solved");
-  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, 1, 1).reason.find("rigid"), std::string::npos);
-  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, 9, 1).reason.find("no body"), std::string::npos);
-  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, Hosted::liver, 4).reason.find("allowed"),
-            std::string::npos);
+  EXPECT_EQ(ask_effort(bo, SetEffort{Hosted::liver, 1}).reason, "only the host can change the solver effort");
+  EXPECT_NE(ask_effort(ada, SetEffort{1, 1}).reason.find("rigid"), std::string::npos);
+  EXPECT_NE(ask_effort(ada, SetEffort{9, 1}).reason.find("no body"), std::string::npos);
+  EXPECT_NE(ask_effort(ada, SetEffort{Hosted::liver, 4}).reason.find("allowed"), std::string::npos);
   EXPECT_EQ(steps_down(), 0);
-  EXPECT_TRUE(ask_effort(ada, CommandKind::set_effort, Hosted::liver, 2).accepted);
+  EXPECT_TRUE(ask_effort(ada, SetEffort{Hosted::liver, 2}).accepted);
   EXPECT_EQ(steps_down(), 2);
-  EXPECT_TRUE(ask_effort(ada, CommandKind::set_all_efforts, 0, 3).accepted);
+  EXPECT_TRUE(ask_effort(ada, SetAllEfforts{3}).accepted);
   EXPECT_EQ(steps_down(), 3);
-  EXPECT_TRUE(ask_effort(ada, CommandKind::set_all_efforts, 0, 0).accepted);
+  EXPECT_TRUE(ask_effort(ada, SetAllEfforts{0}).accepted);
   EXPECT_EQ(steps_down(), 0);
 }
 

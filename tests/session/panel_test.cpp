@@ -4,9 +4,9 @@
 
 #include "common/hand.h"
 #include "common/panel.h"
-#include "common/panel_placing.h"
-#include "server/session/input_bytes.h"
-#include "server/session/panel_inputs.h"
+#include "common/panel_placement.h"
+#include "server/session/journal/input_bytes.h"
+#include "server/session/people/panel_inputs.h"
 #include "tests/session/hosted.h"
 
 namespace prosector {
@@ -24,13 +24,6 @@ SceneDesc scene_with_parts() {
   return scene;
 }
 constexpr BodyId bone = 2, liver = 3;
-
-Command command(CommandKind kind, BodyId body = 0) {
-  Command out;
-  out.kind = kind;
-  out.body = body;
-  return out;
-}
 
 /// Fingers stretched or not: the index points, the others are in a fist.
 constexpr std::array<double, fingers> pointing = {0.8, 0, 1, 1, 1};
@@ -79,10 +72,8 @@ struct Session {
     for (const double height : {0.08, 0.04, 0.02, 0.01, 0.0, -0.005, 0.01, 0.04, 0.08})
       hold(pointing_at(panel, {face.x(), face.y(), height}), 12);
   }
-  CommandResult ask(Guest& guest, Command command) {
-    command.participant = guest.id;
-    command.sequence = ++guest.sequence;
-    guest.bus->publish(command);
+  CommandResult ask(Guest& guest, const CommandBody& body) {
+    guest.command(body);
     const std::size_t before = guest.results.size();
     tick(3);
     return guest.results.size() > before ? guest.results.back() : CommandResult{};
@@ -146,7 +137,8 @@ TEST(PanelSession, AButtonThatRefusesTellsItsUserWhy) {
   s.press(PanelControl::attach);
   EXPECT_FALSE(s.eve.replica.part(liver)->attached);
   ASSERT_EQ(s.ada.results.size(), 1u);
-  EXPECT_NE(s.ada.results[0].reason.find("cm from its place"), std::string::npos) << s.ada.results[0].reason;
+  EXPECT_NE(s.ada.results[0].reason.find("cm from its original position"), std::string::npos)
+      << s.ada.results[0].reason;
   EXPECT_TRUE(s.eve.results.empty()) << "it is for who pressed";
 }
 
@@ -180,15 +172,13 @@ TEST(PanelSession, AHandThatPressesIsToldWithWhatForce) {
 
 TEST(PanelSession, CommandsAreForOnesOwnPanelOnly) {
   Session s;
-  const Command open = command(CommandKind::open_panel, bone);
+  const OpenPanel open{bone};
   EXPECT_FALSE(s.ask(s.eve, open).accepted) << "an observer";
-  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::open_panel, 0)).accepted) << "the table";
-  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::open_panel, 99)).accepted);
-  Command light = command(CommandKind::set_control);
-  light.control = PanelControl::light_shaft;
-  light.value = 1;
+  EXPECT_FALSE(s.ask(s.ada, OpenPanel{0}).accepted) << "the table";
+  EXPECT_FALSE(s.ask(s.ada, OpenPanel{99}).accepted);
+  const SetControl light{PanelControl::light_shaft, 1};
   EXPECT_FALSE(s.ask(s.ada, light).accepted) << "no panel yet";
-  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::close_panel)).accepted);
+  EXPECT_FALSE(s.ask(s.ada, ClosePanel{}).accepted);
   EXPECT_TRUE(s.ask(s.ada, open).accepted);
   ASSERT_EQ(s.eve.replica.panels().size(), 1u);
   EXPECT_EQ(s.eve.replica.panels().at(s.ada.id).body, bone);
@@ -201,36 +191,34 @@ TEST(PanelSession, CommandsAreForOnesOwnPanelOnly) {
   s.tick(2);
   EXPECT_TRUE(s.control(s.eve, PanelControl::light_shaft).on);
   EXPECT_TRUE(s.eve.replica.part(bone)->lit);
-  EXPECT_TRUE(s.ask(s.ada, command(CommandKind::close_panel)).accepted);
+  EXPECT_TRUE(s.ask(s.ada, ClosePanel{}).accepted);
   s.tick(2);
   EXPECT_TRUE(s.eve.replica.panels().empty());
 }
 
 TEST(PanelSession, ItsOwnerPutsItSomewhereForEveryoneAndBack) {
   Session s;
-  Command put = command(CommandKind::open_panel, liver);
-  put.revision = static_cast<std::uint32_t>(PanelPlacing::put);
-  put.shape.p = {0.3, 1.4, -0.2};
+  OpenPanel put{liver, PanelPlacement::put, {0.3, 1.4, -0.2}};
   EXPECT_FALSE(s.ask(s.ada, put).accepted) << "no panel yet";
-  s.ask(s.ada, command(CommandKind::open_panel, liver));
+  s.ask(s.ada, OpenPanel{liver});
   const Pose first = s.eve.replica.panels().at(s.ada.id).pose;
   EXPECT_FALSE(s.ask(s.eve, put).accepted) << "an observer, and not hers";
   EXPECT_TRUE(s.ask(s.ada, put).accepted);
   s.tick(2);
-  EXPECT_LT((s.eve.replica.panels().at(s.ada.id).pose.p - put.shape.p).norm(), 1e-6);
-  put.revision = static_cast<std::uint32_t>(PanelPlacing::put_back);
+  EXPECT_LT((s.eve.replica.panels().at(s.ada.id).pose.p - put.at).norm(), 1e-6);
+  put.placing = PanelPlacement::put_back;
   EXPECT_TRUE(s.ask(s.ada, put).accepted);
   s.tick(2);
   EXPECT_LT((s.eve.replica.panels().at(s.ada.id).pose.p - first.p).norm(), 1e-6);
-  ++put.revision;
+  put.placing = static_cast<PanelPlacement>(fmt::underlying(last_panel_placement) + 1);
   EXPECT_FALSE(s.ask(s.ada, put).accepted) << "no such way";
 }
 
 TEST(PanelSession, ItGoesWithItsOwner) {
   Session s;
-  s.ask(s.ada, command(CommandKind::open_panel, liver));
+  s.ask(s.ada, OpenPanel{liver});
   ASSERT_EQ(s.eve.replica.panels().size(), 1u);
-  s.ada.command(CommandKind::leave);
+  s.ada.command(Leave{});
   s.tick(3);
   EXPECT_TRUE(s.eve.replica.panels().empty());
   EXPECT_TRUE(s.hosted.simulation.panels().empty());
@@ -241,7 +229,7 @@ TEST(PanelSession, ATabletIsThePanelForEveryoneUntilItIsLost) {
   const auto show = [&](const Pose& board, bool seen, int ticks) {
     for (int i = 0; i < ticks; ++i) {
       HandInput input = s.ada.hand_at({0, 0.4, 0.3});
-      input.held[static_cast<std::size_t>(HeldThing::tablet)] = {seen, board};
+      input.held[static_cast<std::size_t>(HeldObject::tablet)] = {seen, board};
       s.ada.bus->publish(input);
       s.tick();
     }
@@ -256,8 +244,7 @@ TEST(PanelSession, ATabletIsThePanelForEveryoneUntilItIsLost) {
     EXPECT_LT(panel.pose.q.angularDistance(board.q), 1e-3);
   }
   const Pose last = s.eve.replica.panels().at(s.ada.id).pose;
-  Command back = command(CommandKind::open_panel, bone);
-  back.revision = static_cast<std::uint32_t>(PanelPlacing::put_back);
+  const OpenPanel back{bone, PanelPlacement::put_back};
   show({}, false, 60);
   s.ask(s.ada, back);
   EXPECT_EQ(s.eve.replica.panels().at(s.ada.id).pose.p, last.p) << "it rests";
@@ -265,7 +252,7 @@ TEST(PanelSession, ATabletIsThePanelForEveryoneUntilItIsLost) {
   s.ask(s.ada, back);
   EXPECT_NE(s.eve.replica.panels().at(s.ada.id).pose.p, last.p) << "it was let go";
   show(last, true, 4);
-  s.ada.command(CommandKind::leave);
+  s.ada.command(Leave{});
   s.tick(3);
   EXPECT_TRUE(s.eve.replica.panels().empty()) << "it goes with its owner";
 }

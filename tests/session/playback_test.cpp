@@ -1,7 +1,7 @@
 // A recorded session that is watched: every state is the recorded one, wherever people go in it, and whoever
 // looks on sees it so.
 
-#include "server/session/playback.h"
+#include "server/session/run/playback.h"
 
 #include <gtest/gtest.h>
 
@@ -78,15 +78,9 @@ struct Watched {
     turn(2);
   }
   /// Asks, and returns the answer.
-  CommandResult ask(Guest& who, CommandKind kind, double value = 0, std::uint64_t number = 0) {
-    Command c;
-    c.participant = who.id;
-    c.sequence = ++who.sequence;
-    c.kind = kind;
-    c.value = value;
-    c.revision = static_cast<std::uint32_t>(number);
-    who.bus->publish(c);
-    for (int i = 0; i < 5 && (who.results.empty() || who.results.back().sequence != c.sequence); ++i) {
+  CommandResult ask(Guest& who, const CommandBody& body) {
+    who.command(body);
+    for (int i = 0; i < 5 && (who.results.empty() || who.results.back().sequence != who.sequence); ++i) {
       turn();
       who.take();
     }
@@ -94,8 +88,8 @@ struct Watched {
   }
   /// Goes to a tick and stands there for long enough that everybody has it.
   void go_to(std::uint64_t wanted) {
-    EXPECT_TRUE(ask(eve, CommandKind::set_pace, 0).accepted);
-    EXPECT_TRUE(ask(eve, CommandKind::seek, 0, wanted).accepted);
+    EXPECT_TRUE(ask(eve, SetPace{0}).accepted);
+    EXPECT_TRUE(ask(eve, Seek{static_cast<std::uint32_t>(wanted)}).accepted);
     for (int i = 0; i < 1000 && tick() != wanted; ++i) turn();
     EXPECT_EQ(tick(), wanted);
     turn(2);
@@ -148,7 +142,7 @@ TEST_F(PlayedSession, BeginsWithWhoComesAndStandsAtItsEnd) {
   EXPECT_EQ(watched.tick(), last);
   EXPECT_EQ(watched.eve.replica.pace(), 0);
   expect_as_recorded(last, watched.eve);
-  EXPECT_TRUE(watched.ask(watched.eve, CommandKind::set_pace, 1).accepted);
+  EXPECT_TRUE(watched.ask(watched.eve, SetPace{1}).accepted);
   watched.turn(3);
   EXPECT_LT(watched.tick(), 10u) << "whoever goes on at the end begins again";
 }
@@ -174,7 +168,7 @@ TEST_F(PlayedSession, GoesOnFromWhereItWasSought) {
   watched.come();
   watched.go_to(recorded().after_the_cut);
   watched.go_to(recorded().before_the_cut);
-  EXPECT_TRUE(watched.ask(watched.eve, CommandKind::set_pace, 1).accepted);
+  EXPECT_TRUE(watched.ask(watched.eve, SetPace{1}).accepted);
   while (watched.tick() < last) watched.turn();
   watched.turn(2);
   expect_as_recorded(last, watched.eve);
@@ -210,25 +204,24 @@ TEST_F(PlayedSession, MarksWhatHappened) {
 
 TEST_F(PlayedSession, IsWatchedOnlyAndTimeIsTheHostsWhereThereIsOne) {
   watched.come();
-  EXPECT_EQ(watched.ask(watched.eve, CommandKind::undo).reason,
-            "a recording is watched: nothing in it can be changed");
-  EXPECT_NE(watched.ask(watched.eve, CommandKind::set_pace, 2 * most_pace).reason, "");
-  EXPECT_TRUE(watched.ask(watched.eve, CommandKind::set_pace, most_pace).accepted);
+  EXPECT_EQ(watched.ask(watched.eve, Undo{}).reason, "this is a recording: it cannot be changed");
+  EXPECT_NE(watched.ask(watched.eve, SetPace{2 * max_pace}).reason, "");
+  EXPECT_TRUE(watched.ask(watched.eve, SetPace{max_pace}).accepted);
   Guest bo = watched.guest(9), teacher = watched.guest(10);
   bo.greet("bo", Role::dissector);
   watched.turn(3);
   EXPECT_EQ(watched.eve.replica.roster().at(9).role, Role::observer);
   teacher.greet("teacher", Role::host);
   watched.turn(3);
-  EXPECT_EQ(watched.ask(watched.eve, CommandKind::seek, 0, 5).reason, "only the host goes to another time");
-  EXPECT_NE(watched.ask(watched.eve, CommandKind::set_pace, 0).reason, "");
-  EXPECT_TRUE(watched.ask(teacher, CommandKind::seek, 0, 5).accepted);
+  EXPECT_EQ(watched.ask(watched.eve, Seek{5}).reason, "only the host can seek");
+  EXPECT_NE(watched.ask(watched.eve, SetPace{0}).reason, "");
+  EXPECT_TRUE(watched.ask(teacher, Seek{5}).accepted);
 }
 
 TEST_F(PlayedSession, StepsTickByTick) {
   watched.come();
   watched.go_to(10);
-  EXPECT_TRUE(watched.ask(watched.eve, CommandKind::step_ticks, 0, 3).accepted);
+  EXPECT_TRUE(watched.ask(watched.eve, StepTicks{3}).accepted);
   watched.turn(6);
   EXPECT_EQ(watched.tick(), 13u);
 }

@@ -109,7 +109,7 @@ pid_t start_holder(const Folder& folder) {
   for (int i = 0;; ++i) {
     if (i % 30 == 0) {
       if (replica.roster().count(7) == 0) bus->publish(ada);
-      command.kind = replica.roster().count(7) == 0 ? CommandKind::join : CommandKind::grasp;
+      command.body = replica.roster().count(7) == 0 ? CommandBody(Join{}) : CommandBody(Grasp{});
       ++command.sequence;
       bus->publish(command);
     }
@@ -164,7 +164,7 @@ TEST(ServerProcess, MistakesGetOneLineAndStatusTwo) {
       {{folder.path / "box.toml", "--no-such-thing"}, "--no-such-thing"},
       {{"--replay", folder.path / "garbage"}, "garbage"},
       {{folder.path / "box.toml", "--replay", "x"}, "--replay"},
-      {{folder.path / "box.toml", "--journal", folder.path / "garbage"}, "exists already"},
+      {{folder.path / "box.toml", "--journal", folder.path / "garbage"}, "already exists"},
   };
   for (const Mistake& mistake : mistakes) {
     Server server(folder, mistake.arguments);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "server/session/topology_log.h"
+#include "server/session/sending/topology_log.h"
 
 namespace prosector::test {
 

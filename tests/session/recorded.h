@@ -1,7 +1,7 @@
 #pragma once
 // A run of the hosted session, recorded.
 
-#include "server/session/journal.h"
+#include "server/session/journal/journal.h"
 #include "tests/session/hosted.h"
 #include "tests/session/temporary_file.h"
 
@@ -20,7 +20,7 @@ inline std::uint64_t record(const std::filesystem::path& file, std::uint64_t tic
   ada.greet("ada", Role::dissector);
   for (std::uint64_t t = 0; t < ticks; ++t) {
     ada.bus->publish(ada.hand_at(press(t)));
-    if (t == 70) ada.command(CommandKind::grasp);
+    if (t == 70) ada.command(Grasp{});
     hosted.tick();
   }
   hosted.loop.finish();

@@ -1,13 +1,13 @@
 // Bodies that a host has modelled in another way while the session runs.
 
-#include "server/session/remodeller.h"
+#include "server/session/run/remodeller.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
 
-#include "server/session/replay.h"
+#include "server/session/journal/replay.h"
 #include "tests/calibration/tables.h"
 #include "tests/session/recorded.h"
 
@@ -85,13 +85,7 @@ struct Dialled {
     }
   }
   CommandResult ask(Guest& guest, BodyId body, double percent) {
-    Command c;
-    c.participant = guest.id;
-    c.sequence = ++guest.sequence;
-    c.kind = CommandKind::set_accuracy;
-    c.body = body;
-    c.value = percent;
-    guest.bus->publish(c);
+    guest.command(SetAccuracy{body, percent});
     turn(3);
     guest.take();
     return guest.answer();
@@ -154,7 +148,7 @@ TEST(Remodeller, OnlyTheHostAsksAndOnlyForWhatThereIs) {
   bo.id = 2;
   bo.greet("bo", Role::dissector);
   dialled.turn(3);
-  EXPECT_EQ(dialled.ask(bo, Hosted::liver, 30).reason, "only the host says how accurate tissue is to be");
+  EXPECT_EQ(dialled.ask(bo, Hosted::liver, 30).reason, "only the host can set the accuracy");
   EXPECT_NE(dialled.ask(dialled.ada, 0, 30).reason.find("rigid"), std::string::npos);
   EXPECT_NE(dialled.ask(dialled.ada, 9, 30).reason.find("no body"), std::string::npos);
   EXPECT_NE(dialled.ask(dialled.ada, Hosted::liver, 0.01).reason.find("allowed"), std::string::npos);
@@ -162,22 +156,17 @@ TEST(Remodeller, OnlyTheHostAsksAndOnlyForWhatThereIs) {
   Guest host = without.guest(1, BusEnd::dissector);
   host.greet("ada", Role::host);
   without.tick();
-  Command c;
-  c.participant = 1;
-  c.sequence = 9;
-  c.kind = CommandKind::set_accuracy;
-  c.body = Hosted::liver;
-  host.bus->publish(c);
+  host.command(SetAccuracy{Hosted::liver, 0});
   for (int i = 0; i < 3; ++i) without.tick();
   host.take();
-  EXPECT_NE(host.answer().reason.find("as it began"), std::string::npos) << host.answer().reason;
+  EXPECT_NE(host.answer().reason.find("cannot remodel"), std::string::npos) << host.answer().reason;
 }
 
 TEST(Remodeller, TellsWhatABodyCanHave) {
   Dialled dialled;
   ASSERT_TRUE(dialled.ask(dialled.ada, Hosted::liver, 0).accepted);
   const std::string words = dialled.hear();
-  EXPECT_NE(words.find("liver can have: "), std::string::npos) << words;
+  EXPECT_NE(words.find("liver: available accuracies: "), std::string::npos) << words;
   dialled.turn(40);
   const BodyStatus* status = dialled.ada.replica.body_status(Hosted::liver);
   ASSERT_NE(status, nullptr);
@@ -192,7 +181,7 @@ TEST(Remodeller, TellsWhatABodyCanHave) {
 TEST(Remodeller, SaysWhatIsBestWhereNothingIsGoodEnough) {
   Dialled dialled;
   ASSERT_TRUE(dialled.ask(dialled.ada, Hosted::liver, 0.1).accepted);
-  EXPECT_EQ(dialled.hear().find("nothing here reaches 0.1 %: liver can have: "), 0u);
+  EXPECT_EQ(dialled.hear().find("no configuration reaches 0.1 %: liver: available accuracies: "), 0u);
   EXPECT_FALSE(dialled.ready);
 }
 
@@ -225,7 +214,7 @@ TEST(Remodeller, TheSessionGoesOnInAnotherModelAndReplays) {
   const std::unique_ptr<Simulation> old = std::exchange(dialled.scene, std::move(*next)).simulation;
   dialled.begin(journal.get());
   dialled.ada.greet("ada", Role::host);  // as clients do, who find themselves forgotten
-  EXPECT_NE(dialled.hear().find("liver is modelled anew: expected "), std::string::npos);
+  EXPECT_NE(dialled.hear().find("liver is remodelled: expected "), std::string::npos);
   dialled.turn(30);
   dialled.loop->finish();
   const std::uint64_t last = dialled.scene.simulation->state_hash();

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "server/session/replay.h"
+#include "server/session/journal/replay.h"
 #include "tests/session/dissection.h"
 #include "tests/session/temporary_file.h"
 

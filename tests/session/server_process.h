@@ -127,8 +127,8 @@ inline std::unique_ptr<Bus> join_network(const Folder& folder, BusEnd end) {
 /// `replica` is a Replica or a ServerChoice. False: not within that long.
 template <class Taker>
 bool feed_until(Bus& bus, Taker& replica, const std::function<bool()>& done,
-                std::chrono::seconds patience = std::chrono::seconds(5)) {
-  const std::int64_t deadline = monotonic_ns() + std::chrono::nanoseconds(patience).count();
+                std::chrono::seconds time_limit = std::chrono::seconds(5)) {
+  const std::int64_t deadline = monotonic_ns() + std::chrono::nanoseconds(time_limit).count();
   std::vector<Received> received;
   while (!done()) {
     if (monotonic_ns() > deadline) return false;

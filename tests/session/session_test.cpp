@@ -1,6 +1,6 @@
 // Who may join, whose samples count, and when hands come and go: Session by itself, fed by hand.
 
-#include "server/session/session.h"
+#include "server/session/people/session.h"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +30,8 @@ Presence presence(ParticipantId id, const std::string& name, Role role = Role::d
   return p;
 }
 
-Command command(ParticipantId id, CommandKind kind, std::uint64_t sequence = 1) {
-  Command c;
-  c.participant = id;
-  c.sequence = sequence;
-  c.kind = kind;
-  return c;
+Command command(ParticipantId id, const CommandBody& body, std::uint64_t sequence = 1) {
+  return {id, sequence, body};
 }
 
 HandInput input(ParticipantId id, std::uint64_t sequence, bool tracked = true) {
@@ -72,7 +68,7 @@ struct Room {
     return out;
   }
   CommandResult join(const Presence& p, std::uint64_t writer) {
-    feed({from(writer, p), from(writer, command(p.participant, CommandKind::join))});
+    feed({from(writer, p), from(writer, command(p.participant, Join{}))});
     return results.back();
   }
 };
@@ -104,7 +100,7 @@ TEST(Session, EveryRefusalSaysWhy) {
       {"taken name", [](Room& room) { room.join(presence(1, "ada"), 1); }, presence(9, "ada"), "taken"},
       {"role", nobody, presence(9, "x", static_cast<Role>(7)), "role"},
       {"two hosts", [](Room& room) { room.join(presence(1, "ada", Role::host), 1); },
-       presence(9, "x", Role::host), "host already"},
+       presence(9, "x", Role::host), "already has a host"},
       {"full", full, presence(9, "x"), "full"},
       {"observers full", watched, presence(9, "x", Role::observer), "observer"},
   };
@@ -126,7 +122,7 @@ TEST(Session, WhoWasKilledAndComesBackAtOnceIsLetInOnceItsDeathIsKnown) {
   for (const Role role : {Role::dissector, Role::host}) {
     Room room;
     room.join(presence(1, "ada", role), 1);
-    room.feed({from(9, presence(9, "ada", role)), from(9, command(9, CommandKind::join))});
+    room.feed({from(9, presence(9, "ada", role)), from(9, command(9, Join{}))});
     for (int i = 0; i < 3; ++i) room.feed({});
     EXPECT_EQ(room.results.size(), 1u) << room.results.back().reason;
     room.feed({from(1, presence(1, "ada", role), Liveness::gone)});
@@ -147,7 +143,7 @@ TEST(Session, ANameThatIsTakenIsRefusedHoweverOftenItIsAskedFor) {
 
 TEST(Session, PresenceAndJoinComeInEitherOrder) {
   Room room;
-  room.feed({from(1, command(1, CommandKind::join))});
+  room.feed({from(1, command(1, Join{}))});
   EXPECT_TRUE(room.results.empty());
   room.feed({from(1, presence(1, "ada"))});
   ASSERT_EQ(room.results.size(), 1u);
@@ -157,7 +153,7 @@ TEST(Session, PresenceAndJoinComeInEitherOrder) {
 
 TEST(Session, JoinWithoutPresenceIsRefusedAfterATime) {
   Room room;
-  room.feed({from(1, command(1, CommandKind::join))});
+  room.feed({from(1, command(1, Join{}))});
   for (int i = 0; i < 12; ++i) room.feed({});
   ASSERT_EQ(room.results.size(), 1u);
   EXPECT_FALSE(room.results[0].accepted);
@@ -173,7 +169,7 @@ TEST(Session, ColoursDifferAndAreFreedOnLeaving) {
   EXPECT_NE(color(1), color(2));
   EXPECT_NE(color(2), color(3));
   const Vec3 second = color(2);
-  room.feed({from(2, command(2, CommandKind::leave, 2))});
+  room.feed({from(2, command(2, Leave{}, 2))});
   ASSERT_EQ(room.gone.size(), 1u);
   room.join(presence(5, "new"), 5);
   EXPECT_EQ(color(5), second);
@@ -231,8 +227,7 @@ TEST(Session, LeavingAndLosingFreeEverything) {
     Room room;
     room.join(presence(1, "ada"), 1);
     room.feed({from(1, input(1, 1))});
-    const Received end =
-        lost ? from(1, presence(1, ""), Liveness::gone) : from(1, command(1, CommandKind::leave, 2));
+    const Received end = lost ? from(1, presence(1, ""), Liveness::gone) : from(1, command(1, Leave{}, 2));
     const ConsumedInput in = room.feed({end, from(1, input(1, 2))});
     ASSERT_EQ(in.input.events.size(), 1u);
     EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::vanish);
@@ -247,9 +242,9 @@ TEST(Session, LeavingAndLosingFreeEverything) {
 TEST(Session, SamplesInAnothersNameAreDropped) {
   Room room;
   room.join(presence(1, "ada"), 1);
-  const ConsumedInput in = room.feed({from(66, input(1, 9)), from(66, command(1, CommandKind::leave, 7)),
+  const ConsumedInput in = room.feed({from(66, input(1, 9)), from(66, command(1, Leave{}, 7)),
                                       from(66, presence(1, "ada")), from(66, presence(1, ""), Liveness::gone),
-                                      from(66, command(1, CommandKind::join, 8)), from(66, input(5, 1))});
+                                      from(66, command(1, Join{}, 8)), from(66, input(5, 1))});
   EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
   EXPECT_EQ(room.session.roster().members().size(), 1u);
   EXPECT_EQ(room.session.dropped_total(), 6u);
@@ -261,7 +256,7 @@ TEST(Session, WhatNoKnownProcessWroteIsDropped) {
   room.join(presence(1, "ada"), 1);
   const ConsumedInput in =
       room.feed({from(0, presence(1, ""), Liveness::gone), from(0, input(1, 9)), from(0, presence(2, "bob")),
-                 from(0, command(2, CommandKind::join)), from(0, command(1, CommandKind::leave, 2))});
+                 from(0, command(2, Join{})), from(0, command(1, Leave{}, 2))});
   EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
   EXPECT_EQ(room.session.roster().members().size(), 1u);
   EXPECT_EQ(room.session.dropped_total(), 5u);
@@ -269,8 +264,8 @@ TEST(Session, WhatNoKnownProcessWroteIsDropped) {
 
 TEST(Session, AVisitorsEndIsBelievedOfTheVisitorOnly) {
   Room room;
-  room.feed({from(1, command(1, CommandKind::join)), from(66, presence(1, ""), Liveness::gone),
-             from(1, presence(1, "ada"))});
+  room.feed(
+      {from(1, command(1, Join{})), from(66, presence(1, ""), Liveness::gone), from(1, presence(1, "ada"))});
   EXPECT_EQ(room.session.roster().members().size(), 1u);
   EXPECT_EQ(room.session.dropped_total(), 1u);
 }
@@ -278,8 +273,8 @@ TEST(Session, AVisitorsEndIsBelievedOfTheVisitorOnly) {
 TEST(Session, AnObserverChangesNothingAndIsTold) {
   Room room;
   room.join(presence(1, "eve", Role::observer), 1);
-  for (CommandKind kind : {CommandKind::grasp, CommandKind::release, CommandKind::reset}) {
-    const ConsumedInput in = room.feed({from(1, input(1, 1)), from(1, command(1, kind, 2))});
+  for (const CommandBody& body : {CommandBody(Grasp{}), CommandBody(Release{}), CommandBody(ResetBody{})}) {
+    const ConsumedInput in = room.feed({from(1, input(1, 1)), from(1, command(1, body, 2))});
     EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty() && in.keys.empty());
     EXPECT_FALSE(room.results.back().accepted);
     EXPECT_NE(room.results.back().reason.find("observer"), std::string::npos);
@@ -288,10 +283,7 @@ TEST(Session, AnObserverChangesNothingAndIsTold) {
 }
 
 Command set_role(ParticipantId by, ParticipantId subject, Role role) {
-  Command c = command(by, CommandKind::set_role, 50);
-  c.subject = subject;
-  c.role = role;
-  return c;
+  return command(by, SetRole{subject, role}, 50);
 }
 
 Role role_of(const Room& room, ParticipantId id) {
@@ -338,7 +330,7 @@ TEST(Session, ADissectorThatIsMadeAnObserverLosesItsHands) {
   room.join(presence(1, "hana", Role::host), 1);
   room.join(presence(2, "dora"), 2);
   room.feed({from(2, input(2, 1))});
-  const ConsumedInput in = room.feed({from(2, command(2, CommandKind::grasp, 9)), from(2, input(2, 2)),
+  const ConsumedInput in = room.feed({from(2, command(2, Grasp{}, 9)), from(2, input(2, 2)),
                                       from(1, set_role(1, 2, Role::observer)), from(2, input(2, 3))});
   ASSERT_EQ(in.input.events.size(), 1u);
   EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::vanish);
@@ -376,11 +368,9 @@ TEST(Session, WhatIsAskedOfPartsIsAnsweredByTheStep) {
   Room room;
   room.join(presence(1, "ada"), 1);
   room.join(presence(2, "eve", Role::observer), 2);
-  Command detach = command(1, CommandKind::detach, 20), attach = command(1, CommandKind::attach, 21);
-  detach.body = attach.body = 2;
-  Command beyond = command(1, CommandKind::inspect, 22);
-  beyond.body = 3;
-  Command by_observer = command(2, CommandKind::detach, 23);
+  const Command detach = command(1, Detach{2}, 20), attach = command(1, Attach{2}, 21);
+  const Command beyond = command(1, Inspect{3}, 22);
+  const Command by_observer = command(2, Detach{}, 23);
   const ConsumedInput in = room.session.consume(
       std::vector<Received>{from(1, detach), from(1, beyond), from(1, attach), from(2, by_observer)},
       ++room.tick);
@@ -406,18 +396,10 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   room.join(presence(3, "eve", Role::observer), 3);
   room.session.moments().keep(5, {{2, 6}, {1, 4}}, {1, 2});
   room.session.moments().keep(8, {{2, 7}}, {3, 4, 5});
-  Command rewind = command(1, CommandKind::rewind, 20);
-  rewind.body = 2;
-  rewind.revision = 7;
-  Command of_later = rewind;
-  of_later.sequence = 26;
-  of_later.revision = 9;
-  Command of_no_body = rewind, by_dissector = rewind, by_observer = command(3, CommandKind::undo, 24);
-  of_no_body.sequence = 21;
-  of_no_body.body = 3;
-  by_dissector.participant = 2;
-  by_dissector.sequence = 22;
-  const Command undo = command(2, CommandKind::undo, 23);
+  const Command rewind = command(1, Rewind{2, 7}, 20), of_later = command(1, Rewind{2, 9}, 26),
+                of_no_body = command(1, Rewind{3, 7}, 21), by_dissector = command(2, Rewind{2, 7}, 22),
+                by_observer = command(3, Undo{}, 24);
+  const Command undo = command(2, Undo{}, 23);
   const ConsumedInput in = room.session.consume(
       std::vector<Received>{from(2, undo), from(1, rewind), from(1, of_no_body), from(1, of_later),
                             from(2, by_dissector), from(3, by_observer)},
@@ -438,8 +420,9 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
     if (const auto* r = std::get_if<CommandResult>(&o.message)) answers[r->sequence] = *r;
   EXPECT_TRUE(answers.at(20).accepted);
   EXPECT_NE(answers.at(21).reason.find("no body 3"), std::string::npos);
-  EXPECT_EQ(answers.at(22).reason, "only the host rewinds");
-  EXPECT_EQ(answers.at(26).reason, "the state of revision 9 is not kept; of this body: 6 to 7");
+  EXPECT_EQ(answers.at(22).reason, "only the host can rewind");
+  EXPECT_EQ(answers.at(26).reason,
+            "the state of revision 9 is no longer stored; stored for this body: 6 to 7");
   EXPECT_EQ(answers.at(23).reason, "a later cut depends on it");
   EXPECT_FALSE(answers.at(24).accepted);
 
@@ -453,8 +436,7 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
 TEST(Session, ObserversTooAskForKeyframes) {
   Room room;
   room.join(presence(3, "eve", Role::observer), 3);
-  Command ask = command(3, CommandKind::keyframe, 9);
-  ask.body = 1;
+  const Command ask = command(3, RequestKeyframe{1}, 9);
   room.feed({from(3, ask), from(3, ask)});
   EXPECT_TRUE(room.results.back().accepted);
   EXPECT_EQ(room.session.take_keyframe_requests(), (std::set<BodyId>{1}));
@@ -464,8 +446,7 @@ TEST(Session, ObserversTooAskForKeyframes) {
 TEST(Session, PiecesAreBodiesThatCanBeAskedFor) {
   Room room;
   room.join(presence(1, "ada"), 1);
-  Command reset = command(1, CommandKind::reset, 5);
-  reset.body = 3;
+  Command reset = command(1, ResetBody{3}, 5);
   room.feed({from(1, reset)});
   EXPECT_FALSE(room.results.back().accepted);
   room.session.add_body("piece", true);
@@ -484,24 +465,19 @@ TEST(Session, CommandsAreAnsweredAndChecked) {
     EXPECT_EQ(room.results.back().sequence, sequence);
     return in.input.events;
   };
-  EXPECT_TRUE(ask(command(1, CommandKind::grasp)).empty());  // no hand yet
+  EXPECT_TRUE(ask(command(1, Grasp{})).empty());  // no hand yet
   EXPECT_FALSE(room.results.back().accepted);
-  EXPECT_TRUE(ask(command(1, CommandKind::release)).empty());
+  EXPECT_TRUE(ask(command(1, Release{})).empty());
   EXPECT_TRUE(room.results.back().accepted) << "no hand holds nothing";
   room.feed({from(1, input(1, 1))});
-  EXPECT_EQ(ask(command(1, CommandKind::grasp)).size(), 1u);
+  EXPECT_EQ(ask(command(1, Grasp{})).size(), 1u);
   EXPECT_EQ(room.results.back().reason, "nothing within reach");  // by what the hand holds after the step
-  EXPECT_EQ(ask(command(1, CommandKind::release)).size(), 1u);
+  EXPECT_EQ(ask(command(1, Release{})).size(), 1u);
   EXPECT_TRUE(room.results.back().accepted);
-  Command reset = command(1, CommandKind::reset);
-  reset.body = 2;
-  EXPECT_EQ(ask(reset).size(), 1u);
-  reset.body = 3;
-  EXPECT_TRUE(ask(reset).empty());
+  EXPECT_EQ(ask(command(1, ResetBody{2})).size(), 1u);
+  EXPECT_TRUE(ask(command(1, ResetBody{3})).empty());
   EXPECT_NE(room.results.back().reason.find("no body 3"), std::string::npos);
-  Command third_hand = command(1, CommandKind::grasp);
-  third_hand.hand = 2;
-  EXPECT_TRUE(ask(third_hand).empty());
+  EXPECT_TRUE(ask(command(1, Grasp{2})).empty());
 }
 
 TEST(Session, WhoseHandLosesWhatItHeldIsToldAndWhoLetsGoIsNot) {
@@ -510,7 +486,7 @@ TEST(Session, WhoseHandLosesWhatItHeldIsToldAndWhoLetsGoIsNot) {
     room.join(presence(1, "ada"), 1);
     room.feed({from(1, input(1, 1))});
     std::vector<Received> received;
-    if (asked) received.push_back(from(1, command(1, CommandKind::release, 2)));
+    if (asked) received.push_back(from(1, command(1, Release{}, 2)));
     room.session.consume(received, ++room.tick);
     StepReport report;
     report.let_go.push_back({1, right_hand, 2, "knife was torn away by 80 N"});
@@ -521,15 +497,16 @@ TEST(Session, WhoseHandLosesWhatItHeldIsToldAndWhoLetsGoIsNot) {
     for (const CommandResult& result : room.results)
       if (result.sequence == 0) told.push_back(result.reason);
     EXPECT_EQ(told.size(), asked ? 0U : 1U);
-    for (const std::string& words : told) EXPECT_EQ(words, "your hand let go: knife was torn away by 80 N");
+    for (const std::string& words : told)
+      EXPECT_EQ(words, "your hand released it: knife was torn away by 80 N");
   }
 }
 
 TEST(Session, AFloodOfStrangersIsCountedAndBounded) {
   Room room;
   std::vector<Received> flood;
-  for (ParticipantId id = 1; id <= 5000; ++id) flood.push_back(from(id, command(id, CommandKind::join)));
-  for (int i = 0; i < 5000; ++i) flood.push_back(from(1, command(2, CommandKind::reset)));
+  for (ParticipantId id = 1; id <= 5000; ++id) flood.push_back(from(id, command(id, Join{})));
+  for (int i = 0; i < 5000; ++i) flood.push_back(from(1, command(2, ResetBody{})));
   room.feed(flood);
   EXPECT_GT(room.session.dropped_total(), 8000u);
   for (std::uint64_t i = 0; i < 20 * rules().presence_timeout; ++i) room.feed({});

@@ -14,8 +14,8 @@
 #include "common/scene/load_scene.h"
 #include "idl/wire/codec.h"
 #include "server/physics/mechanics/soft/soft_body.h"
-#include "server/session/scene_content.h"
-#include "server/session/soft_sender.h"
+#include "server/session/sending/scene_content.h"
+#include "server/session/sending/soft_sender.h"
 #include "tests/folders.h"
 
 namespace prosector {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "server/session/journal_reader.h"
-#include "server/session/replay.h"
-#include "server/session/session.h"
+#include "server/session/journal/journal_reader.h"
+#include "server/session/journal/replay.h"
+#include "server/session/people/session.h"
 #include "tests/session/recorded.h"
 
 namespace prosector {
@@ -38,7 +38,7 @@ class Room {
     presence_ = presence;
     join();
   }
-  void join() { feed({presence_, ask(CommandKind::join)}); }
+  void join() { feed({presence_, ask(Join{})}); }
   void lose_connection() { feed({presence_}, Liveness::gone); }
 
   std::vector<HandEvent> feed(const std::vector<Message>& messages, Liveness liveness = Liveness::alive) {
@@ -79,13 +79,7 @@ class Room {
     out.hands[right_hand].tracked = tracked;
     return out;
   }
-  static Message ask(CommandKind kind) {
-    Command out;
-    out.participant = ada;
-    out.kind = kind;
-    out.sequence = 1;
-    return out;
-  }
+  static Message ask(const CommandBody& body) { return Command{ada, 1, body}; }
   const Session& session() const { return session_; }
 
   bool holds = false, within_reach = true;
@@ -118,7 +112,7 @@ TEST(Stall, KeepsTheHandAndItsHoldUntilItsLimit) {
   EXPECT_TRUE(room.told.empty());
 
   EXPECT_EQ(kinds(room.be_silent(silent_for + 1)), Kinds{Kind::vanish});
-  EXPECT_EQ(room.told, Words{"your hand let go of the scalpel: your client sent nothing for too long"});
+  EXPECT_EQ(room.told, Words{"your hand released the scalpel: your client sent nothing for too long"});
   EXPECT_EQ(room.session().hand_timeouts(), 1U);
 }
 
@@ -128,7 +122,7 @@ TEST(Stall, IsNotAHandThatItsClientNoLongerSees) {
   room.holds = true;
   for (std::uint64_t i = 0; i < tracked_for; ++i) EXPECT_TRUE(room.feed({room.hand(false)}).empty());
   EXPECT_EQ(kinds(room.feed({room.hand(false)})), Kinds{Kind::vanish});
-  EXPECT_EQ(room.told, Words{"your hand let go of the scalpel: it was no longer tracked"});
+  EXPECT_EQ(room.told, Words{"your hand released the scalpel: it was no longer tracked"});
   EXPECT_EQ(kinds(room.feed({room.hand()})), Kinds{Kind::appear}) << "it may be an open one";
 }
 
@@ -165,17 +159,17 @@ TEST(Stall, TellsOfWhatCannotBeGivenBack) {
     room.be_silent(1);
     room.feed({room.hand()});
     EXPECT_EQ(room.told, Words{taken ? "another hand took the scalpel"
-                                     : "the scalpel is out of your hand's reach: take it up again"});
+                                     : "the scalpel is out of your hand's reach: grasp it again"});
   }
 }
 
 TEST(Stall, GivesNothingBackThatTheUserLetGoOrAfterLong) {
-  for (const CommandKind kind : {CommandKind::release, CommandKind::grasp}) {
+  for (const CommandBody& body : {CommandBody(Release{}), CommandBody(Grasp{})}) {
     Room room;
     room.feed({room.hand()});
     room.holds = true;
     room.be_silent(silent_for + 1);
-    EXPECT_EQ(kinds(room.feed({Room::ask(kind), room.hand()})), Kinds{Kind::appear});
+    EXPECT_EQ(kinds(room.feed({Room::ask(body), room.hand()})), Kinds{Kind::appear});
   }
   Room room;
   room.feed({room.hand()});
@@ -191,7 +185,7 @@ TEST(Stall, OfALeaseThatRanOutGivesBackToWhoJoinsAgain) {
   room.lose_connection();
   EXPECT_FALSE(room.holds);
   room.join();
-  EXPECT_EQ(room.told, Words{"your connection was lost, and your hand let go of the scalpel"});
+  EXPECT_EQ(room.told, Words{"your connection was lost, and your hand released the scalpel"});
   EXPECT_EQ(kinds(room.feed({room.hand()})), (Kinds{Kind::appear, Kind::regrasp}));
   EXPECT_TRUE(room.holds);
 }
@@ -200,7 +194,7 @@ TEST(Stall, KeepsNothingOfWhoLeft) {
   Room room;
   room.feed({room.hand()});
   room.holds = true;
-  room.feed({Room::ask(CommandKind::leave)});
+  room.feed({Room::ask(Leave{})});
   room.join();
   EXPECT_EQ(kinds(room.feed({room.hand()})), Kinds{Kind::appear});
 }
@@ -220,7 +214,7 @@ TEST(Stall, OfAHostedHandReplaysEqual) {
     };
     for (std::uint64_t t = 0; t <= 80; ++t) {
       guest.bus->publish(guest.hand_at(test::press(t)));
-      if (t == 70) guest.command(CommandKind::grasp);
+      if (t == 70) guest.command(Grasp{});
       hosted.tick();
     }
     ASSERT_TRUE(holds());
@@ -264,7 +258,7 @@ TEST(SequenceGate, StartsAnewBehindANumberThatRanAhead) {
     room.feed({room.hand()});
     ++ignored;
   }
-  EXPECT_EQ(ignored, SequenceGate::patience);
+  EXPECT_EQ(ignored, SequenceGate::time_limit);
   EXPECT_EQ(room.session().dropped().at("HandInput: numbering restarted"), 1U);
   EXPECT_LT(room.session().newest_input(ada)->sequence, 1000U);
 }

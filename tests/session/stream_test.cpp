@@ -8,11 +8,11 @@
 #include <random>
 #include <thread>
 
-#include "server/session/soft_sender.h"
-#include "server/session/step_meter.h"
-#include "server/session/surface_stream.h"
-#include "server/session/tick_schedule.h"
-#include "server/session/timed_turns.h"
+#include "server/session/run/step_meter.h"
+#include "server/session/run/tick_schedule.h"
+#include "server/session/run/timed_turns.h"
+#include "server/session/sending/soft_sender.h"
+#include "server/session/sending/surface_stream.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector {

@@ -1,10 +1,10 @@
 // From anatomies that change to slots, patches and points: what clients are told is what the server has.
 
-#include "server/session/surface_log.h"
+#include "server/session/sending/surface_log.h"
 
 #include <gtest/gtest.h>
 
-#include "server/session/soft_sender.h"
+#include "server/session/sending/soft_sender.h"
 #include "tests/physics/scenes.h"
 #include "tests/session/random_cuts.h"
 

@@ -65,8 +65,8 @@ struct Person {
     }
   }
   template <class Done>
-  bool live_until(Done done, std::chrono::milliseconds patience) {
-    const std::int64_t deadline = monotonic_ns() + std::chrono::nanoseconds(patience).count();
+  bool live_until(Done done, std::chrono::milliseconds time_limit) {
+    const std::int64_t deadline = monotonic_ns() + std::chrono::nanoseconds(time_limit).count();
     while (!done() && monotonic_ns() < deadline) live();
     return done();
   }
@@ -142,9 +142,9 @@ TEST(Survival, OfTwoServersThatStartTogetherOneGivesWayInWords) {
     const Folder folder(test::dds_domain::survival + 2);
     const DoubleStart result = start_two(folder);
     EXPECT_EQ(result.hosting, 1) << "round " << i;
-    const bool in_words = result.said.find("at the same moment and hosts it") != std::string::npos ||
-                          result.said.find("hosts session \"prosector\" already") != std::string::npos ||
-                          result.said.find("is taken") != std::string::npos;
+    const bool in_words = result.said.find("at the same time and hosts it") != std::string::npos ||
+                          result.said.find("is already hosted by another server") != std::string::npos ||
+                          result.said.find("is in use") != std::string::npos;
     EXPECT_TRUE(in_words) << result.said;
   }
 }

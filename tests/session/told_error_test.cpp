@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "server/session/summary.h"
+#include "server/session/run/summary.h"
 #include "tests/session/hosted.h"
 #include "tests/session/temporary_file.h"
 

@@ -9,8 +9,8 @@
 #include "client/replica/replica.h"
 #include "idl/local_bus.h"
 #include "idl/topics.h"
-#include "server/session/scene_content.h"
-#include "server/session/soft_sender.h"
+#include "server/session/sending/scene_content.h"
+#include "server/session/sending/soft_sender.h"
 #include "tests/physics/scenes.h"
 #include "tests/session/random_cuts.h"
 
@@ -74,9 +74,9 @@ struct Cutter : SoftShapes {
     log->follow(*this, changed, time, roster, out);
     bus->take(received);
     for (const Received& r : received)
-      if (const auto* c = std::get_if<Command>(&r.message); c && c->kind == CommandKind::keyframe) {
+      if (const auto* c = std::get_if<Command>(&r.message)) {
         ++asked;
-        log->ask_keyframe(c->body);
+        log->ask_keyframe(std::get<RequestKeyframe>(c->body).body);
       }
     log->send_keyframes(time, out);
     say(out);
@@ -134,12 +134,7 @@ struct Client {
     for (Received& r : received)
       if (spoil(r)) replica.apply(r);
     for (const BodyId body : replica.take_keyframe_requests(server.network.now_ns())) {
-      Command ask;
-      ask.participant = 9;
-      ask.sequence = ++sequence;
-      ask.kind = CommandKind::keyframe;
-      ask.body = body;
-      bus->publish(ask);
+      bus->publish(Command{9, ++sequence, RequestKeyframe{body}});
     }
   }
   void take() {

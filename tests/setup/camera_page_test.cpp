@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "drivers/camera/camera_calibration.h"
+#include "drivers/camera/base/camera_calibration.h"
 #include "tests/folders.h"
 #include "tests/setup/pages_room.h"
 
@@ -40,7 +40,7 @@ TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
   room.picture("camera-done-1x");
   EXPECT_EQ(room.said().words, "Done.");
   ASSERT_TRUE(room.draft().changed());
-  EXPECT_TRUE(room.draft().config().tracker_device.lens.ends_with("camera.toml"));
+  EXPECT_TRUE(room.draft().config().tracker_device.camera.lens.ends_with("camera.toml"));
   EXPECT_TRUE(room.draft().config().tracker.starts_with("tags:synthetic:"));
   const std::filesystem::path file = room.draft().file().parent_path() / "camera.toml";
   EXPECT_FALSE(std::filesystem::exists(file)) << "before it was asked for";
@@ -58,7 +58,7 @@ TEST(CameraPage, NamesALensForWhatSeesByItsCamera) {
     config.tracker = tracker;
     config.window.address = window;
     std::string keys;
-    for (const ConfigChange& change : naming_lens(config, "1")) keys += change.key + " ";
+    for (const ConfigChange& change : lens_changes(config, "1")) keys += change.key + " ";
     return keys;
   };
   EXPECT_EQ(named("", ""), "tracker.lens tracker.address ");
@@ -86,7 +86,7 @@ TEST(CameraPage, SaysWhatIsWrongAndComesBack) {
   room.type("camera address", "synthetic:" + (folder.path / "dark.toml").string());
   room.until([&] { return room.find("camera picture") != nullptr; });
   room.draw();
-  EXPECT_NE(room.find("camera trouble: It is too dark: make more light."), nullptr);
+  EXPECT_NE(room.find("camera trouble: Too dark: add light."), nullptr);
 }
 
 TEST(CameraPage, NothingIsCutOffWhereLettersAreLarge) {

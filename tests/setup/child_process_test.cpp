@@ -7,7 +7,7 @@
 #include <csignal>
 #include <thread>
 
-#include "client/setup/hosting.h"
+#include "client/setup/hosted_server.h"
 #include "common/error.h"
 
 namespace prosector {

@@ -7,7 +7,8 @@
 #include "client/setup/device_watch.h"
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/found_devices.h"
+#include "drivers/config/found_devices.h"
+#include "drivers/device/driver_table.h"
 #include "tests/session/temporary_file.h"
 #include "tests/setup/written_file.h"
 
@@ -44,14 +45,14 @@ TEST(ConfigDraft, RefusesInWordsAndKeepsWhatItHad) {
   write_file(file.path, own_config);
   ConfigDraft draft(file.path);
   EXPECT_NE(draft.change({{"tracker.stations.right.station", 9.}}).find("must be"), std::string::npos);
-  EXPECT_NE(draft.change({{"tracker.address", std::string("nothing")}}).find("there is no driver"),
+  EXPECT_NE(draft.change({{"tracker.address", std::string("nothing")}}).find("unknown driver"),
             std::string::npos);
   EXPECT_FALSE(draft.changed());
   EXPECT_EQ(draft.config().stations[0], StationRole::right_hand);
   EXPECT_EQ(draft.change({{"tracker.boresight", true}}), "");
   draft.revert();
   EXPECT_FALSE(draft.changed());
-  EXPECT_FALSE(draft.config().tracker_device.boresight);
+  EXPECT_FALSE(draft.config().tracker_device.fastrak.boresight);
 }
 
 TEST(ConfigDraft, TakesAReceiverOrADeviceAwayAndKeepsAllElse) {
@@ -65,10 +66,10 @@ TEST(ConfigDraft, TakesAReceiverOrADeviceAwayAndKeepsAllElse) {
   EXPECT_EQ(draft.change({{"tracker.stations.right.station", 0.}}), "");
   EXPECT_EQ(draft.config().stations[0], StationRole::none);
   EXPECT_EQ(draft.config().stations[1], StationRole::head);
-  EXPECT_EQ(draft.config().tracker_device.stations, 2u);
+  EXPECT_EQ(draft.config().tracker_device.placement.stations, 2u);
   EXPECT_EQ(draft.change({{"glove.right.address", std::string()}}), "");
   EXPECT_EQ(draft.config().gloves[right_hand].address, "");
-  EXPECT_TRUE(draft.config().gloves[right_hand].device.pinch);
+  EXPECT_TRUE(draft.config().gloves[right_hand].device.gestures.pinch);
   EXPECT_NE(draft.change({{"tracker.stations.head.station", 0.}}).find("at least one"), std::string::npos);
   draft.save();
   std::string expected = text;
@@ -76,7 +77,7 @@ TEST(ConfigDraft, TakesAReceiverOrADeviceAwayAndKeepsAllElse) {
   expected.replace(expected.find("\"5dt:/y\""), 8, "\"\"");
   EXPECT_EQ(read_file(file.path), expected) << "comments, order and mounts stay";
   EXPECT_EQ(draft.change({{"tracker.stations.right.station", 3.}}), "");
-  EXPECT_EQ(draft.config().tracker_device.mount[2].p, Vec3(0, 0.1, 0)) << "its mount goes with it";
+  EXPECT_EQ(draft.config().tracker_device.placement.mount[2].p, Vec3(0, 0.1, 0)) << "its mount goes with it";
 }
 
 TEST(ConfigDraft, OfAFileThatIsMissingOneIsMade) {

@@ -1,5 +1,5 @@
 // A bent field as a person sees it.
-#include "client/setup/field_picture.h"
+#include "client/setup/field_plot.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -122,7 +122,7 @@ class PagesRoom {
   TemporaryFile folder_;
   std::filesystem::path file_;
   ConfigDraft draft_;
-  Anteroom room_;
+  SetupSession room_;
   std::unique_ptr<GlContext> context_;
   Interface ui_;
   Pages pages_;

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "drivers/field_map.h"
+#include "drivers/device/field_map.h"
 #include "tests/session/temporary_file.h"
 #include "tests/setup/pages_room.h"
 #include "tests/setup/written_file.h"
@@ -22,7 +22,7 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
     PagesRoom room(no_devices, scale, scale);
     for (const char* page :
-         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
+         {"Join", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -44,7 +44,7 @@ TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
     for (const char* language : {"en", "de", "tr"}) {
       PagesRoom room(no_devices, scale, wide, high, language);
       for (const char* page :
-           {"Enter", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
+           {"Join", "Devices", "Tracker", "Glove", "Camera", "Window", "Pictures", "Checks"}) {
         room.click(page);
         room.picture(fmt::format("{}-{}x{}-at-{}-{}", page, wide, high, scale, language));
         for (const PlacedControl& c : room.placed()) {
@@ -74,7 +74,7 @@ TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
   const PlacedControl ruler = room.control("ruler");
   room.press(ruler.left + 150e-3 / 0.265e-3, (ruler.top + ruler.bottom) / 2);
   room.click("reckon");
-  EXPECT_NE(room.said().words.find("people have"), std::string::npos) << room.said().words;
+  EXPECT_NE(room.said().words.find("usual are"), std::string::npos) << room.said().words;
   EXPECT_FALSE(room.draft().changed());
 }
 
@@ -102,7 +102,7 @@ TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
     EXPECT_NE(room.find("trouble"), nullptr);
     room.click("stop");
     EXPECT_EQ(room.find("covered"), nullptr);
-    EXPECT_EQ(room.said().words, "Stopped: nothing is changed.");
+    EXPECT_EQ(room.said().words, "Stopped. Nothing was changed.");
     EXPECT_FALSE(room.draft().changed());
   }
 }
@@ -115,7 +115,7 @@ TEST(Pages, TakeAReceiverAndADeviceAwayByTheKeyboardToo) {
   room.click("Devices");
   room.click("tracker");
   room.click("free right");
-  EXPECT_EQ(room.said().words, "No receiver is the right hand's.");
+  EXPECT_EQ(room.said().words, "No receiver is assigned to the right hand.");
   EXPECT_EQ(room.draft().config().stations[0], StationRole::none);
   EXPECT_EQ(room.find("free right"), nullptr);
   room.picture("freed");
@@ -138,7 +138,7 @@ std::string going_away(const std::filesystem::path& file) {
   return "recorded-loop:" + file.string();
 }
 
-TEST(TrackerRange, TrustsWhatIsNearAndNothingWithAnError) {
+TEST(TrackerRangePanel, TrustsWhatIsNearAndNothingWithAnError) {
   EXPECT_EQ(trust_at(0.1, ' '), Trust::good);
   EXPECT_EQ(trust_at(1.2, ' '), Trust::less);
   EXPECT_EQ(trust_at(3.5, ' '), Trust::none);
@@ -155,20 +155,20 @@ TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
     room.click("Tracker");
     std::set<std::string> seen;
     room.until([&] {
-      for (const char* words : {"receiver 1 exact", "receiver 1 less exact"})
+      for (const char* words : {"receiver 1 accurate", "receiver 1 less accurate"})
         if (room.find(words) != nullptr) seen.insert(words);
       return seen.size() == 2;
     });
     EXPECT_EQ(seen.size(), 2u);
-    EXPECT_NE(room.find("receiver 2 exact"), nullptr);
+    EXPECT_NE(room.find("receiver 2 accurate"), nullptr);
     room.picture(scale == 1 ? "range-1x" : "range-2x");
-    room.click("behind it");
+    room.click("behind");
     room.click("boresight");
-    EXPECT_EQ(room.draft().config().tracker_device.hemisphere, Vec3(-1, 0, 0));
-    EXPECT_TRUE(room.draft().config().tracker_device.boresight);
+    EXPECT_EQ(room.draft().config().tracker_device.fastrak.hemisphere, Vec3(-1, 0, 0));
+    EXPECT_TRUE(room.draft().config().tracker_device.fastrak.boresight);
     room.picture(scale == 1 ? "range-changed-1x" : "range-changed-2x");
     room.click("boresight now");
-    EXPECT_NE(room.said().words.find("straight ahead"), std::string::npos);
+    EXPECT_NE(room.said().words.find("forward"), std::string::npos);
     room.click("save");
     EXPECT_FALSE(room.draft().changed());
   }
@@ -193,8 +193,8 @@ TEST(Pages, TellWhereATabletIs) {
                      "\"\n[tracker.stations]\nright.station = 1\ntablet.station = 2\n",
                  1);
   room.click("Tracker");
-  room.until([&] { return room.find("receiver 2 exact") != nullptr; });
-  EXPECT_NE(room.find("receiver 2 exact"), nullptr);
+  room.until([&] { return room.find("receiver 2 accurate") != nullptr; });
+  EXPECT_NE(room.find("receiver 2 accurate"), nullptr);
 }
 
 TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
@@ -256,7 +256,7 @@ TEST(Pages, LeadThroughABentFieldAndShowIt) {
   write_grid_walk(walk.path);
   PagesRoom room("[tracker]\naddress = \"recorded:" + walk.path.string() + "\"\n", 1);
   room.click("Tracker");
-  room.click("Bent field");
+  room.click("Field distortion");
   const PlacedControl points = room.control("grid points");
   for (const double x : {55., 165., 275.}) {
     room.press(points.left + x, (points.top + points.bottom) / 2);
@@ -315,7 +315,7 @@ TEST(Pages, LeadRoundAPhantomAndTellItsTargetsError) {
   room.picture("phantom-step");
   room.until([&] { return room.find("once more") != nullptr; });
   EXPECT_EQ(room.said().words, "Done.");
-  EXPECT_LT(room.told("error to expect at 0.000, 0.000, 0.000 m: "), 0.1) << "mm";
+  EXPECT_LT(room.told("expected error at 0.000, 0.000, 0.000 m: "), 0.1) << "mm";
   room.picture("phantom-done");
   const PhantomSettings& found = room.draft().config().phantom;
   ASSERT_TRUE(found.pose);
@@ -367,8 +367,8 @@ TEST(Pages, MeasureNoiseAndLatency) {
   room.picture("measured");
 }
 
-TEST(SeenSpans, AreBetweenTheLeastAndTheMost) {
-  SeenSpans spans;
+TEST(ObservedRanges, AreBetweenTheLeastAndTheMost) {
+  ObservedRanges spans;
   const GloveCalibration calibration = {{100, 100, 600, 100, 100}, {600, 600, 100, 600, 600}};
   EXPECT_EQ(spans.share(0, std::nullopt), 1);
   spans.take({200, 100, 300, 50, 590});

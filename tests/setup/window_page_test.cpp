@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "client/setup/eyes_shown.h"
+#include "client/setup/eye_position_view.h"
 #include "tests/real_data.h"
 #include "tests/setup/pages_room.h"
 
@@ -43,13 +43,13 @@ bool is_seen(const PagesRoom& room) {
 }
 
 TEST(EyesShown, AreSaidAsARulerTellsThem) {
-  const ScreenPlace screen = {0.3, {0, 0.2, 0}};
-  EXPECT_EQ(distance_words({}, {0, -0.1, 0.4}, screen),
-            "500 mm from the camera, 412 mm from the picture's middle");
-  EXPECT_EQ(direction_words({}, {0.05, -0.02, 0.5}),
-            "From the middle: 50 mm to the right (6°), 20 mm below (2°), 500 mm before it");
-  EXPECT_EQ(direction_words({}, {-0.5, 0.5, 0.5}),
-            "From the middle: 500 mm to the left (45°), 500 mm above (45°), 500 mm before it");
+  const ScreenGeometry screen = {0.3, {0, 0.2, 0}};
+  EXPECT_EQ(distance_text({}, {0, -0.1, 0.4}, screen),
+            "500 mm from the camera, 412 mm from the image centre");
+  EXPECT_EQ(direction_text({}, {0.05, -0.02, 0.5}),
+            "From the screen centre: 50 mm to the right (6°), 20 mm below (2°), 500 mm in front");
+  EXPECT_EQ(direction_text({}, {-0.5, 0.5, 0.5}),
+            "From the screen centre: 500 mm to the left (45°), 500 mm above (45°), 500 mm in front");
 }
 
 TEST(WindowPage, SaysWhatIsWrongWithTheCameraAndAsksForItFirst) {
@@ -57,7 +57,7 @@ TEST(WindowPage, SaysWhatIsWrongWithTheCameraAndAsksForItFirst) {
   room.click("Window");
   EXPECT_EQ(room.find("height"), nullptr) << "there is no camera yet";
   room.type("window.address", "mirror:0");
-  EXPECT_NE(room.said().words.find("there is no driver"), std::string::npos) << room.said().words;
+  EXPECT_NE(room.said().words.find("unknown driver"), std::string::npos) << room.said().words;
   EXPECT_TRUE(room.said().wrong);
   const std::filesystem::path empty = std::filesystem::temp_directory_path() / "prosector-no-data";
   const char* data = std::getenv("PROSECTOR_DATA");
@@ -88,8 +88,8 @@ TEST_F(FacePage, NamesNoCameraAndNoFace) {
   EXPECT_NE(trouble(room).find("no-such-camera"), std::string::npos);
   EXPECT_FALSE(is_seen(room));
   room.type("window.address", "face:synthetic:" + (folder.path / "empty.toml").string());
-  room.until([&] { return trouble(room).find("no face is seen") != std::string::npos; });
-  EXPECT_NE(trouble(room).find("no face is seen"), std::string::npos) << trouble(room);
+  room.until([&] { return trouble(room).find("no face detected") != std::string::npos; });
+  EXPECT_NE(trouble(room).find("no face detected"), std::string::npos) << trouble(room);
   EXPECT_FALSE(is_seen(room));
 }
 
@@ -104,7 +104,7 @@ TEST_F(FacePage, TellsWhereTheEyesAreAndWritesWhatARulerSaid) {
   EXPECT_FALSE(room.said().wrong) << room.said().words;
   const ClientConfig& config = room.draft().config();
   EXPECT_EQ(config.window.height, 0.32);
-  EXPECT_EQ(config.window.device.room_device.p, Vec3(0, camera_up, 0));
+  EXPECT_EQ(config.window.device.placement.room_device.p, Vec3(0, camera_up, 0));
   EXPECT_EQ(config.eyes.distance, 0.07);
   room.until([&] { return is_seen(room); });
   ASSERT_TRUE(is_seen(room)) << trouble(room);
@@ -116,7 +116,7 @@ TEST_F(FacePage, TellsWhereTheEyesAreAndWritesWhatARulerSaid) {
   const ClientConfig saved = load_client_config(room.draft().file());
   EXPECT_EQ(saved.window.address, config.window.address);
   EXPECT_EQ(saved.window.height, 0.32);
-  EXPECT_EQ(saved.window.device.eye_distance, 0.07);
+  EXPECT_EQ(saved.window.device.face.eye_distance, 0.07);
   EXPECT_TRUE(read_file(room.draft().file()).starts_with("# my screen\n"));
   // Eyes that are told to be half as far apart are half as far away: what is typed counts at once.
   room.type("eyes apart", "35");
@@ -134,7 +134,7 @@ TEST_F(FacePage, RefusesWhatNoScreenHasAndKeepsTheRest) {
       << room.said().words;
   EXPECT_EQ(room.draft().config().window.height, WindowSettings().height);
   room.type("looks down", "10");
-  const Quat down = room.draft().config().window.device.room_device.q;
+  const Quat down = room.draft().config().window.device.placement.room_device.q;
   EXPECT_LT((down * -Vec3::UnitZ() - Vec3(0, -std::sin(0.1745329), std::cos(0.1745329))).norm(), 1e-6);
   room.click("mode pan");
   EXPECT_TRUE(room.draft().config().window.pans);

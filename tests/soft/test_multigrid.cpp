@@ -34,7 +34,7 @@ SoftDesc beam(const std::string& model) {
   return desc;
 }
 
-/// Turned, bent and stretched.
+/// Corotated, bent and stretched.
 VecX bent(const VecX& rest) {
   VecX x(rest.size());
   const Mat3 turned = Eigen::AngleAxisd(2.0, Vec3(1, 2, 3).normalized()).toRotationMatrix();

@@ -205,7 +205,7 @@ TEST(RelaxationErrors, NameWhatIsAllowed) {
   desc.integrator = "verlet";
   EXPECT_NE(complaint(desc).find("allowed with relaxation: implicit_euler"), std::string::npos);
   desc = description("mass_spring", "tet4");
-  EXPECT_NE(complaint(desc).find("start with fem_"), std::string::npos) << complaint(desc);
+  EXPECT_NE(complaint(desc).find("starts with fem_"), std::string::npos) << complaint(desc);
   desc = description("fem_corotational", "tet4");
   desc.relaxation.push_back({0.25, 1});
   EXPECT_NE(complaint(desc).find("add up to 1"), std::string::npos);

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "common/error.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"
 #include "server/physics/mechanics/soft/integrators/substepper.h"

@@ -300,7 +300,7 @@ TEST(SoftBody, RefusesWhatItCannotModel) {
   refuse([](SoftDesc& d, Anatomy&) { d.damping_mass = -1; }, "damping_mass");
   refuse([](SoftDesc& d, Anatomy&) { d.attach.push_back({Vec3::Zero(), 1, -1}); }, "attach");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.tets.clear(); }, "no tetrahedra");
-  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets[0][0] = 99; }, "names node 99");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets[0][0] = 99; }, "refers to node 99");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.positions[0][0] = NAN; }, "not finite");
   refuse([](SoftDesc&, Anatomy& a) { a.surface.positions.resize(1); }, "surface");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.tets = {{0, 1, 2, 2}}; }, "flat");

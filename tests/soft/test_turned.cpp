@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/incremental_potential.h"
 #include "server/physics/mechanics/soft/make_model.h"
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
-#include "server/physics/mechanics/soft/matrices/turned_stiffness.h"
+#include "server/physics/mechanics/soft/matrices/corotated_stiffness.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 
@@ -48,15 +48,15 @@ SoftDesc description(const Case& row) {
   return desc;
 }
 
-class Turned : public testing::TestWithParam<Case> {
+class Corotated : public testing::TestWithParam<Case> {
  protected:
-  Turned()
+  Corotated()
       : desc_(description(GetParam())),
         anatomy_(with_nodes(kuhn_anatomy({2, 2, 3}, cube_size))),
         model_(make_elastic_model(desc_, anatomy_)),
         pattern_(model_->connectivity()),
         symmetric_(pattern_),
-        turned_(model_->connectivity(), pattern_, symmetric_) {
+        rotated_(model_->connectivity(), pattern_, symmetric_) {
     const Eigen::Index n = model_->rest().size();
     Mat3 turn = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
     turn.col(0) *= 1.2;
@@ -85,18 +85,18 @@ class Turned : public testing::TestWithParam<Case> {
   std::unique_ptr<ElasticModel> model_;
   BlockPattern pattern_;
   SymmetricPattern symmetric_;
-  TurnedStiffness turned_;
+  CorotatedStiffness rotated_;
   VecX x_;
 };
-INSTANTIATE_TEST_SUITE_P(Table, Turned, testing::ValuesIn(cases),
+INSTANTIATE_TEST_SUITE_P(Table, Corotated, testing::ValuesIn(cases),
                          [](const auto& row) { return std::string(row.param.name); });
 
-TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
+TEST_P(Corotated, TangentAndDampingAreThoseOfTheBlocks) {
   for (const double s : {0.0, 2.5}) {
-    TurnedElements elements;
+    CorotatedElements elements;
     model_->linearise(x_.data(), 1 / (s + 1), elements);
     SymmetricRows rows(symmetric_);
-    turned_.assemble(elements, rows);
+    rotated_.assemble(elements, rows);
     const VecX u = random_vector(x_.size(), 2), expected = product(in_double(1, s), u);
     VecX f(u.size());
     multiply(symmetric_, rows, s + 1, rows.diagonal, u.data(), f.data());
@@ -107,45 +107,45 @@ TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
   }
 }
 
-TEST_P(Turned, TraceAtRestIsThatOfTheBlocks) {
+TEST_P(Corotated, TraceAtRestIsThatOfTheBlocks) {
   EXPECT_NEAR(model_->rest_trace() / model_->ElasticModel::rest_trace(), 1, 1e-13);
 }
 
-TEST_P(Turned, RowsGoToDoubleAndBack) {
-  TurnedElements elements;
+TEST_P(Corotated, RowsGoToDoubleAndBack) {
+  CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
   SymmetricRows rows(symmetric_), back(symmetric_);
-  turned_.assemble(elements, rows);
+  rotated_.assemble(elements, rows);
   std::vector<Mat3> blocks(pattern_.blocks());
   rows.write(symmetric_, pattern_, 2, blocks);
   back.set(symmetric_, pattern_, 0.5, blocks);
   EXPECT_EQ(back.right, rows.right);
 }
 
-TEST_P(Turned, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
-  TurnedElements elements;
+TEST_P(Corotated, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
+  CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2), expected = product(in_double(0, 1), u);
   VecX f(u.size());
-  const double energy = turned_.multiply(elements, u.data(), f.data());
+  const double energy = rotated_.multiply(elements, u.data(), f.data());
   EXPECT_LT((f - expected).norm(), of_floats * expected.norm());
   EXPECT_NEAR(energy, 0.5 * u.dot(f), 1e-12 * energy);
-  EXPECT_EQ(turned_.energy(elements, u.data()), energy);
+  EXPECT_EQ(rotated_.energy(elements, u.data()), energy);
 }
 
-TEST_P(Turned, ProductLeavesTranslationsAndMomentumAlone) {
-  TurnedElements elements;
+TEST_P(Corotated, ProductLeavesTranslationsAndMomentumAlone) {
+  CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2);
   VecX moved = u, f(u.size()), g(u.size());
   for (Eigen::Index i = 0; i < u.size() / 3; ++i) moved.segment<3>(3 * i) += Vec3(0.5, -2, 8);
-  turned_.multiply(elements, u.data(), f.data());
-  turned_.multiply(elements, moved.data(), g.data());
+  rotated_.multiply(elements, u.data(), f.data());
+  rotated_.multiply(elements, moved.data(), g.data());
   EXPECT_LT((f - g).norm(), 1e-13 * f.norm());
   EXPECT_LT(f.reshaped(3, f.size() / 3).rowwise().sum().norm(), 1e-13 * f.norm());
 }
 
-TEST_P(Turned, BodiesHaveTheHessianOfTheirEnergy) {
+TEST_P(Corotated, BodiesHaveTheHessianOfTheirEnergy) {
   SoftDesc desc = desc_;
   desc.solver = "cg";
   desc.damping_stiffness = 0.02;

@@ -1,5 +1,5 @@
-// prosector-import: reads one surface file for another program, which a crash of the reader then can't take
-// along. Writes an ImportReply to standard output.
+// prosector-import: reads one surface file for another program, so that a crash of the reader doesn't affect
+// that program. Writes an ImportReply to standard output.
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -27,20 +27,20 @@ namespace {
 constexpr rlim_t max_cpu_seconds = 20;
 constexpr rlim_t max_memory = rlim_t{2} << 30;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
-constexpr int max_node_depth = 1000;  // of the file's own tree of nodes, which `append` walks down
+constexpr int max_node_depth = 1000;  // of the file's node tree, which `append` traverses recursively
 
 void limit(int resource, rlim_t to) {
-  const rlimit bound{to, to + 1};  // the second ends the process without a word
+  const rlimit bound{to, to + 1};  // exceeding the hard limit kills the process without a message
   setrlimit(static_cast<__rlimit_resource>(resource), &bound);
 }
 
-/// Limits what this process may use, and lets it end with the one that started it.
+/// Limits the resources of this process, and makes it end with its parent.
 void set_limits() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CPU, max_cpu_seconds);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these reserve terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers reserve terabytes
   limit(RLIMIT_AS, max_memory);
 #endif
 }
@@ -67,7 +67,7 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent,
     append(scene, *node.mChildren[c], transform, depth + 1, out);
 }
 
-/// Counts what isn't a triangle: what triangulation left as points and lines.
+/// Counts faces that aren't triangles: points and lines left by triangulation.
 std::size_t other_faces(const aiScene& scene) {
   std::size_t out = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
@@ -76,8 +76,9 @@ std::size_t other_faces(const aiScene& scene) {
   return out;
 }
 
-/// Reads a format that has a reader of our own.
-ImportReply read_own(const char* file, TriangleMesh (*parse)(std::string_view, std::vector<std::string>&)) {
+/// Reads a format that has a built-in reader.
+ImportReply read_with_builtin_reader(const char* file,
+                                     TriangleMesh (*parse)(std::string_view, std::vector<std::string>&)) {
   ImportReply reply;
   const std::string bytes = read_regular_file(file, max_file_bytes);
   reply.mesh = parse(bytes, reply.notes);
@@ -87,12 +88,12 @@ ImportReply read_own(const char* file, TriangleMesh (*parse)(std::string_view, s
 ImportReply read_surface(const char* file) {
   ImportReply reply;
   try {
-    if (has_ending(file, ".ply")) return read_own(file, parse_ply);
-    if (has_ending(file, ".stl")) return read_own(file, parse_stl);
+    if (has_ending(file, ".ply")) return read_with_builtin_reader(file, parse_ply);
+    if (has_ending(file, ".stl")) return read_with_builtin_reader(file, parse_stl);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
-      return {{}, fmt::format("its reader says: {}", importer.GetErrorString())};
+      return {{}, fmt::format("its reader reports: {}", importer.GetErrorString())};
     append(*scene, *scene->mRootNode, aiMatrix4x4(), 0, reply.mesh);
     if (const std::size_t other = other_faces(*scene); other > 0)
       reply.notes.push_back(fmt::format("{} points and lines are not used", other));
@@ -101,7 +102,7 @@ ImportReply read_surface(const char* file) {
   } catch (const InputError& error) {
     return {{}, error.what()};
   } catch (const std::exception& error) {
-    return {{}, fmt::format("its reader says: {}", error.what())};
+    return {{}, fmt::format("its reader reports: {}", error.what())};
   }
   return reply;
 }

@@ -22,7 +22,7 @@
 namespace prosector {
 namespace {
 
-constexpr int bad_input = 2;  // exit status, as the server's
+constexpr int bad_input = 2;  // exit status, as in the server
 
 struct NewScene {
   std::filesystem::path source, out;
@@ -31,20 +31,20 @@ struct NewScene {
   bool force = false;
 };
 
-std::string atlases_in_words(const SceneDesc& scene) {
+std::string atlases_text(const SceneDesc& scene) {
   if (scene.atlases.empty()) return "";
   return fmt::format(", {} label map{} whose structures are bodies", scene.atlases.size(),
                      scene.atlases.size() == 1 ? "" : "s");
 }
 
-/// Checks scene files. Returns how many are bad.
+/// Checks scene files. Returns the number of invalid ones.
 int check(const std::vector<std::string>& files) {
   int bad = 0;
   for (const std::string& file : files) {
     try {
       const SceneDesc scene = load_scene(file);
       fmt::print("{}: {}: {} rigid, {} soft, {} lights{}\n", file, scene.name, scene.rigid.size(),
-                 scene.soft.size(), scene.lights.size(), atlases_in_words(scene));
+                 scene.soft.size(), scene.lights.size(), atlases_text(scene));
       for (const std::string& hint : scene_hints(scene)) fmt::print("{}: {}\n", file, hint);
     } catch (const InputError& e) {
       fmt::print(stderr, "{}\n", e.what());
@@ -55,7 +55,7 @@ int check(const std::vector<std::string>& files) {
 }
 
 CLI::App* add_new(CLI::App& app, NewScene& o) {
-  CLI::App* draft = app.add_subcommand("new", "Write a scene that runs, from files of anatomy");
+  CLI::App* draft = app.add_subcommand("new", "Draft a scene from anatomy files");
   draft
       ->add_option("FILE|FOLDER", o.source,
                    "A closed surface (.obj .stl .ply .off .gltf .glb), a tetrahedral mesh (.msh .vtk), a "
@@ -63,17 +63,18 @@ CLI::App* add_new(CLI::App& app, NewScene& o) {
                    "or a label map (.nii .nii.gz .inr .inr.gz)")
       ->required();
   draft->add_option("--out", o.out, "Scene file to write (default: the source's name and .toml, here)");
-  draft->add_option("--unit", o.unit, "Unit of surface files (default: guessed by size, and said)")
+  draft->add_option("--unit", o.unit, "Unit of surface files (default: guessed from the size and reported)")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
-  draft->add_option("--up", o.up, "Axis of the files that is up (default: y of surfaces, z of label maps)")
+  draft->add_option("--up", o.up, "Up axis of the files (default: y for surfaces, z for label maps)")
       ->check(CLI::IsMember({"y", "z"}));
-  draft->add_flag("!--no-scalpel", o.options.scalpel, "Lay no scalpel beside what can be cut");
-  draft->add_flag("--rigid", o.options.rigid, "Surfaces keep their shape, and may be open");
+  draft->add_flag("!--no-scalpel", o.options.scalpel, "Do not add a scalpel");
+  draft->add_flag("--rigid", o.options.rigid, "Make surfaces rigid; they may be open");
   draft
       ->add_option("--labels", o.options.labels,
-                   "Table of a label map's names and colours (default: a .csv or .txt of its name beside it)")
+                   "Table of a label map's names and colours (default: the .csv or .txt file of the same "
+                   "name beside it)")
       ->check(CLI::ExistingFile);
-  draft->add_flag("--force", o.force, "Write over a file that is there");
+  draft->add_flag("--force", o.force, "Overwrite an existing file");
   return draft;
 }
 
@@ -89,23 +90,23 @@ void write_new(NewScene o) {
   if (!o.up.empty()) o.options.z_up = o.up == "z";
   if (o.out.empty()) o.out = default_out(o.source);
   if (!o.force && std::filesystem::exists(o.out))
-    throw InputError(fmt::format("{} is there already; choose another --out, or --force", o.out.string()));
+    throw InputError(fmt::format("{} already exists; choose another --out, or use --force", o.out.string()));
   const auto folder = std::filesystem::absolute(o.out).parent_path();
   const Draft draft = draft_scene(o.source, folder, o.options);
   std::ofstream file(o.out, std::ios::binary);
   file << draft.toml;
   file.close();
-  if (!file) throw std::runtime_error(fmt::format("{} can't be written", o.out.string()));
+  if (!file) throw std::runtime_error(fmt::format("{} cannot be written", o.out.string()));
   for (const std::string& note : draft.notes) fmt::print("{}\n", note);
-  fmt::print("{}: written; host it: prosector-server {}\n", o.out.string(), o.out.string());
+  fmt::print("{}: written; host it with: prosector-server {}\n", o.out.string(), o.out.string());
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Check scene files, print what they may hold, or draft new ones.", "prosector-scene"};
+  CLI::App app{"Check scene files, print their reference, or draft new ones.", "prosector-scene"};
   std::vector<std::string> files;
   bool manual = false;
-  app.add_option("FILE", files, "Scene files (.toml) to check; nothing that they name is opened");
-  app.add_flag("--manual", manual, "Print the manual of scene files (docs/look-up/scene.md)");
+  app.add_option("FILE", files, "Scene files (.toml) to check; referenced files are not opened");
+  app.add_flag("--manual", manual, "Print the reference of scene files (docs/look-up/scene.md)");
   app.set_version_flag("--version", version_line("prosector-scene"));
   NewScene draft;
   const CLI::App* drafting = add_new(app, draft);
@@ -122,7 +123,7 @@ int run(int argc, char** argv) {
     return 1;
   }
   if (files.empty() && !manual) {
-    std::cerr << "prosector-scene: name a scene file, new or --manual (see --help)\n";
+    std::cerr << "prosector-scene: give a scene file, new or --manual (see --help)\n";
     return bad_input;
   }
   if (manual) write_scene_manual(std::cout);

@@ -13,20 +13,20 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t least_tags = 4;  // in a view that counts
-constexpr int usual_rounds = 2;        // corners are found anew so often
+constexpr std::size_t least_tags = 4;  // tags per view; views with fewer don't count
+constexpr int usual_rounds = 2;        // number of times that corners are recomputed
 constexpr double least_response = 1, most_response = 3;
-constexpr int response_steps = 7;          // of the golden section
-constexpr std::size_t response_views = 5;  // that the response is found by
-constexpr std::size_t held_out_each = 5;
-constexpr double most_rms = 2;                  // pixels: what fits worse is no calibration
-constexpr double most_rough_rms = 1;            // pixels, by rough corners
-constexpr double least_share_with_edges = 0.5;  // of views, so that the lens is found by edges
+constexpr int response_steps = 7;          // iterations of the golden-section search
+constexpr std::size_t response_views = 5;  // number of views used to find the response
+constexpr std::size_t holdout_interval = 5;
+constexpr double most_rms = 2;                  // pixels; a fit with a larger error is rejected
+constexpr double most_rough_rms = 1;            // pixels, for a fit to the tag detector's corners
+constexpr double least_share_with_edges = 0.5;  // of views with enough edges, for a fit by edges
 constexpr double outlier_px = 0.15,
-                 outlier_ratio = 4;  // of the median; tags that are farther off are left out
+                 outlier_ratio = 4;  // factor of the median error; tags with a larger error are left out
 constexpr int solver_flags = cv::CALIB_FIX_K3;
 
-/// A tag's corners in one view.
+/// Corners of one tag in one view.
 struct TagCorners {
   const BoardTag* tag;
   std::array<Vec2, 4> pixels;
@@ -76,16 +76,17 @@ Solved solve(std::span<const ViewCorners> views, int width, int height) {
   return out;
 }
 
-/// Finds a tag's corners by its edges, as this lens and response see them.
+/// Computes a tag's corners from its edges, for a given lens and response.
 std::optional<std::array<Vec2, 4>> corners_by_edges(const GreyImage& picture, const Lens& lens,
                                                     double response, const BoardTag& tag,
                                                     const std::array<Vec2, 4>& near) {
   const BoardTag alone{tag.code, tag.size, {}};
   const Board board{"", {alone}};
   const Lens pinhole = lens.pinhole();
-  std::vector<SeenCorner> seen;
+  std::vector<DetectedCorner> seen;
   const auto corners = alone.corners();
-  for (std::size_t c = 0; c < corners.size(); ++c) seen.push_back({corners[c], lens.straight_pixel(near[c])});
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    seen.push_back({corners[c], lens.undistorted_pixel(near[c])});
   const auto poses = solve_board(seen, pinhole);
   if (poses.empty()) return std::nullopt;
   const std::array<int, 1> codes = {tag.code};
@@ -100,7 +101,7 @@ std::vector<ViewCorners> corners_of(const Board& board, std::span<const LensView
   std::vector<ViewCorners> out;
   for (const LensView& view : views) {
     ViewCorners& corners = out.emplace_back();
-    for (const SeenTag& seen : view.tags)
+    for (const DetectedTag& seen : view.tags)
       if (const BoardTag* tag = board.find(seen.code)) corners.push_back({tag, seen.corners});
   }
   return out;
@@ -127,21 +128,21 @@ bool has_enough(const std::vector<ViewCorners>& views) {
 /// Returns the views in which the edges of enough tags are found.
 std::vector<LensView> views_with_edges(const Board& board, std::span<const LensView> views,
                                        const Lens& lens) {
-  const auto fine = refined(corners_of(board, views), views, lens, usual_response);
+  const auto fine = refined(corners_of(board, views), views, lens, default_response);
   std::vector<LensView> out;
   for (std::size_t v = 0; v < views.size(); ++v)
     if (has_enough(fine[v])) out.push_back(views[v]);
   return out;
 }
 
-/// Returns how far off each tag of a view is, pixels RMS, where the view's pose is best.
+/// Returns the RMS reprojection error of each tag of a view, pixels, at the view's best pose.
 std::vector<double> tag_errors(const Lens& lens, const ViewCorners& view) {
   const Lens pinhole = lens.pinhole();
-  std::vector<SeenCorner> seen;
+  std::vector<DetectedCorner> seen;
   for (const TagCorners& tag : view) {
     const auto corners = tag.tag->corners();
     for (std::size_t c = 0; c < corners.size(); ++c)
-      seen.push_back({corners[c], lens.straight_pixel(tag.pixels[c])});
+      seen.push_back({corners[c], lens.undistorted_pixel(tag.pixels[c])});
   }
   const auto poses = solve_board(seen, pinhole);
   std::vector<double> out(view.size(), std::numeric_limits<double>::infinity());
@@ -156,7 +157,8 @@ std::vector<double> tag_errors(const Lens& lens, const ViewCorners& view) {
   return out;
 }
 
-/// Returns how far off corners of views are that the lens wasn't fitted to, pixels RMS; each view's pose is.
+/// Returns the RMS reprojection error of views that the lens wasn't fitted to, pixels. The pose of each view
+/// is fitted.
 double error_of(const Lens& lens, std::span<const ViewCorners> views) {
   double sum = 0;
   int count = 0;
@@ -169,7 +171,7 @@ double error_of(const Lens& lens, std::span<const ViewCorners> views) {
   return count == 0 ? 0 : std::sqrt(sum / count);
 }
 
-/// Leaves out tags that are far off all others: at a picture's border, half hidden.
+/// Removes tags with errors far above the median, such as half hidden ones at the image border.
 std::vector<ViewCorners> without_outliers(const Lens& lens, const std::vector<ViewCorners>& views) {
   std::vector<std::vector<double>> errors;
   std::vector<double> sorted;
@@ -201,12 +203,12 @@ Solved solve_with(const std::vector<ViewCorners>& rough, std::span<const LensVie
   return out;
 }
 
-/// Finds the response that leaves the least error: golden section (Kiefer 1953).
+/// Finds the response with the least error by golden-section search (Kiefer 1953).
 double find_response(const std::vector<ViewCorners>& rough, std::span<const LensView> views,
                      const Lens& first, const std::stop_token& stop) {
   constexpr double golden = 0.6180339887498949;
   double a = least_response, b = most_response;
-  const Solved near = solve_with(rough, views, first, usual_response, usual_rounds);
+  const Solved near = solve_with(rough, views, first, default_response, usual_rounds);
   const auto error = [&](double response) {
     if (stop.stop_requested()) throw InputError("the fit was stopped");
     return solve_with(rough, views, near.lens, response, 1).rms;
@@ -234,16 +236,17 @@ double find_response(const std::vector<ViewCorners>& rough, std::span<const Lens
 double held_out_error(const std::vector<ViewCorners>& corners, const Lens& lens) {
   std::vector<ViewCorners> fitted, left_out;
   for (std::size_t v = 0; v < corners.size(); ++v)
-    (v % held_out_each == held_out_each - 1 ? left_out : fitted).push_back(corners[v]);
+    (v % holdout_interval == holdout_interval - 1 ? left_out : fitted).push_back(corners[v]);
   return error_of(solve(fitted, lens.width, lens.height).lens, left_out);
 }
 
-/// Finds the lens by the tags' edges, in the views in which they are found; nothing where these are too few.
+/// Fits the lens to tag edges, in the views where edges are found. Returns nothing if there are too few such
+/// views.
 std::optional<LensFit> lens_by_edges(const Board& board, std::span<const LensView> views, const Lens& first,
                                      const std::stop_token& stop) {
   const std::vector<LensView> used = views_with_edges(board, views, first);
   const double share = static_cast<double>(used.size()) / static_cast<double>(views.size());
-  if (used.size() < least_views || share < least_share_with_edges) return std::nullopt;
+  if (used.size() < min_views || share < least_share_with_edges) return std::nullopt;
   const std::vector<ViewCorners> rough = corners_of(board, used);
   const std::span<const LensView> some = std::span(used).first(std::min(response_views, used.size()));
   LensFit out;
@@ -258,7 +261,7 @@ std::optional<LensFit> lens_by_edges(const Board& board, std::span<const LensVie
   return out;
 }
 
-/// Finds the lens by the corners that the tag finder found. Throws InputError where they are too blurred.
+/// Fits the lens to the tag detector's corners. Throws InputError if they are too blurred.
 LensFit lens_by_corners(const std::vector<ViewCorners>& rough, const Lens& first) {
   const std::vector<ViewCorners> kept = without_outliers(first, rough);
   const std::vector<ViewCorners>& corners = has_enough(kept) ? kept : rough;
@@ -268,7 +271,7 @@ LensFit lens_by_corners(const std::vector<ViewCorners>& rough, const Lens& first
   LensFit out;
   out.by_edges = false;
   out.calibration.lens = best.lens;
-  out.calibration.response = usual_response;
+  out.calibration.response = default_response;
   out.rms = best.rms;
   out.held_out = out.calibration.error = held_out_error(corners, best.lens);
   return out;
@@ -276,10 +279,10 @@ LensFit lens_by_corners(const std::vector<ViewCorners>& rough, const Lens& first
 
 }  // namespace
 
-std::set<PictureCell> covered_cells(std::span<const LensView> views) {
-  std::set<PictureCell> cells;
+std::set<ImageCell> covered_cells(std::span<const LensView> views) {
+  std::set<ImageCell> cells;
   for (const LensView& view : views)
-    for (const SeenTag& tag : view.tags)
+    for (const DetectedTag& tag : view.tags)
       for (const Vec2& corner : tag.corners)
         cells.insert(
             {std::clamp(static_cast<int>(corner.x() * cells_across / view.picture.width), 0,
@@ -294,9 +297,9 @@ double covered_share(std::span<const LensView> views) {
 
 LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera,
                  const std::stop_token& stop) {
-  if (views.size() < least_views)
-    throw InputError(
-        fmt::format("a lens needs at least {} views of the board; there are {}", least_views, views.size()));
+  if (views.size() < min_views)
+    throw InputError(fmt::format("the lens fit needs at least {} views of the board; there are {}", min_views,
+                                 views.size()));
   const int width = views.front().picture.width, height = views.front().picture.height;
   const std::vector<ViewCorners> rough = corners_of(board, views);
   if (!has_enough(rough))
@@ -304,7 +307,7 @@ LensFit fit_lens(const Board& board, std::span<const LensView> views, const std:
   const Solved first = solve(rough, width, height);
   if (!(first.rms < most_rms) || !(first.lens.fx > 0))
     throw InputError(
-        "the views don't fit one lens: is the board flat, and were the views tilted in different ways?");
+        "the views are not consistent with one lens: use a flat board, and tilt it in different directions");
   const std::optional<LensFit> by_edges = lens_by_edges(board, views, first.lens, stop);
   LensFit out = by_edges ? *by_edges : lens_by_corners(rough, first.lens);
   out.calibration.camera = camera;

@@ -11,17 +11,18 @@
 namespace prosector {
 namespace {
 
-constexpr double least_share = 0.5;                // of the board's tags that must be seen
-constexpr double still_px = 0.7;                   // that corners may move from picture to picture
-constexpr double new_middle = 0.08;                // of the picture's width …
-constexpr double new_lean = 0.04, new_size = 0.1;  // … that make a view a new one
-constexpr double least_size = 0.2;                 // of the picture's width: what is smaller is too far
+constexpr double least_share = 0.5;  // share of the board's tags that must be visible
+constexpr double still_px = 0.7;     // pixels, largest motion of a corner between images of a board at rest
+constexpr double new_middle = 0.08;  // share of the image's width; a larger difference makes a new view
+constexpr double new_lean = 0.04,
+                 new_size = 0.1;    // lean; log of the size ratio: larger differences make a new view
+constexpr double least_size = 0.2;  // share of the image's width; a smaller board is too far away
 
-/// Tells whether the tags rest from picture to picture.
-bool rests(const std::vector<SeenTag>& before, const std::vector<SeenTag>& now) {
+/// Reports whether the tags are at rest between two images.
+bool is_at_rest(const std::vector<DetectedTag>& before, const std::vector<DetectedTag>& now) {
   int same = 0;
-  for (const SeenTag& tag : now)
-    for (const SeenTag& old : before)
+  for (const DetectedTag& tag : now)
+    for (const DetectedTag& old : before)
       if (old.code == tag.code) {
         ++same;
         for (std::size_t c = 0; c < tag.corners.size(); ++c)
@@ -30,11 +31,11 @@ bool rests(const std::vector<SeenTag>& before, const std::vector<SeenTag>& now) 
   return same > 0;
 }
 
-/// Returns the words for the part of the picture that no view has covered.
+/// Returns the name of the part of the image with the fewest tags in the views.
 std::string uncovered_part(std::span<const LensView> views) {
   std::array<std::array<int, 3>, 3> seen{};
   for (const LensView& view : views)
-    for (const SeenTag& tag : view.tags) {
+    for (const DetectedTag& tag : view.tags) {
       const auto third = [](double at, int side) {
         return static_cast<std::size_t>(std::clamp(static_cast<int>(3 * at / side), 0, 2));
       };
@@ -56,20 +57,20 @@ std::string uncovered_part(std::span<const LensView> views) {
 
 }  // namespace
 
-LensGuide::LensGuide(Board board) : board_(std::move(board)), finder_(TagFinderSettings{1}) {
+LensGuide::LensGuide(Board board) : board_(std::move(board)), finder_(TagDetectorSettings{1}) {
   if (board_.tags.empty())
     throw InputError(fmt::format("board {}: has no tags, which calibration needs", board_.name));
 }
 
-LensGuide::Look LensGuide::look_of(const std::vector<SeenTag>& tags, int width) const {
-  // Sides of tags: a side that is nearer is longer.
-  Look look{Vec2::Zero(), Vec2::Zero(), 0};
+LensGuide::BoardAppearance LensGuide::look_of(const std::vector<DetectedTag>& tags, int width) const {
+  // Compares opposite sides of each tag: the nearer side is longer.
+  BoardAppearance look{Vec2::Zero(), Vec2::Zero(), 0};
   Eigen::AlignedBox2d box;
-  for (const SeenTag& tag : tags) {
+  for (const DetectedTag& tag : tags) {
     for (const Vec2& corner : tag.corners) box.extend(corner);
     const auto side = [&](std::size_t a, std::size_t b) { return (tag.corners[a] - tag.corners[b]).norm(); };
     look.lean += Vec2(std::log(side(1, 2) / side(0, 3)), std::log(side(0, 1) / side(3, 2)));
-    // Tilt shortens what stands across it.
+    // A tilt foreshortens the sides perpendicular to its axis.
     look.lean += Vec2(0.5, 0.5) * std::log((side(0, 1) + side(3, 2)) / (side(1, 2) + side(0, 3)));
   }
   look.lean /= static_cast<double>(tags.size());
@@ -78,7 +79,7 @@ LensGuide::Look LensGuide::look_of(const std::vector<SeenTag>& tags, int width) 
   return look;
 }
 
-bool LensGuide::differs(const Look& a, const Look& b) {
+bool LensGuide::differs(const BoardAppearance& a, const BoardAppearance& b) {
   return (a.middle - b.middle).norm() > new_middle || (a.lean - b.lean).norm() > new_lean ||
          std::abs(std::log(a.size / b.size)) > new_size;
 }
@@ -87,25 +88,26 @@ void LensGuide::take(const Image& picture) {
   resting_.reset();
   if (!views_.empty() &&
       (views_.front().picture.width != picture.width || views_.front().picture.height != picture.height)) {
-    trouble_ = "the pictures' size has changed: start again";
+    trouble_ = "the image size has changed: start again";
     return;
   }
   LensView view{grey_of(picture), {}};
   view.tags = finder_.find(view.picture);
-  std::erase_if(view.tags, [&](const SeenTag& tag) { return board_.find(tag.code) == nullptr; });
-  const std::vector<SeenTag> before = std::exchange(last_, view.tags);
+  std::erase_if(view.tags, [&](const DetectedTag& tag) { return board_.find(tag.code) == nullptr; });
+  const std::vector<DetectedTag> before = std::exchange(last_, view.tags);
   if (static_cast<double>(view.tags.size()) < least_share * static_cast<double>(board_.tags.size())) {
     trouble_ = view.tags.empty() ? "show the camera the board" : "show more of the board";
     return;
   }
-  const Look look = look_of(view.tags, picture.width);
+  const BoardAppearance look = look_of(view.tags, picture.width);
   if (look.size < least_size) {
     trouble_ = "hold the board nearer";
-  } else if (!rests(before, view.tags)) {
+  } else if (!is_at_rest(before, view.tags)) {
     trouble_ = "hold it still";
   } else {
     trouble_.clear();
-    if (std::none_of(looks_.begin(), looks_.end(), [&](const Look& old) { return !differs(look, old); })) {
+    if (std::none_of(looks_.begin(), looks_.end(),
+                     [&](const BoardAppearance& old) { return !differs(look, old); })) {
       looks_.push_back(look);
       views_.push_back(view);
     }
@@ -118,16 +120,16 @@ LensGuideStep LensGuide::step() const {
   step.views = views_.size();
   step.covered = covered_share(views_);
   step.seen = last_;
-  step.done = step.views >= usual_views && step.covered >= enough_covered;
+  step.done = step.views >= recommended_views && step.covered >= enough_covered;
   if (step.done)
     step.instruction = "that is enough";
   else if (!trouble_.empty())
     step.instruction = trouble_;
   else
-    // Every other view asks for a tilt: without tilts no view tells the focal length.
+    // Every other view asks for a tilt, because untilted views don't determine the focal length.
     step.instruction = step.views % 2 == 1
-                           ? "tilt the board, each time another way"
-                           : fmt::format("move the board to the picture's {}", uncovered_part(views_));
+                           ? "tilt the board, each time in another direction"
+                           : fmt::format("move the board to the image's {}", uncovered_part(views_));
   return step;
 }
 

@@ -1,32 +1,34 @@
 #pragma once
-// Leads a person through the views of a lens' calibration: picture after picture in, out what to do next.
+// Guides a user through the views of a lens calibration: takes one image after another and returns the next
+// instruction.
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "drivers/camera/base/frame.h"
 #include "drivers/camera/calibration/lens_fit.h"
-#include "drivers/camera/frame.h"
 
 namespace prosector {
 
 struct LensGuideStep {
-  std::string instruction;    // what to do now
-  std::size_t views = 0;      // that are kept
-  double covered = 0;         // share of the picture
-  std::vector<SeenTag> seen;  // in the last picture, for who shows it
+  std::string instruction;        // for the user, what to do now
+  std::size_t views = 0;          // number of views stored
+  double covered = 0;             // share of the image's cells that contain a corner, 0 to 1
+  std::vector<DetectedTag> seen;  // tags in the last image, for display
   bool done = false;
 };
 
 class LensGuide {
  public:
-  /// Begins. Throws InputError where the board has no tags.
+  /// Starts the guide. Throws InputError if the board has no tags.
   explicit LensGuide(Board board);
 
-  /// Takes a picture. It is kept where the board rests in it and is seen as in no view before.
+  /// Processes an image. Stores it as a view if the board is at rest and its pose differs from every stored
+  /// view.
   void take(const Image& picture);
   LensGuideStep step() const;
-  /// Returns the last picture, where the board rests in it; else nothing.
+  /// Returns the last image if the board was at rest in it, else nothing.
   const std::optional<LensView>& resting() const { return resting_; }
   const std::vector<LensView>& views() const { return views_; }
   const Board& board() const { return board_; }
@@ -34,20 +36,20 @@ class LensGuide {
   static constexpr double enough_covered = 0.75;
 
  private:
-  /// How the board lies in a picture: what must differ from view to view.
-  struct Look {
-    Vec2 middle;  // of the picture's width
-    Vec2 lean;    // how its left and right, lower and upper sides differ in length
-    double size;  // of the picture's width
+  /// Position, tilt and size of the board in an image. A new view must differ in one of them.
+  struct BoardAppearance {
+    Vec2 middle;  // centre of the tags' bounding box, as a share of the image width
+    Vec2 lean;    // mean log ratios of the tags' side lengths, from perspective and foreshortening
+    double size;  // longer side of the bounding box, as a share of the image width
   };
-  static bool differs(const Look& a, const Look& b);
-  Look look_of(const std::vector<SeenTag>& tags, int width) const;
+  static bool differs(const BoardAppearance& a, const BoardAppearance& b);
+  BoardAppearance look_of(const std::vector<DetectedTag>& tags, int width) const;
 
   Board board_;
-  TagFinder finder_;
+  TagDetector finder_;
   std::vector<LensView> views_;
-  std::vector<Look> looks_;
-  std::vector<SeenTag> last_;
+  std::vector<BoardAppearance> looks_;
+  std::vector<DetectedTag> last_;
   std::optional<LensView> resting_;
   std::string trouble_;
 };

@@ -11,15 +11,15 @@ namespace prosector {
 namespace {
 
 constexpr int mean_rounds = 12;
-constexpr double mean_huber = 3;            // standard deviations of six numbers together
-constexpr double most_deviations = 5;       // beyond it a pose is left out
-constexpr double median_deviations = 2.31;  // median of six normal numbers' length
+constexpr double mean_huber = 3;            // Mahalanobis distance, over six components
+constexpr double most_deviations = 5;       // Mahalanobis distance; poses beyond it are left out
+constexpr double median_deviations = 2.31;  // median norm of six standard normal numbers
 
-/// A pose with the inverse of its spread.
+/// A pose with the inverse of its covariance.
 struct Weighed {
   std::size_t index;
   Pose pose;
-  MotionSpread inverse;
+  MotionCovariance inverse;
 };
 
 double deviations(const Weighed& one, const Pose& from) {
@@ -27,7 +27,7 @@ double deviations(const Weighed& one, const Pose& from) {
   return std::sqrt(std::max(0.0, off.dot(one.inverse * off)));
 }
 
-double middle_deviations(std::span<const Weighed> poses, const Pose& from) {
+double median_distance(std::span<const Weighed> poses, const Pose& from) {
   std::vector<double> all;
   for (const Weighed& one : poses) all.push_back(deviations(one, from));
   const auto at = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
@@ -35,17 +35,18 @@ double middle_deviations(std::span<const Weighed> poses, const Pose& from) {
   return *at;
 }
 
-/// Returns the pose that the others are nearest to.
-Pose inmost(std::span<const Weighed> poses) {
+/// Returns the pose with the least median Mahalanobis distance of the poses from it.
+Pose most_central_pose(std::span<const Weighed> poses) {
   const auto nearer = [&](const Weighed& a, const Weighed& b) {
-    return middle_deviations(poses, a.pose) < middle_deviations(poses, b.pose);
+    return median_distance(poses, a.pose) < median_distance(poses, b.pose);
   };
   return std::min_element(poses.begin(), poses.end(), nearer)->pose;
 }
 
-/// Makes the mean better. Returns the sum of the weights.
-MotionSpread improve(std::span<const Weighed> poses, double scale, Pose& mean) {
-  MotionSpread sum = MotionSpread::Zero();
+/// Refines the mean by iteratively reweighted least squares. Returns the sum of the weighted inverse
+/// covariances.
+MotionCovariance improve(std::span<const Weighed> poses, double scale, Pose& mean) {
+  MotionCovariance sum = MotionCovariance::Zero();
   for (int round = 0; round < mean_rounds; ++round) {
     sum.setZero();
     SmallMotion right = SmallMotion::Zero();
@@ -66,26 +67,26 @@ MeanPose mean_pose(std::span<const MeasuredPose> poses) {
   if (poses.empty()) throw InputError("no pose was measured");
   std::vector<Weighed> kept;
   for (std::size_t i = 0; i < poses.size(); ++i)
-    kept.push_back({i, poses[i].pose, poses[i].spread.ldlt().solve(MotionSpread::Identity())});
+    kept.push_back({i, poses[i].pose, poses[i].spread.ldlt().solve(MotionCovariance::Identity())});
   MeanPose out;
-  out.pose = inmost(kept);
-  double scale = std::max(1.0, middle_deviations(kept, out.pose) / median_deviations);
+  out.pose = most_central_pose(kept);
+  double scale = std::max(1.0, median_distance(kept, out.pose) / median_deviations);
   (void)improve(kept, scale, out.pose);
-  scale = std::max(1.0, middle_deviations(kept, out.pose) / median_deviations);
+  scale = std::max(1.0, median_distance(kept, out.pose) / median_deviations);
   std::erase_if(kept, [&](const Weighed& one) {
     if (deviations(one, out.pose) <= most_deviations * scale) return false;
     out.left_out.push_back(one.index);
     return true;
   });
   if (2 * kept.size() < poses.size())
-    throw InputError(fmt::format("{} of {} poses agree: less than half; take them again, held still",
+    throw InputError(fmt::format("{} of {} poses agree, less than half: take them again, and hold still",
                                  kept.size(), poses.size()));
-  const MotionSpread sum = improve(kept, scale, out.pose);
+  const MotionCovariance sum = improve(kept, scale, out.pose);
   double squares = 0;
   for (const Weighed& one : kept) squares += std::pow(deviations(one, out.pose), 2);
   const double freedom = 6.0 * static_cast<double>(kept.size()) - 6;
   const double more = freedom > 0 ? std::max(1.0, squares / freedom) : 1;
-  out.spread = more * sum.ldlt().solve(MotionSpread::Identity());
+  out.spread = more * sum.ldlt().solve(MotionCovariance::Identity());
   return out;
 }
 

@@ -10,26 +10,26 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t unfitted_each = 5;
+constexpr std::size_t unfitted_interval = 5;
 
-/// A board as both cameras see it.
+/// Poses of one board in both cameras' frames.
 struct PairPoses {
   MeasuredPose first_board, second_board;
 
   MeasuredPose first_second() const {
     const Pose pose = first_board.pose * second_board.pose.inverse();
-    return {pose, first_board.spread + spread_in(pose, second_board.spread)};
+    return {pose, first_board.spread + transform_covariance(pose, second_board.spread)};
   }
 };
 
 std::optional<MeasuredPose> board_in(const Board& board, const LensView& view,
                                      const CameraCalibration& camera) {
-  std::vector<SeenCorner> corners = corners_seen(board, view.tags);
-  for (SeenCorner& corner : corners) corner.pixel = camera.lens.straight_pixel(corner.pixel);
+  std::vector<DetectedCorner> corners = corners_seen(board, view.tags);
+  for (DetectedCorner& corner : corners) corner.pixel = camera.lens.undistorted_pixel(corner.pixel);
   const auto poses = solve_board(corners, camera.lens.pinhole());
   if (poses.empty()) return std::nullopt;
   std::vector<int> codes;
-  for (const SeenTag& tag : view.tags) codes.push_back(tag.code);
+  for (const DetectedTag& tag : view.tags) codes.push_back(tag.code);
   const auto fit =
       fit_edges(view.picture, camera.lens, board, codes, poses.front().camera_board, camera.response);
   if (!fit) return std::nullopt;
@@ -42,7 +42,8 @@ MeanPose mean_of(std::span<const PairPoses> pairs) {
   return mean_pose(seconds);
 }
 
-/// Returns how far from its corners the second camera is told to see boards, pixels RMS.
+/// Returns the RMS pixel distance in the second camera between corners predicted by the first camera and
+/// corners of the measured board pose.
 double pair_error(const Board& board, std::span<const PairPoses> pairs, const Pose& first_second,
                   const Lens& second) {
   double sum = 0;
@@ -66,13 +67,13 @@ StereoFit fit_stereo(const Board& board, std::span<const StereoPair> pairs, cons
     const auto a = board_in(board, pair.first, first), b = board_in(board, pair.second, second);
     if (!a || !b) continue;
     all.push_back({*a, *b});
-    (all.size() % unfitted_each == 0 ? left_out : fitted).push_back(all.back());
+    (all.size() % unfitted_interval == 0 ? left_out : fitted).push_back(all.back());
   }
-  if (all.size() < least_stereo_pairs)
+  if (all.size() < min_stereo_pairs)
     throw InputError(
-        fmt::format("{} views that both cameras share: at least {} are needed, and {} are better; hold the "
-                    "board still where both see it",
-                    all.size(), least_stereo_pairs, usual_stereo_pairs));
+        fmt::format("{} views shared by both cameras: at least {} are needed, {} are better; hold the board "
+                    "still in view of both",
+                    all.size(), min_stereo_pairs, recommended_stereo_pairs));
   StereoFit out;
   out.first_second = mean_of(all);
   out.held_out = pair_error(board, left_out, mean_of(fitted).pose, second.lens);

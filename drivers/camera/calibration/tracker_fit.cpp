@@ -14,11 +14,12 @@ namespace prosector {
 namespace {
 
 constexpr int fit_rounds = 15;
-constexpr double median_of_three = 1.538;  // median length of three normal numbers
-constexpr double fit_huber = 3;            // standard deviations of six numbers together
-constexpr double most_pair_off = 5;        // beyond it a pair is left out
-constexpr double most_ways_apart = 0.03;   // m
-constexpr double least_place_off = 1e-7, least_turn_off = 1e-7;  // m, rad of one axis: rounding
+constexpr double median_of_three = 1.538;  // median norm of three standard normal numbers
+constexpr double fit_huber = 3;            // Mahalanobis distance, over six components
+constexpr double most_pair_off = 5;        // Mahalanobis distance; pairs beyond it are left out
+constexpr double most_ways_apart = 0.03;   // m, between the results of Shah and of Park and Martin
+constexpr double least_place_off = 1e-7,
+                 least_turn_off = 1e-7;  // m; rad, per axis: lower bounds due to rounding
 
 using Both = Eigen::Matrix<double, 12, 12>;
 using BothMotions = Eigen::Matrix<double, 12, 1>;
@@ -42,11 +43,11 @@ Pose from_cv(const cv::Mat& turn, const cv::Mat& place) {
   return {{place.at<double>(0), place.at<double>(1), place.at<double>(2)}, Quat(r).normalized()};
 }
 
-/// Pairs as OpenCV wants them.
+/// Pairs of poses in OpenCV's form.
 struct CvPairs {
-  std::vector<cv::Mat> tracker_turn, tracker_place;  // in the receiver's frame
-  std::vector<cv::Mat> camera_turn, camera_place;    // in the board's frame
-  std::vector<cv::Mat> board_turn, board_place;      // in the camera's frame
+  std::vector<cv::Mat> tracker_turn, tracker_place;  // pose of the tracker in the receiver's frame
+  std::vector<cv::Mat> camera_turn, camera_place;    // pose of the camera in the board's frame
+  std::vector<cv::Mat> board_turn, board_place;      // pose of the board in the camera's frame
 };
 
 CvPairs pairs_to_cv(std::span<const TrackedPair> pairs) {
@@ -63,13 +64,13 @@ CvPairs pairs_to_cv(std::span<const TrackedPair> pairs) {
   return out;
 }
 
-/// Both poses that are looked for.
+/// The two unknown poses.
 struct Chain {
   Pose tracker_camera, receiver_board;
 };
 
 Chain fit_by_shah(const CvPairs& pairs) {
-  // Its world is the camera, its base the tracker, its gripper the receiver, and its camera the board.
+  // OpenCV's world is the camera, its base the tracker, its gripper the receiver, and its camera the board.
   cv::Mat turn, place, board_turn, board_place;
   cv::calibrateRobotWorldHandEye(pairs.camera_turn, pairs.camera_place, pairs.tracker_turn,
                                  pairs.tracker_place, turn, place, board_turn, board_place,
@@ -84,7 +85,7 @@ Pose fit_by_park(const CvPairs& pairs) {
   return from_cv(turn, place);
 }
 
-/// How far a receiver is from where the chain has it: its place, and its turn.
+/// Difference between a measured receiver pose and the one predicted by the chain: m, rad.
 struct Miss {
   Vec3 place, turn;
 };
@@ -94,7 +95,7 @@ Miss miss_of(const TrackedPair& pair, const Chain& chain) {
   return {pair.tracker_receiver.p - there.p, turn(there.q, pair.tracker_receiver.q)};
 }
 
-/// Standard deviations along one axis.
+/// Standard deviations along one axis: m, rad.
 struct Scatter {
   double place, turn;
 
@@ -120,7 +121,8 @@ Scatter robust_scatter(std::span<const TrackedPair> pairs, const Chain& chain) {
           std::max(least_turn_off, middle_one(turns) / median_of_three)};
 }
 
-/// Returns the scatter that is expected of a receiver. Fitting took 12 numbers of the 6 of each pair.
+/// Returns the expected scatter of receiver poses. Of 6 numbers per pair, the fit consumes 12 degrees of
+/// freedom in all.
 Scatter full_scatter(std::span<const TrackedPair> pairs, const Chain& chain) {
   double place = 0, turn = 0;
   for (const TrackedPair& pair : pairs) {
@@ -133,7 +135,7 @@ Scatter full_scatter(std::span<const TrackedPair> pairs, const Chain& chain) {
           std::max(least_turn_off, std::sqrt(turn / numbers))};
 }
 
-/// Makes the chain better by Gauss and Newton's method. Returns what its normal equations weigh.
+/// Refines the chain by Gauss and Newton's method. Returns the matrix of the normal equations.
 Both improve_chain(std::span<const TrackedPair> pairs, bool robust, Chain& chain) {
   Both sum = Both::Zero();
   for (int round = 0; round < fit_rounds; ++round) {
@@ -147,7 +149,7 @@ Both improve_chain(std::span<const TrackedPair> pairs, bool robust, Chain& chain
       const double weight = robust && far > fit_huber ? fit_huber / far : 1;
       Eigen::Matrix<double, 3, 12> place, turned;
       const Mat3 r = there.q.toRotationMatrix();
-      place << point_slope(there.p), Mat3::Zero(), -r;
+      place << point_jacobian(there.p), Mat3::Zero(), -r;
       turned << Mat3::Identity(), Mat3::Zero(), -r, Mat3::Zero();
       const double by_place = weight / (scatter.place * scatter.place);
       const double by_turn = weight / (scatter.turn * scatter.turn);
@@ -156,14 +158,14 @@ Both improve_chain(std::span<const TrackedPair> pairs, bool robust, Chain& chain
     }
     const BothMotions step = sum.ldlt().solve(right);
     if (!step.allFinite())
-      throw InputError("the poses don't tell where the camera is: turn the board about more axes");
+      throw InputError("the poses do not determine the camera's pose: rotate the board about more axes");
     chain.tracker_camera = moved(chain.tracker_camera, step.head<6>());
     chain.receiver_board = moved(chain.receiver_board, step.tail<6>());
   }
   return sum;
 }
 
-/// Throws InputError where turns were about less than two axes.
+/// Checks the rotations. Throws InputError if they are about fewer than two axes.
 void check_turns(std::span<const TrackedPair> pairs) {
   const auto n = static_cast<double>(pairs.size());
   std::vector<Vec3> turns;
@@ -176,19 +178,18 @@ void check_turns(std::span<const TrackedPair> pairs) {
   for (const Vec3& t : turns) scatter += (t - mean) * (t - mean).transpose() / n;
   const Vec3 wide = Eigen::SelfAdjointEigenSolver<Mat3>(scatter, Eigen::EigenvaluesOnly).eigenvalues();
   const double second = std::sqrt(std::max(0.0, wide[1]));
-  if (second < least_second_turn)
-    throw InputError(fmt::format(
-        "the board was turned about one axis only ({:.1f}° RMS about any other): turn it about two axes, by "
-        "20° and more each way",
-        second * 180 / std::numbers::pi));
+  if (second < min_second_axis_rotation)
+    throw InputError(
+        fmt::format("the board was rotated about one axis only ({:.1f}° RMS about any other): rotate it "
+                    "about two axes, by at least 20° in each direction",
+                    second * 180 / std::numbers::pi));
 }
 
 void check_count(std::size_t pairs) {
-  if (pairs < least_tracked_pairs)
+  if (pairs < min_tracked_pairs)
     throw InputError(
-        fmt::format("{} poses of the board with its receiver: at least {} are needed, and {} are "
-                    "better",
-                    pairs, least_tracked_pairs, usual_tracked_pairs));
+        fmt::format("{} poses of the board with its receiver: at least {} are needed, {} are better", pairs,
+                    min_tracked_pairs, recommended_tracked_pairs));
 }
 
 Vec3 middle_board(std::span<const TrackedPair> pairs) {
@@ -218,20 +219,20 @@ TrackerFit fit_tracker(std::span<const TrackedPair> pairs) {
   const CvPairs good = pairs_to_cv(kept);
   chain = fit_by_shah(good);
   const Vec3 middle = middle_board(kept);
-  fit.ways_apart = (chain.tracker_camera * middle - fit_by_park(good) * middle).norm();
-  if (fit.ways_apart > most_ways_apart || 2 * kept.size() < pairs.size())
-    throw InputError(fmt::format(
-        "{} of {} poses fit, and two ways to reckon differ by {:.0f} mm: is the board fixed to the receiver, "
-        "does the camera stand still, is metal near?",
-        kept.size(), pairs.size(), 1e3 * fit.ways_apart));
+  fit.method_difference = (chain.tracker_camera * middle - fit_by_park(good) * middle).norm();
+  if (fit.method_difference > most_ways_apart || 2 * kept.size() < pairs.size())
+    throw InputError(
+        fmt::format("{} of {} poses fit, and two calculations differ by {:.0f} mm: check that the board is "
+                    "fixed to the receiver, that the camera does not move, and that no metal is near",
+                    kept.size(), pairs.size(), 1e3 * fit.method_difference));
   const Both weighed = improve_chain(kept, false, chain);
   const Both covariance = weighed.ldlt().solve(Both::Identity());
   const Scatter left = full_scatter(kept, chain);
   fit.tracker_camera = chain.tracker_camera;
   fit.receiver_board = chain.receiver_board;
   fit.spread = covariance.topLeftCorner<6, 6>();
-  fit.place_off = std::sqrt(3.0) * left.place;
-  fit.turn_off = std::sqrt(3.0) * left.turn;
+  fit.position_rms = std::sqrt(3.0) * left.place;
+  fit.rotation_rms = std::sqrt(3.0) * left.turn;
   fit.centre = chain.tracker_camera * middle;
   return fit;
 }

@@ -1,36 +1,36 @@
 #pragma once
-// Which of the faces in image after image is the user's. Networks take text, covers and logos for faces now
-// and then, with scores that real faces have, too, when they turn away.
+// Selects the user's face from the faces of successive images. Networks sometimes detect text, covers and
+// logos as faces. Their scores can equal those of real faces that turn away.
 
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "drivers/camera/face/eyes_place.h"
+#include "drivers/camera/face/eyes_pose.h"
 
 namespace prosector {
 
 struct PlacedFace {
   double score = 0;  // 0 to 1
-  EyesPlace eyes;
+  EyesPose eyes;
 };
 
-/// Follows one face by its position. A face is believed once it was seen for half a second with a high score,
-/// at a distance at which users are; then a low score is enough. Another one takes over that is much nearer,
-/// or when the user is gone.
+/// Follows one face by its position. A face is accepted after half a second with high scores at a plausible
+/// distance; from then on a low score suffices. Another face replaces it if that face is much nearer, or
+/// after the user's face is lost.
 class FaceFollower {
  public:
-  /// Takes the faces of an image, the largest first, and the image's time. Returns the user's eyes; nothing:
-  /// they aren't seen.
-  std::optional<EyesPlace> follow(std::span<const PlacedFace> faces, std::int64_t time_ns);
+  /// Processes the faces of an image, the largest first, and the image's time. Returns the user's eyes, or
+  /// nothing if they are not visible.
+  std::optional<EyesPose> follow(std::span<const PlacedFace> faces, std::int64_t time_ns);
 
  private:
   struct Track {
-    EyesPlace eyes;
+    EyesPose eyes;
     std::int64_t first_ns = 0, last_ns = 0;
     int images = 0;
   };
-  static bool continues(const std::optional<Track>& track, const EyesPlace& eyes, std::int64_t time_ns);
+  static bool continues(const std::optional<Track>& track, const EyesPose& eyes, std::int64_t time_ns);
   const PlacedFace* user_among(std::span<const PlacedFace> faces, std::int64_t time_ns) const;
   void try_others(std::span<const PlacedFace> faces, const PlacedFace* user, std::int64_t time_ns);
 

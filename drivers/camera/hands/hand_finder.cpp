@@ -5,26 +5,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/camera/hands/net_file.h"
+#include "drivers/camera/nets/net_file.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t most_hands = 2;
-constexpr double present = 0.5, still_present = 0.25;  // to be found, and to be followed on
-constexpr std::uint64_t look_again = 10;               // pictures: so often a second hand is looked for …
-constexpr std::uint64_t look_for_nearer = 30;          // … and a nearer one where there are two
-constexpr double nearer = 1.4;      // times as large: a hand takes the place of another one
-constexpr double stays = 0.85;      // of the least length: shorter than this a hand that is followed is left
-constexpr double same_hand = 0.35;  // of a region's side: two regions nearer than this are of one hand
-constexpr double most_votes = 6;    // so many pictures turn the surest vote
-constexpr double least_side = 8;    // pixels: nothing smaller is a hand
+constexpr double present = 0.5, still_present = 0.25;  // least presence to detect a hand, and to follow it
+constexpr std::uint64_t second_hand_interval = 10;     // images between searches for a second hand
+constexpr std::uint64_t nearer_hand_interval =
+    30;                         // images between searches for a nearer hand while two are followed
+constexpr double nearer = 1.4;  // size ratio above which a new hand replaces a followed one
+constexpr double stays = 0.85;  // factor of the least length; a followed hand shorter than this is dropped
+constexpr double same_hand = 0.35;  // share of a region's side; regions nearer than this belong to one hand
+constexpr double most_votes = 6;  // limit of the votes: about this many images overturn the clearest majority
+constexpr double least_side = 8;  // pixels; a smaller region is no hand
 
 const char* suffix(HandNets nets) {
   return nets == HandNets::lite ? "lite" : "full";
 }
 
-bool can_be_a_hand(const Image& image, const PictureRegion& region) {
+bool can_be_a_hand(const Image& image, const ImageRegion& region) {
   return std::isfinite(region.side) && region.center.allFinite() && region.side > least_side &&
          region.side < 4 * std::max(image.width, image.height);
 }
@@ -40,7 +41,7 @@ void HandFinder::forget() {
   followed_.clear();
 }
 
-/// Looks where a hand should be; tells whether it is there.
+/// Searches for a hand in its region. Returns whether it was found.
 bool HandFinder::follow(const Image& image, Followed& followed) {
   if (!can_be_a_hand(image, followed.region)) return false;
   const LandmarkAnswer answer = landmarks_.look(image, followed.region);
@@ -60,31 +61,31 @@ bool HandFinder::follow(const Image& image, Followed& followed) {
   return true;
 }
 
-/// Drops the less sure of two that follow one hand.
-void HandFinder::drop_doubles() {
+/// Drops the hand with the lower presence if two followed hands are the same one.
+void HandFinder::drop_duplicates() {
   if (followed_.size() < 2) return;
-  const PictureRegion &a = followed_[0].region, &b = followed_[1].region;
+  const ImageRegion &a = followed_[0].region, &b = followed_[1].region;
   if ((a.center - b.center).norm() > same_hand * std::min(a.side, b.side)) return;
   followed_.erase(followed_.begin() + (followed_[0].hand.presence < followed_[1].hand.presence ? 0 : 1));
 }
 
-void HandFinder::look_for_more(const Image& image) {
+void HandFinder::detect_new_hands(const Image& image) {
   ++palm_runs_;
-  std::vector<PictureRegion> palms = palms_.find(image);
+  std::vector<ImageRegion> palms = palms_.find(image);
   std::stable_sort(palms.begin(), palms.end(),
-                   [](const PictureRegion& a, const PictureRegion& b) { return a.side > b.side; });
-  for (const PictureRegion& palm : palms) {
+                   [](const ImageRegion& a, const ImageRegion& b) { return a.side > b.side; });
+  for (const ImageRegion& palm : palms) {
     const bool known = std::any_of(followed_.begin(), followed_.end(), [&](const Followed& f) {
       return (f.region.center - palm.center).norm() < same_hand * std::max(f.region.side, palm.side);
     });
     Followed fresh{palm, 0, {}};
     if (known || !follow(image, fresh)) continue;
-    follow(image, fresh);  // the palm's square is rough: look again where the hand is
+    follow(image, fresh);  // second run, because the palm's square is only rough
     take(fresh);
   }
 }
 
-/// Follows a hand from now on: beside others, or in the place of the smallest where it is much nearer.
+/// Starts to follow a hand, in addition to others, or instead of the smallest if the new one is much larger.
 void HandFinder::take(const Followed& fresh) {
   const auto smallest =
       std::min_element(followed_.begin(), followed_.end(),
@@ -97,8 +98,8 @@ void HandFinder::take(const Followed& fresh) {
   followed_.back().hand.number = next_number_++;
 }
 
-/// Gives each hand the side that more votes are for; two hands have two sides.
-void HandFinder::tell_sides() {
+/// Sets each hand's side by majority vote. Two hands get different sides.
+void HandFinder::assign_sides() {
   for (Followed& f : followed_) f.hand.left = f.votes < 0;
   if (followed_.size() == 2 && followed_[0].hand.left == followed_[1].hand.left) {
     Followed& weaker =
@@ -107,7 +108,7 @@ void HandFinder::tell_sides() {
   }
 }
 
-const std::vector<FoundHand>& HandFinder::find(const Image& image) {
+const std::vector<DetectedHand>& HandFinder::find(const Image& image) {
   hands_.clear();
   saw_far_hand_ = false;
   if (!is_whole(image)) return hands_;
@@ -116,11 +117,11 @@ const std::vector<FoundHand>& HandFinder::find(const Image& image) {
     ++f.hand.follows;
     return false;
   });
-  drop_doubles();
-  const std::uint64_t pause = followed_.size() < most_hands ? look_again : look_for_nearer;
-  if (followed_.empty() || pictures_ % pause == 0) look_for_more(image);
+  drop_duplicates();
+  const std::uint64_t pause = followed_.size() < most_hands ? second_hand_interval : nearer_hand_interval;
+  if (followed_.empty() || pictures_ % pause == 0) detect_new_hands(image);
   ++pictures_;
-  tell_sides();
+  assign_sides();
   for (const Followed& f : followed_) hands_.push_back(f.hand);
   return hands_;
 }

@@ -1,57 +1,58 @@
 #pragma once
-// Up to two bare hands in picture after picture: looked for in all of it once, then followed. The nearest
-// ones are taken, and none that are too far away: these are bystanders'.
+// Finds up to two bare hands in successive images: detects them in the whole image, then follows them. The
+// nearest hands are taken. Hands beyond a distance limit are ignored, because they are bystanders'.
 
 #include <filesystem>
 #include <vector>
 
 #include "drivers/camera/hands/hand_landmarks.h"
-#include "drivers/camera/hands/hand_nets.h"
-#include "drivers/camera/hands/palm_finder.h"
+#include "drivers/camera/hands/palm_detector.h"
+#include "drivers/camera/nets/hand_nets.h"
 
 namespace prosector {
 
-struct FoundHand {
-  HandPoints points;          // pixels
+struct DetectedHand {
+  HandPoints points;          // pixels of the image
   HandDepths depths{};        // pixels
   double presence = 0;        // 0 to 1
-  bool left = false;          // by the vote of all pictures that it was followed through
-  std::uint64_t follows = 0;  // pictures before this one through which it was followed
-  std::uint64_t number = 0;   // the same while it is followed
+  bool left = false;          // majority vote over all images in which the hand was followed
+  std::uint64_t follows = 0;  // number of earlier images in which the hand was followed
+  std::uint64_t number = 0;   // identifier, constant while the hand is followed
 };
 
 class HandFinder {
  public:
-  /// Takes the networks' files from this folder. Throws InputError that says how to get them.
+  /// Loads the networks' files from `folder`. Throws InputError with advice on how to get the files.
   HandFinder(const std::filesystem::path& folder, HandNets nets);
 
-  /// Looks at the next picture. Throws nothing, whatever the picture.
-  const std::vector<FoundHand>& find(const Image& image);
-  /// Leaves out hands that look shorter, pixels: they are too far away. At first none are left out.
+  /// Finds the hands in the next image. Never throws, whatever the image.
+  const std::vector<DetectedHand>& find(const Image& image);
+  /// Sets the least length of a hand in the image, pixels. Shorter hands are too far away and are ignored; a
+  /// followed hand is kept down to 85 % of it. The default is 0.
   void set_least_length(double pixels) { least_length_ = pixels; }
-  /// Returns whether a hand was left out of the last picture.
-  bool saw_far_hand() const { return saw_far_hand_; }
-  /// Forgets whom it follows: the next picture is of something else.
+  /// Returns whether a hand in the last image was ignored as too far away.
+  bool ignored_far_hand() const { return saw_far_hand_; }
+  /// Forgets all hands; call it before an unrelated image.
   void forget();
-  /// Returns how often it looked for palms.
+  /// Returns how often the palm detector ran.
   std::uint64_t palm_runs() const { return palm_runs_; }
 
  private:
   struct Followed {
-    PictureRegion region;  // where to look next
-    double votes = 0;      // for right; against below 0
-    FoundHand hand;
+    ImageRegion region;  // where to search in the next image
+    double votes = 0;    // above 0: votes for a right hand; below 0: for a left hand
+    DetectedHand hand;
   };
   bool follow(const Image& image, Followed& followed);
-  void drop_doubles();
-  void look_for_more(const Image& image);
+  void drop_duplicates();
+  void detect_new_hands(const Image& image);
   void take(const Followed& fresh);
-  void tell_sides();
+  void assign_sides();
 
-  PalmFinder palms_;
+  PalmDetector palms_;
   LandmarkNetwork landmarks_;
   std::vector<Followed> followed_;
-  std::vector<FoundHand> hands_;
+  std::vector<DetectedHand> hands_;
   double least_length_ = 0;
   bool saw_far_hand_ = false;
   std::uint64_t pictures_ = 0, palm_runs_ = 0, next_number_ = 0;

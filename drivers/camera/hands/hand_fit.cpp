@@ -7,30 +7,33 @@ namespace prosector {
 namespace {
 
 constexpr Eigen::Index first_bend = 6, breadth_at = first_bend + static_cast<Eigen::Index>(fingers),
-                       unknowns = breadth_at + 1;  // before the bends: shift and turn
+                       unknowns = breadth_at + 1;  // translation and rotation come before the bends
 using Step = Eigen::Matrix<double, unknowns, 1>;
 using Normal = Eigen::Matrix<double, unknowns, unknowns>;
 
 constexpr int quick_rounds = 8, last_rounds = 25;
-constexpr double usual_miss = 0.02;   // of the hand's length: what networks miss a point by
-constexpr double most_miss = 0.09;    // of the hand's length: no hand of ours lies there
-constexpr double trust_before = 0.7;  // of its cost: a hand goes on where it was, unless that fits much worse
-constexpr double as_good = 1.15;      // costs of two poses: either may be the right one
-constexpr double bend_spread = 1.5;   // of bends around `usual_bend`, so that what can't be seen stays put
+constexpr double typical_residual =
+    0.02;                              // share of the hand's length: typical error of the networks' points
+constexpr double max_residual = 0.09;  // share of the hand's length; a fit with larger error is rejected
+constexpr double continuity_factor = 0.7;  // factor on the cost of the fit that continues the previous pose,
+                                           // so that others must be clearly better
+constexpr double as_good = 1.15;           // ratio of costs up to which two poses are ambiguous
+constexpr double bend_spread = 1.5;  // standard deviation of the prior on bends around `usual_bend`, which
+                                     // keeps unobservable bends stable
 constexpr double usual_bend = 0.3;
-// Breadths of hands of one length vary by that much (standard deviation). Where ours was taken for
-// everybody's, a slimmer hand that is held straight at the camera seemed to be turned to either side.
+// Standard deviation of the breadth of hands of one length. With a fixed breadth, a slimmer hand that points
+// straight at the camera appeared to be rotated to one side.
 constexpr double breadth_spread = 0.08, most_breadth = 0.3;
-constexpr double nearest_hand = 0.08, farthest_hand = 3;               // m along z
-constexpr std::array<std::size_t, 5> flat_points = {0, 5, 9, 13, 17};  // wrist and knuckles: they don't bend
+constexpr double nearest_hand = 0.08, farthest_hand = 3;               // m along z, plausible range
+constexpr std::array<std::size_t, 5> flat_points = {0, 5, 9, 13, 17};  // wrist, knuckles: unaffected by bends
 
-/// Where the networks see a point, by what they were seen to answer to pictures of our own hand's skin. They
-/// see bent fingers' joints elsewhere than straight ones'.
+/// Position at which the networks detect a point, fitted to their output on images of the hand model's skin.
+/// It differs between bent and straight fingers.
 struct SeenPoint {
-  std::size_t joint;         // in whose segment's frame it moves
-  bool at_end = false;       // of the segment
-  Vec3 offset = {0, 0, 0};   // m, the right hand's
-  Vec3 by_bend = {0, 0, 0};  // m, added as far as its finger is bent
+  std::size_t joint;         // joint with whose segment the point moves
+  bool at_end = false;       // relative to the segment's end
+  Vec3 offset = {0, 0, 0};   // m, for the right hand
+  Vec3 by_bend = {0, 0, 0};  // m, added in proportion to the finger's bend
 };
 constexpr std::size_t of_the_wrist = hand_joints;
 const std::array<SeenPoint, hand_points> seen_points = {
@@ -56,17 +59,18 @@ const std::array<SeenPoint, hand_points> seen_points = {
      {13, false, {0.0015, -0.0006, 0.0002}, {-0.0063, -0.0071, -0.0009}},
      {13, true, {0.0010, 0.0014, 0.0030}, {-0.0074, -0.0054, 0.0041}}}};
 
-/// Returns the finger that a point is of; the wrist's counts as the thumb's.
+/// Returns the finger of a point; the wrist counts as the thumb.
 constexpr std::size_t finger_of(std::size_t point) {
   return point == 0 ? 0 : (point - 1) / 4;
 }
 
-/// Returns a point's weight: less where our hand isn't like all hands, at the thumb's root and knuckle.
+/// Returns the weight of a point. It is lower at the thumb's root and knuckle, where hands differ from the
+/// hand model.
 constexpr double weight_of(std::size_t point) {
   return point == 1 ? 0 : point == 2 ? 0.5 : 1;
 }
 
-/// What is asked for, on its way.
+/// The unknowns of the fit.
 struct Guess {
   Pose wrist;
   std::array<double, fingers> flexion{};
@@ -78,7 +82,7 @@ struct Guess {
 struct Seen {
   std::array<Vec2, hand_points> directions;
   Pose camera_rig;
-  double length = 1;  // of the hand in the picture, in directions
+  double length = 1;  // length of the hand in the image, as a direction
   std::optional<HandDepths> depths;
 };
 
@@ -110,9 +114,8 @@ class HandProblem {
     return guess;
   }
 
-  /// Returns the rms of misses that aren't outliers, as a share of the hand's length.
-  /// Returns the correlation of a guess's depths along the first camera's axis with the depths that its
-  /// network sees, −1 to 1; 0 where these are unknown.
+  /// Returns the correlation between a guess's depths along the first camera's axis and the network's depths,
+  /// −1 to 1; 0 if the latter are unknown.
   double depth_agreement(const Guess& guess) const {
     const Seen& seen = seen_.front();
     if (!seen.depths) return 0;
@@ -131,10 +134,11 @@ class HandProblem {
     return each > 0 && std::isfinite(both) ? both / std::sqrt(each) : 0;
   }
 
+  /// Returns the weighted RMS residual of the points, as a share of the hand's length.
   double miss_of(const Guess& guess) const {
     double sum = 0, weights = 0;
     for_points(guess, [&](const Vec2& miss, double weight) {
-      const double square = miss.squaredNorm() * usual_miss * usual_miss;
+      const double square = miss.squaredNorm() * typical_residual * typical_residual;
       sum += weight * square;
       weights += weight;
     });
@@ -142,14 +146,14 @@ class HandProblem {
   }
 
  private:
-  /// Returns the points of that hand in its wrist's frame, m.
+  /// Returns the points of the guessed hand in its wrist's frame, m.
   std::array<Vec3, hand_points> points_of(const Guess& guess) const {
     auto out = points_of_hand(shape_.hand, guess.flexion);
     for (Vec3& point : out) point = shape_.size * Vec3(guess.breadth * point.x(), point.y(), point.z());
     return out;
   }
 
-  /// Calls `use` with each point's miss, in units of the usual one, and its weight.
+  /// Calls `use` with each point's residual, in units of the typical error, and its weight.
   template <typename Use>
   void for_points(const Guess& guess, const Use& use) const {
     const auto points = points_of(guess);
@@ -158,7 +162,7 @@ class HandProblem {
       for (std::size_t k = 0; k < hand_points; ++k) {
         const Vec3 x = camera_wrist * points[k];
         const double z = std::max(x.z(), 0.01);
-        use(Vec2((x.head<2>() / z - seen.directions[k]) / (usual_miss * seen.length)), weight_of(k));
+        use(Vec2((x.head<2>() / z - seen.directions[k]) / (typical_residual * seen.length)), weight_of(k));
       }
     }
   }
@@ -173,7 +177,7 @@ class HandProblem {
     return out + (guess.breadth - 1) * (guess.breadth - 1) / (breadth_spread * breadth_spread);
   }
 
-  /// Turns about the middle of the palm, so that turns and shifts hardly depend on each other.
+  /// Applies a step. Rotates about the palm's centre, so that rotation and translation are nearly decoupled.
   Guess moved(const Guess& from, const Step& step) const {
     Guess out = from;
     const Vec3 middle = from.wrist * Vec3(shape_.size * hand_palm(shape_.hand).center);
@@ -205,7 +209,7 @@ class HandProblem {
     Eigen::MatrixXd by(rows, unknowns);
     for (Eigen::Index k = 0; k < unknowns; ++k) {
       Step step = Step::Zero();
-      // Bends end at 0 and 1: differences go inwards.
+      // Bends are limited to 0 … 1, so finite differences go inwards.
       const bool is_bend = k >= first_bend && k < breadth_at;
       const double inwards =
           is_bend && guess.flexion[static_cast<std::size_t>(k - first_bend)] > 0.5 ? -1 : 1;
@@ -238,8 +242,7 @@ class HandProblem {
   HandShape shape_;
 };
 
-/// Returns the two poses in the camera's frame in which the flat of the hand, seen from far, has its points
-/// where they are.
+/// Returns the two poses in the camera's frame that map the flat hand to its points in weak perspective.
 std::vector<Pose> flat_poses(const Seen& seen, const HandShape& shape) {
   const auto points = points_of_hand(shape.hand, {});
   Vec2 mean_seen = Vec2::Zero(), mean_flat = Vec2::Zero();
@@ -253,9 +256,9 @@ std::vector<Pose> flat_poses(const Seen& seen, const HandShape& shape) {
     across += (seen.directions[k] - mean_seen) * flat.transpose();
     square += flat * flat.transpose();
   }
-  const Eigen::Matrix2d map = across * square.inverse();  // columns: where x and z of the hand go
+  const Eigen::Matrix2d map = across * square.inverse();  // columns: images of the hand's x and z axes
   const double a = map.col(0).squaredNorm(), b = map.col(1).squaredNorm(), c = map.col(0).dot(map.col(1));
-  // Both axes are as long in space: a + s² = b + t², c + s·t = 0.
+  // Both axes have the same length in space: a + s² = b + t², c + s·t = 0.
   const double scale2 = (a + b + std::sqrt((a - b) * (a - b) + 4 * c * c)) / 2;
   if (!(scale2 > 1 / (farthest_hand * farthest_hand)) || !std::isfinite(scale2)) return {};
   const double scale = std::sqrt(scale2), s = std::sqrt(std::max(scale2 - a, 0.0)),
@@ -288,9 +291,9 @@ std::optional<Seen> seen_by(const HandView& view) {
   return out;
 }
 
-/// Returns the one of the guesses that fit about as well as the first whose depths agree best with what the
-/// network sees; the first where they are unknown. `guesses`: one at least, by cost.
-const Guess& best_of_rivals(const HandProblem& problem, const std::vector<Guess>& guesses) {
+/// Returns, among the guesses with costs about as low as the first, the one whose depths agree best with the
+/// network's. Returns the first if depths are unknown. `guesses`: not empty, sorted by cost.
+const Guess& resolve_ambiguity(const HandProblem& problem, const std::vector<Guess>& guesses) {
   const Guess* best = &guesses.front();
   double best_agreement = problem.depth_agreement(*best);
   for (const Guess& rival : guesses) {
@@ -330,7 +333,7 @@ std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape
   std::vector<Guess> guesses;
   if (before) {
     guesses.push_back(problem.improve({before->wrist, before->flexion, before->breadth}, quick_rounds));
-    guesses.back().cost *= trust_before;
+    guesses.back().cost *= continuity_factor;
   }
   for (const Pose& camera_wrist : flat_poses(seen[0], shape))
     for (const double bend : {0.2, 0.7}) {
@@ -340,10 +343,11 @@ std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape
     }
   if (guesses.empty()) return std::nullopt;
   std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
-  const Guess best = problem.improve(before ? guesses[0] : best_of_rivals(problem, guesses), last_rounds);
+  const Guess best = problem.improve(before ? guesses[0] : resolve_ambiguity(problem, guesses), last_rounds);
   HandFit out{best.wrist, best.flexion, best.breadth, problem.miss_of(best), false};
   const double depth = (seen[0].camera_rig * best.wrist).p.z();
-  out.sure = is_finite(best.wrist) && out.miss < most_miss && depth > nearest_hand && depth < farthest_hand;
+  out.sure =
+      is_finite(best.wrist) && out.miss < max_residual && depth > nearest_hand && depth < farthest_hand;
   return out;
 }
 

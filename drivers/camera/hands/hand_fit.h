@@ -1,9 +1,10 @@
 #pragma once
-// Our hand of 14 joints laid through the points that networks find in pictures.
+// Fits the hand model of 14 joints to the points that networks find in images.
 //
-// Unknown are the wrist's pose (6), five bends and the hand's breadth; its length is known. Least squares
-// after Levenberg (1944) and Marquardt (1963), with Cauchy's weights against single bad points. A flat hand
-// seen from far looks the same tilted either way: hence two starts (compare Huttenlocher and Ullman 1990).
+// Unknown are the wrist's pose (6), five bends and the hand's breadth; the hand's length is known. Solved by
+// least squares (Levenberg 1944, Marquardt 1963) with Cauchy weights against outliers. From far away, a flat
+// hand tilted one way looks like one tilted the other way. The fit therefore has a start for each tilt
+// (compare Huttenlocher and Ullman 1990).
 
 #include <array>
 #include <optional>
@@ -11,39 +12,41 @@
 #include <vector>
 
 #include "common/hand.h"
+#include "common/ids.h"
 #include "drivers/camera/hands/hand_landmarks.h"
 
 namespace prosector {
 
-/// Returns where the points are on our hand, in the wrist's frame, m. The thumb's root is no joint of ours:
-/// its place is a guess.
+/// Returns the positions of the network's points on the hand model, in the wrist's frame, m. The thumb's root
+/// is no joint of the model, so its position is a guess.
 std::array<Vec3, hand_points> points_of_hand(std::size_t hand, const std::array<double, fingers>& flexion);
 
-/// What one camera sees of the hand.
+/// One camera's view of the hand.
 struct HandView {
   HandPoints points;  // pixels
   Lens lens;
-  Pose camera_rig;  // the frame that the pose is asked in, in the camera's; one camera: none
-  std::optional<HandDepths> depths = std::nullopt;  // as the network sees them; nothing: unknown
+  Pose camera_rig;  // pose of the rig's frame in the camera's frame; the identity for a single camera
+  std::optional<HandDepths> depths = std::nullopt;  // as estimated by the network; nothing: unknown
 };
 
 struct HandShape {
   std::size_t hand = right_hand;
-  double size = 1;  // of our hand: 1 is 190 mm from the wrist to the middle finger's tip
+  double size = 1;  // scale of the hand model; 1 is 190 mm from the wrist to the middle finger's tip
 };
 
 struct HandFit {
   Pose wrist;  // in the rig's frame
   std::array<double, fingers> flexion{};
-  double breadth = 1;  // of the hand, where it is as long as ours: 1 is ours
-  double miss =
-      0;  // rms of the points' distances to our hand's, as a share of the hand's length in the picture
-  bool sure = false;  // the points make a hand
+  double breadth = 1;  // breadth divided by that of a hand model of the same length
+  double miss = 0;  // RMS distance between the points and the model's points, as a share of the hand's length
+                    // in the image
+  bool sure = false;  // the points form a plausible hand
 };
 
-/// Lays the hand through its points. `before`: where it was in the picture before. A hand that is held
-/// straight at the camera may have two poses that fit about equally well. Then the previous pose decides,
-/// else the network's depths, else the better fit. Returns nothing where the points can't be looked along.
+/// Fits the hand to its points. `before`: the fit of the previous image. A hand that points straight at the
+/// camera may have two poses that fit about equally well. The previous pose then decides, else the network's
+/// depths, else the better fit. Returns nothing if no view has valid directions for its points, or there is
+/// no start.
 std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape& shape,
                                 const std::optional<HandFit>& before);
 

@@ -7,8 +7,8 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t landmark_input = 224;  // pixels a side
-// Points that say where the next square is: fingers' outer joints move too fast.
+constexpr std::size_t landmark_input = 224;  // pixels per side
+// Points that determine the next square; outer finger joints move too fast.
 constexpr std::array<std::size_t, 12> steady_points = {0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18};
 constexpr std::size_t index_point = 5, middle_point = 9, ring_point = 13, little_point = 17;
 constexpr double next_side = 2, next_shift = 0.1;
@@ -19,10 +19,10 @@ LandmarkNetwork::LandmarkNetwork(NetPlan plan) : network_(std::move(plan)) {
   if (network_.input().size() != landmark_input * landmark_input * 3 || network_.outputs() != 4 ||
       network_.output(0).size() != 3 * hand_points || network_.output(1).size() != 1 ||
       network_.output(2).size() != 1)
-    throw InputError("is no network that finds the points of a hand");
+    throw InputError("is not a hand landmark network");
 }
 
-LandmarkAnswer LandmarkNetwork::look(const Image& image, const PictureRegion& region) {
+LandmarkAnswer LandmarkNetwork::look(const Image& image, const ImageRegion& region) {
   sample_region(image, region, landmark_input, Outside::edge, network_.input());
   brighten(network_.input());
   network_.run();
@@ -39,16 +39,16 @@ LandmarkAnswer LandmarkNetwork::look(const Image& image, const PictureRegion& re
 }
 
 double length_of_hand(const HandPoints& points) {
-  // The palm is 94 of 190 mm long.
+  // The palm is 94 mm of the hand's 190 mm long.
   const double palm = (points[middle_point] - points[0]).norm(),
                breadth = (points[little_point] - points[index_point]).norm();
   return std::max(2.0 * palm, 3.1 * breadth);
 }
 
-PictureRegion region_around(const HandPoints& points) {
+ImageRegion region_around(const HandPoints& points) {
   const Vec2 knuckles = points[middle_point] / 2 + (points[index_point] + points[ring_point]) / 4;
   const Vec2 up = knuckles - points[0];
-  PictureRegion out;
+  ImageRegion out;
   out.angle = std::atan2(up.x(), -up.y());
   const Eigen::Rotation2Dd turn(out.angle);
   Vec2 low = Vec2::Constant(1e9), high = -low;

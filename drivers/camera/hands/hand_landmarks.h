@@ -1,44 +1,45 @@
 #pragma once
-// The 21 points of a hand that a network finds in a square around it.
+// Network that finds the 21 points of a hand in a square around it.
 
 #include <array>
 
-#include "drivers/camera/hands/network.h"
-#include "drivers/camera/hands/picture_region.h"
+#include "drivers/camera/nets/image_region.h"
+#include "drivers/camera/nets/network.h"
 
 namespace prosector {
 
-/// The wrist, then four of each finger from the thumb on: the thumb's root, knuckle, joint and tip; a
-/// finger's knuckle, two joints and tip.
+/// The wrist, then four points per finger from the thumb on. The thumb has root, knuckle, joint and tip. Each
+/// other finger has knuckle, two joints and tip.
 inline constexpr std::size_t hand_points = 21;
 using HandPoints = std::array<Vec2, hand_points>;  // pixels
-/// Distances of the points along the camera's axis from the wrist's, in pixels at the hand's own distance;
-/// positive away from the camera. Rough: they tell a tilt's side better than its angle.
+/// Depths of the points relative to the wrist, along the camera's axis, in pixels at the hand's own distance.
+/// Positive is away from the camera. The values are rough: the direction of a tilt is more reliable than its
+/// angle.
 using HandDepths = std::array<double, hand_points>;
 
 struct LandmarkAnswer {
-  HandPoints points;    // pixels of the picture
-  HandDepths depths{};  // pixels of the picture
-  double presence = 0;  // 0 to 1: is it a hand at all
-  double right = 0;     // 0 to 1: is it a right one, in a picture that isn't mirrored
+  HandPoints points;    // pixels of the image
+  HandDepths depths{};  // pixels of the image
+  double presence = 0;  // 0 to 1, probability that a hand is visible
+  double right = 0;     // 0 to 1, probability of a right hand in an unmirrored image
 };
 
 class LandmarkNetwork {
  public:
-  /// Throws InputError where it is another network.
+  /// Checks the network. Throws InputError if its inputs or outputs are not those of a hand landmark network.
   explicit LandmarkNetwork(NetPlan plan);
-  LandmarkAnswer look(const Image& image, const PictureRegion& region);
+  LandmarkAnswer look(const Image& image, const ImageRegion& region);
 
  private:
   Network network_;
 };
 
-/// Returns the square around a hand with these points: fingers up, with room for what moves until the next
-/// picture.
-PictureRegion region_around(const HandPoints& points);
+/// Returns the square around a hand with these points, fingers up, with margin for motion until the next
+/// image.
+ImageRegion region_around(const HandPoints& points);
 
-/// Returns the length of the hand with these points as it would be seen flat, in their unit. It follows from
-/// the palm's length or, where the hand points at the camera, its breadth.
+/// Returns the length that the hand with these points would have if seen flat, in the points' unit. The
+/// estimate uses the palm's length or, when the hand points at the camera, the palm's breadth.
 double length_of_hand(const HandPoints& points);
 
 }  // namespace prosector

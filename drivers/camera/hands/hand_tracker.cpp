@@ -6,17 +6,17 @@
 namespace prosector {
 namespace {
 
-constexpr std::int64_t at_once_ns = 20'000'000;   // pictures of two cameras this near in time show one hand
-constexpr std::int64_t forgets_ns = 300'000'000;  // without a pose the next one is looked for anew
-// Bends are smoothed by a low-pass whose cut-off grows with their speed, as poses are.
+constexpr std::int64_t max_image_time_gap_ns = 20'000'000;  // most between two cameras' images of one hand
+constexpr std::int64_t track_timeout_ns =
+    300'000'000;  // time without a pose after which a hand's track restarts
+// Bends are smoothed by a low-pass whose cut-off frequency grows with their speed, like poses.
 constexpr double bend_least = 2, bend_beta = 3, bend_speed_cut = 2;  // Hz, Hz for each 1/s, Hz
 
-constexpr const char* no_hand =
-    "no hand is seen: is there light, and is it in the picture, whole, without a glove?";
+constexpr const char* no_hand = "no hand detected: provide light, and show the whole hand without a glove";
 constexpr const char* far_hand =
-    "the hands that are seen are too far away: come nearer, or raise tracker.farthest_hand";
+    "the detected hands are too far away: come nearer, or increase tracker.farthest_hand";
 constexpr const char* unclear_pose =
-    "a hand is seen, but not how it is held: turn it a little, and keep its fingers in the picture";
+    "a hand is detected, but not its pose: rotate it a little, and keep its fingers in the image";
 
 double share_of(double cut, double seconds) {
   return 1 / (1 + 1 / (2 * std::numbers::pi * cut * seconds));
@@ -30,7 +30,7 @@ HandTracker::HandTracker(const std::filesystem::path& nets, HandNets effort, std
   for (std::size_t k = 0; k < cameras; ++k) cameras_.push_back({HandFinder(nets, effort), {}, {}});
 }
 
-void HandTracker::set_eye(std::size_t camera, const HandEye& eye) {
+void HandTracker::set_camera_setup(std::size_t camera, const CameraSetup& eye) {
   Camera& it = cameras_.at(camera);
   it.eye = eye;
   it.hands = {};
@@ -40,19 +40,20 @@ void HandTracker::set_eye(std::size_t camera, const HandEye& eye) {
 }
 
 void HandTracker::note(Camera& camera, const Frame& frame) {
-  for (const FoundHand& found : camera.finder.find(frame.image))
+  for (const DetectedHand& found : camera.finder.find(frame.image))
     camera.hands[found.left ? left_hand : right_hand] = Seen{frame.time_ns, found.points, found.depths};
 }
 
-/// Tells whether poses of a hand come with this camera's pictures: with the first camera's that sees it.
+/// Returns whether this camera's images trigger the hand's poses. The first camera that saw the hand recently
+/// does.
 bool HandTracker::leads(std::size_t camera, std::size_t hand, std::int64_t now_ns) const {
   for (std::size_t before = 0; before < camera; ++before)
-    if (const auto& seen = cameras_[before].hands[hand]; seen && now_ns - seen->time_ns < forgets_ns)
+    if (const auto& seen = cameras_[before].hands[hand]; seen && now_ns - seen->time_ns < track_timeout_ns)
       return false;
   return true;
 }
 
-void HandTracker::smooth(Way& way, const std::array<double, fingers>& flexion, double seconds) {
+void HandTracker::smooth(HandTrack& way, const std::array<double, fingers>& flexion, double seconds) {
   if (!way.before || seconds <= 0) {
     way.bends = flexion;
     way.speeds = {};
@@ -73,17 +74,18 @@ std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand
       {mine->points, cameras_[camera].eye.lens, cameras_[camera].eye.camera_rig, mine->depths}};
   for (const Camera& other : cameras_)
     if (&other != &cameras_[camera])
-      if (const auto& seen = other.hands[hand]; seen && std::abs(now_ns - seen->time_ns) < at_once_ns)
+      if (const auto& seen = other.hands[hand];
+          seen && std::abs(now_ns - seen->time_ns) < max_image_time_gap_ns)
         views.push_back({seen->points, other.eye.lens, other.eye.camera_rig, seen->depths});
-  Way& way = ways_[hand];
-  if (now_ns - way.time_ns > forgets_ns) {
+  HandTrack& way = tracks_[hand];
+  if (now_ns - way.time_ns > track_timeout_ns) {
     way.before.reset();
     way.doubt.forget();
   }
   const auto fitted = fit_hand(views, {hand, user_.size}, way.before);
   if (!fitted || !fitted->sure) return std::nullopt;
   const Vec3 palm = fitted->wrist * Vec3(user_.size * hand_palm(hand).center);
-  if (!way.doubt.believes({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
+  if (!way.doubt.accepts_pose({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
   smooth(way, fitted->flexion, 1e-9 * static_cast<double>(now_ns - way.time_ns));
   way.before = fitted;
   way.time_ns = now_ns;
@@ -99,7 +101,10 @@ std::vector<TrackedHand> HandTracker::see(std::size_t camera, const Frame& frame
     is_found |= seen_by.hands[hand] && seen_by.hands[hand]->time_ns == frame.time_ns;
     if (const auto tracked = fit(camera, hand, frame.time_ns)) out.push_back(*tracked);
   }
-  lack_ = !out.empty() ? "" : is_found ? unclear_pose : seen_by.finder.saw_far_hand() ? far_hand : no_hand;
+  lack_ = !out.empty()                        ? ""
+          : is_found                          ? unclear_pose
+          : seen_by.finder.ignored_far_hand() ? far_hand
+                                              : no_hand;
   return out;
 }
 

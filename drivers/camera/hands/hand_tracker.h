@@ -1,48 +1,50 @@
 #pragma once
-// Both bare hands, out of the pictures of one or two cameras: found, fitted, smoothed.
+// Tracks both bare hands in the images of one or two cameras: detection, fit and smoothing.
 
 #include <array>
 
-#include "drivers/camera/frame.h"
+#include "common/ids.h"
+#include "drivers/camera/base/frame.h"
+#include "drivers/camera/base/one_euro.h"
 #include "drivers/camera/hands/hand_finder.h"
 #include "drivers/camera/hands/hand_fit.h"
-#include "drivers/camera/hands/pose_doubt.h"
-#include "drivers/camera/one_euro.h"
+#include "drivers/camera/hands/jump_filter.h"
 
 namespace prosector {
 
-/// How a camera looks.
-struct HandEye {
+/// Lens and pose of a camera.
+struct CameraSetup {
   Lens lens;
-  Pose camera_rig;  // the first camera's frame in this one's; the first: none
+  Pose camera_rig;  // pose of the first camera's frame in this camera's frame; the identity for the first
+                    // camera
 };
 
 struct TrackedHand {
   std::size_t hand = right_hand;
-  Pose wrist;  // in the first camera's frame (x right, y down, z ahead)
+  Pose wrist;  // in the first camera's frame (x right, y down, z forward)
   std::array<double, fingers> flexion{};
-  double miss = 0;          // as HandFit says it
-  std::size_t cameras = 1;  // that saw it
+  double miss = 0;          // as in HandFit
+  std::size_t cameras = 1;  // number of cameras that saw the hand
 };
 
-/// Whose hands are tracked.
+/// Hand size and range of the tracked user.
 struct TrackedUser {
-  double size = 1;                     // of the hands: 1 is our hand
-  double farthest = usual_hand_range;  // m from the camera: hands beyond it are bystanders'
+  double size = 1;                       // of the hands, as a factor of the hand model
+  double farthest = default_hand_range;  // m from the camera; hands farther away are bystanders'
 };
 
 class HandTracker {
  public:
-  /// Takes the networks from this folder. Throws InputError that says how to get them.
+  /// Loads the networks from the folder `nets`. Throws InputError with advice on how to get the files.
   HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras,
               const TrackedUser& user = {});
 
-  /// Says how a camera looks from now on, before its first picture.
-  void set_eye(std::size_t camera, const HandEye& eye);
-  /// Takes a camera's picture. Returns the hands of which it makes sure poses: what isn't sure is left out.
+  /// Sets the lens and pose of a camera; call it before its first image.
+  void set_camera_setup(std::size_t camera, const CameraSetup& eye);
+  /// Processes an image of a camera. Returns the hands with a reliable pose.
   std::vector<TrackedHand> see(std::size_t camera, const Frame& frame);
 
-  /// Returns why the last picture gave no hand, as well as it is known; empty: it gave one.
+  /// Returns the likely reason why the last image gave no hand; empty: it gave one.
   const char* lack() const { return lack_; }
 
  private:
@@ -53,27 +55,27 @@ class HandTracker {
   };
   struct Camera {
     HandFinder finder;
-    HandEye eye;
-    std::array<std::optional<Seen>, 2> hands;  // newest, left and right
+    CameraSetup eye;
+    std::array<std::optional<Seen>, 2> hands;  // newest detections: left and right hand
   };
-  /// A hand's way so far.
-  struct Way {
+  /// State of a hand between images.
+  struct HandTrack {
     std::optional<HandFit> before;
     std::int64_t time_ns = 0;
-    PoseDoubt doubt;
+    JumpFilter doubt;
     PoseFilter filter;
-    std::array<double, fingers> bends{}, speeds{};  // smoothed; 1/s
+    std::array<double, fingers> bends{}, speeds{};  // smoothed bends, 0 to 1; their speeds, 1/s
   };
 
   void note(Camera& camera, const Frame& frame);
   bool leads(std::size_t camera, std::size_t hand, std::int64_t now_ns) const;
   std::optional<TrackedHand> fit(std::size_t camera, std::size_t hand, std::int64_t now_ns);
-  static void smooth(Way& way, const std::array<double, fingers>& flexion, double seconds);
+  static void smooth(HandTrack& way, const std::array<double, fingers>& flexion, double seconds);
 
   TrackedUser user_;
   const char* lack_ = "";
   std::vector<Camera> cameras_;
-  std::array<Way, 2> ways_;
+  std::array<HandTrack, 2> tracks_;
 };
 
 }  // namespace prosector

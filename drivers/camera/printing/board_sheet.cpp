@@ -16,10 +16,10 @@ namespace prosector {
 namespace {
 
 constexpr double points_per_metre = 72 / 0.0254;
-constexpr double border = 0.005;               // m that printers leave white
+constexpr double border = 0.005;               // m, unprintable margin
 constexpr double ruler = 0.100, tick = 0.004;  // m
 constexpr double text_height = 0.0035;         // m
-constexpr double foot = 0.016;                 // m, below the board: ruler and words
+constexpr double foot = 0.016;                 // m, height of the area below the board for ruler and text
 
 struct Surface {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -28,7 +28,7 @@ struct Surface {
 using SurfacePtr = std::unique_ptr<cairo_surface_t, Surface>;
 using PenPtr = std::unique_ptr<cairo_t, Surface>;
 
-/// Draws in metres from the sheet's upper left.
+/// Draws a tag. Lengths are in metres, from the sheet's upper left.
 void draw_tag(cairo_t* pen, const BoardTag& tag, const Vec3& origin) {
   const double cell = tag.size / black_cells;
   const auto ink = tag_ink(tag.code);
@@ -40,7 +40,7 @@ void draw_tag(cairo_t* pen, const BoardTag& tag, const Vec3& origin) {
     for (int x = 0; x < tag_cells; ++x)
       if (ink[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)])
         cairo_rectangle(pen, (x - tag_cells / 2.0) * cell, (y - tag_cells / 2.0) * cell, cell, cell);
-  // One path: neighbours' common edges leave no hair lines.
+  // One path for all cells avoids hairlines between neighbours.
   cairo_fill(pen);
   cairo_restore(pen);
 }
@@ -61,8 +61,8 @@ void draw_ruler(cairo_t* pen, double x, double y) {
   cairo_stroke(pen);
 }
 
-/// Draws in metres, its middle at the origin.
-void draw_picture(cairo_t* pen, const PrintedPicture& picture, const Vec3& origin) {
+/// Draws an image centred at `origin`, in metres.
+void draw_picture(cairo_t* pen, const PrintedImage& picture, const Vec3& origin) {
   const Image& image = picture.image;
   const SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
   std::uint8_t* bytes = cairo_image_surface_get_data(surface.get());
@@ -99,9 +99,9 @@ Eigen::AlignedBox2d box_of(const Board& board) {
   return box;
 }
 
-/// Returns what a board's sheet says of its size.
+/// Returns the text about a board's size that is printed on its sheet.
 std::string words_of(const Board& board) {
-  if (board.picture) return fmt::format("the picture is {:.1f} mm wide", 1e3 * board.picture->width);
+  if (board.picture) return fmt::format("the image is {:.1f} mm wide", 1e3 * board.picture->width);
   return fmt::format("black squares of {:.1f} mm, codes {} to {}", 1e3 * board.tags.front().size,
                      board.tags.front().code, board.tags.back().code);
 }
@@ -126,7 +126,7 @@ void draw(cairo_t* pen, const Board& board, const Paper& paper) {
   const double base = paper.height - border - text_height;
   draw_ruler(pen, border + text_height, base);
   write_text(pen, border + 2 * text_height + ruler, base,
-             "100 mm: measure it. Print at 100 %, not \"fit to page\"; glue it onto something flat.");
+             "100 mm: check with a ruler. Print at 100 %, not \"fit to page\"; glue it onto a flat surface.");
   write_text(pen, border + 2 * text_height + ruler, base - 1.4 * text_height,
              fmt::format("Prosector board \"{}\": {}. This side up.", board.name, words_of(board)));
 }
@@ -137,7 +137,7 @@ void check(cairo_t* pen, cairo_surface_t* surface, const std::filesystem::path& 
   for (const cairo_status_t status : {cairo_status(pen), cairo_surface_status(surface)})
     if (status != CAIRO_STATUS_SUCCESS)
       throw InputError(
-          fmt::format("{}: can't be written: {}", file.string(), cairo_status_to_string(status)));
+          fmt::format("{}: cannot be written: {}", file.string(), cairo_status_to_string(status)));
 }
 
 }  // namespace
@@ -151,13 +151,13 @@ Paper paper_named(const std::string& name) {
 
 void write_sheet(const Board& board, const SheetSettings& settings, const std::filesystem::path& file) {
   if (!board.is_flat())
-    throw InputError(fmt::format("board {}: isn't flat; print its faces one by one", board.name));
+    throw InputError(fmt::format("board {}: not flat; print its faces one by one", board.name));
   const Eigen::Vector2d size = box_of(board).sizes();
   const Paper& paper = settings.paper;
   if (size.x() > paper.width - 2 * border || size.y() > paper.height - 2 * border - foot)
-    throw InputError(
-        fmt::format("board {}: is {:.0f} × {:.0f} mm, too large for a paper of {:.0f} × {:.0f} mm",
-                    board.name, 1e3 * size.x(), 1e3 * size.y(), 1e3 * paper.width, 1e3 * paper.height));
+    throw InputError(fmt::format("board {}: {:.0f} × {:.0f} mm, too large for paper of {:.0f} × {:.0f} mm",
+                                 board.name, 1e3 * size.x(), 1e3 * size.y(), 1e3 * paper.width,
+                                 1e3 * paper.height));
   const std::string kind = file.extension().string();
   const double width = paper.width * points_per_metre, height = paper.height * points_per_metre;
   double scale = points_per_metre;
@@ -182,7 +182,7 @@ void write_sheet(const Board& board, const SheetSettings& settings, const std::f
     const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
       throw InputError(
-          fmt::format("{}: can't be written: {}", file.string(), cairo_status_to_string(status)));
+          fmt::format("{}: cannot be written: {}", file.string(), cairo_status_to_string(status)));
     return;
   }
   check(pen.get(), surface.get(), file);

@@ -1,5 +1,5 @@
 #pragma once
-// A board as a sheet to print, true to scale, with a ruler to check that by.
+// Prints a board on a sheet, true to scale, with a ruler to verify the scale.
 
 #include <filesystem>
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace prosector {
 
-/// A paper, m, lying on its long side.
+/// Paper size in landscape orientation, m.
 struct Paper {
   double width = 0.297, height = 0.210;
 };
-/// Returns the paper of that name: a3, a4 or letter. Throws InputError for others.
+/// Returns the paper named a3, a4 or letter. Throws InputError for other names.
 Paper paper_named(const std::string& name);
 
 struct SheetSettings {
   Paper paper;
-  double dots_per_inch = 300;  // of PNG
+  double dots_per_inch = 300;  // resolution of PNG files
 };
 
-/// Writes the sheet as .pdf, .svg or .png. Throws InputError where the board isn't flat or is too large for
-/// the paper, or the file can't be written.
+/// Writes the sheet as .pdf, .svg or .png. Throws InputError if the board isn't flat, is too large for the
+/// paper, or the file can't be written.
 void write_sheet(const Board& board, const SheetSettings& settings, const std::filesystem::path& file);
 
 }  // namespace prosector

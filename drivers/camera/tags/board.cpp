@@ -5,26 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/camera/picture_file.h"
-#include "drivers/toml_fields.h"
+#include "drivers/camera/base/image_reader.h"
+#include "drivers/files/toml_fields.h"
 
 namespace prosector {
 namespace {
 
 constexpr double least_size = 0.002, most_size = 2;  // m
-constexpr int most_side = 40;                        // tags of a grid's side
-constexpr double least_width = 0.02;                 // m, of a picture
+constexpr int most_side = 40;                        // most tags per side of a grid
+constexpr double least_width = 0.02;                 // m, of a printed image
 
 TagGrid read_grid(const TomlFields& fields) {
   TagGrid grid;
   grid.columns = fields.whole("columns", 1, most_side);
   grid.rows = fields.whole("rows", 1, most_side);
   grid.size = fields.number("size", least_size, most_size);
-  // The rims of neighbours may touch: a cell each.
+  // Rims of neighbours may touch: one cell each.
   const double least_gap = grid.rows * grid.columns > 1 ? 2 * grid.size / black_cells : 0;
   grid.gap = fields.number("gap", least_gap, most_size, least_gap);
   grid.first = fields.whole("first", 0, tag_codes - grid.columns * grid.rows);
-  fields.refuse_others();
+  fields.reject_unknown_keys();
   return grid;
 }
 
@@ -33,13 +33,13 @@ BoardTag read_tag(const TomlFields& fields) {
   tag.code = fields.whole("code", 0, tag_codes - 1);
   tag.size = fields.number("size", least_size, most_size);
   tag.pose = fields.pose();
-  fields.refuse_others();
+  fields.reject_unknown_keys();
   return tag;
 }
 
-PrintedPicture read_printed(const TomlFields& fields) {
-  PrintedPicture out{read_picture(fields.file("file")), fields.number("width", least_width, most_size)};
-  fields.refuse_others();
+PrintedImage read_printed(const TomlFields& fields) {
+  PrintedImage out{read_image(fields.file("file")), fields.number("width", least_width, most_size)};
+  fields.reject_unknown_keys();
   return out;
 }
 
@@ -87,12 +87,11 @@ Board load_board(const std::filesystem::path& file) {
   for (const TomlFields& one : fields.tables("tag")) add(one, "code", read_tag(one));
   for (const TomlFields& one : fields.tables("picture")) {
     if (!board.tags.empty() || board.picture)
-      fields.fail("picture", "a board has tags or one picture, not several of them");
-    board.picture = std::make_shared<const PrintedPicture>(read_printed(one));
+      fields.fail("picture", "a board has tags or one picture, not both");
+    board.picture = std::make_shared<const PrintedImage>(read_printed(one));
   }
-  fields.refuse_others();
-  if (board.tags.empty() && !board.picture)
-    fields.fail("grid", "is missing, and there is no [[tag]] and no [picture] either");
+  fields.reject_unknown_keys();
+  if (board.tags.empty() && !board.picture) fields.fail("grid", "is missing, as are [[tag]] and [picture]");
   return board;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-// What is printed and tracked: tags of the family 36h11 (Olson 2011; Wang and Olson 2016) that are fixed to
-// each other, flat or around a body; or any picture.
+// Printed objects to track: rigid arrangements of tags of the family 36h11 (Olson 2011; Wang and Olson 2016),
+// flat or around a body; or any printed image.
 //
-// A board's frame: the middle of a grid or picture is the origin; x right, y up as one looks at it, z towards
-// who looks; m.
+// A board's frame has its origin at the centre of the grid or image. As seen by a viewer, x is right, y up, z
+// towards the viewer; m.
 
 #include <array>
 #include <filesystem>
@@ -16,23 +16,22 @@
 
 namespace prosector {
 
-inline constexpr int tag_codes = 587;  // of the family, from 0
-inline constexpr int tag_cells =
-    10;  // of a printed tag's side, the white rim around its black border included
-inline constexpr int black_cells = 8;  // of the side that is meant by a tag's size
+inline constexpr int tag_codes = 587;  // number of codes in the family, from 0
+inline constexpr int tag_cells = 10;   // cells per side of a printed tag, white rim included
+inline constexpr int black_cells = 8;  // cells per side of the black square, whose side is the tag's size
 
 struct BoardTag {
   int code = 0;
   double size = 0;  // m, side of the black square
-  Pose pose;        // of the tag's frame (x right, y up, z towards who looks) in the board's
+  Pose pose;        // pose of the tag's frame (x right, y up, z towards the viewer) in the board's frame
 
   /// Returns the black square's corners in the board's frame: lower left, lower right, upper right, upper
   /// left.
   std::array<Vec3, 4> corners() const;
 };
 
-/// A page that is known by what is printed on it. It fills the plane z = 0 around the origin.
-struct PrintedPicture {
+/// A page recognised by its printed image. It lies in the plane z = 0, centred at the origin.
+struct PrintedImage {
   Image image;
   double width = 0;  // m
 
@@ -41,15 +40,15 @@ struct PrintedPicture {
 
 struct Board {
   std::string name;
-  std::vector<BoardTag> tags;                               // each code once
-  std::shared_ptr<const PrintedPicture> picture = nullptr;  // in the place of tags; null: it has tags
+  std::vector<BoardTag> tags;                             // each code at most once
+  std::shared_ptr<const PrintedImage> picture = nullptr;  // instead of tags; null: the board has tags
 
   const BoardTag* find(int code) const;
-  /// Tells whether all tags lie in the plane z = 0.
+  /// Reports whether all tags lie in the plane z = 0.
   bool is_flat() const;
 };
 
-/// Rows from the top, each from the left; codes count up from `first`.
+/// A grid of tags: rows from the top, tags from the left. Codes count up from `first`.
 struct TagGrid {
   int columns = 4, rows = 3;
   double size = 0.03, gap = 0.008;  // m; the gap is between black squares
@@ -57,11 +56,11 @@ struct TagGrid {
 };
 Board grid_board(const std::string& name, const TagGrid& grid);
 
-/// Reads a board's file: a [grid], a list of [[tag]] with code, size, position and orientation, or a
-/// [picture] with file and width. Throws InputError with file, line, key and what is allowed.
+/// Reads a board file: a [grid], a list of [[tag]] with code, size, position and orientation, or a [picture]
+/// with file and width. Throws InputError with file, line, key and the allowed values.
 Board load_board(const std::filesystem::path& file);
 
-/// Returns the ink of a code, rows from the top: true is black. Its rim is white.
+/// Returns the cells of a tag, rows from the top: true is black. The rim is white.
 std::array<std::array<bool, tag_cells>, tag_cells> tag_ink(int code);
 
 }  // namespace prosector

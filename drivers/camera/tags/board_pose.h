@@ -1,39 +1,42 @@
 #pragma once
-// Where a board is, from its tags' corners in a straight picture.
+// Pose of a board from its tags' corners in an undistorted image.
 //
-// A flat board: both poses that look alike, by IPPE (Collins and Bartoli 2014). A body: SQPnP (Terzakis and
-// Lourakis 2020). Each is then made best over all corners by Levenberg and Marquardt's method.
+// A flat board gives the two ambiguous poses by IPPE (Collins and Bartoli 2014). A three-dimensional board
+// uses SQPnP (Terzakis and Lourakis 2020). Each pose is then refined over all corners by Levenberg and
+// Marquardt's method.
 
 #include <span>
 #include <vector>
 
-#include "drivers/camera/small_motion.h"
+#include "drivers/camera/base/small_motion.h"
 #include "drivers/camera/tags/board.h"
-#include "drivers/camera/tags/tag_finder.h"
+#include "drivers/camera/tags/tag_detector.h"
 
 namespace prosector {
 
 struct BoardPose {
-  Pose camera_board;  // OpenCV's camera frame: x right, y down, z ahead
-  double rms = 0;     // pixels that corners are off
-  int tags = 0;       // it rests on
+  Pose camera_board;  // OpenCV's camera frame: x right, y down, z forward
+  double rms = 0;     // pixels, reprojection error of the corners
+  int tags = 0;       // number of tags used
 };
 
-/// A corner of a board, or any place on a picture, and where it is seen.
-struct SeenCorner {
+/// A corner of a board, or a point of a printed image, with its pixel.
+struct DetectedCorner {
   Vec3 board;  // m
-  Vec2 pixel;  // of a straight picture
+  Vec2 pixel;  // in an undistorted image
 };
 
-/// Returns a board's corners with where they are seen. A code that is seen twice is left out, and counted in
-/// `twice`.
-std::vector<SeenCorner> corners_seen(const Board& board, std::span<const SeenTag> tags, int* twice = nullptr);
+/// Returns a board's detected corners. A code that was detected twice is left out and counted in `twice`.
+std::vector<DetectedCorner> corners_seen(const Board& board, std::span<const DetectedTag> tags,
+                                         int* twice = nullptr);
 
-/// Returns the poses that fit, the best first: none where fewer than four corners are seen or they don't fit,
-/// at most two. Tags that disagree with all others are left out.
-std::vector<BoardPose> solve_board(std::span<const SeenCorner> corners, const Lens& straight);
+/// Returns at most two poses that fit, the best first. Returns none if fewer than four corners are given or
+/// no pose fits. Tags that disagree with all others are left out.
+std::vector<BoardPose> solve_board(std::span<const DetectedCorner> corners, const Lens& straight);
 
-/// Returns how a pose that rests on such corners scatters, in the camera's frame: by what they are off.
-MotionSpread spread_of(const BoardPose& pose, std::span<const SeenCorner> corners, const Lens& straight);
+/// Returns the covariance of a pose computed from these corners, in the camera's frame, scaled by the
+/// corners' residuals.
+MotionCovariance spread_of(const BoardPose& pose, std::span<const DetectedCorner> corners,
+                           const Lens& straight);
 
 }  // namespace prosector

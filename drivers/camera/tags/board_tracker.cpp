@@ -8,16 +8,16 @@
 namespace prosector {
 namespace {
 
-constexpr double alike_ratio =
-    3;  // of both poses' errors: where they look so alike, the nearer to the last one is right
-constexpr double alike_px = 0.3;           // … or both errors are below this
-constexpr double corner_deviation = 2e-3;  // m, of a pose by corners alone
-constexpr double unfitted_px = 0.5;        // that such a pose counts as off
-constexpr double doubt_kept = 0.95;        // of the doubt, from picture to picture
-constexpr double enough_doubt = 6;         // logarithm of how much likelier another pose must be
+constexpr double alike_ratio = 3;  // ratio of the two poses' errors; below it they are ambiguous, and the
+                                   // pose nearer to the last one is chosen
+constexpr double alike_px = 0.3;   // pixels; the poses are also ambiguous if the second error is below this
+constexpr double corner_deviation = 2e-3;  // m, assumed deviation of a pose from corners only
+constexpr double unfitted_px = 0.5;        // pixels, least error assumed for a pose from corners only
+constexpr double doubt_kept = 0.95;        // decay factor of the log likelihood ratio per image
+constexpr double enough_doubt = 6;         // log likelihood ratio at which the other pose is chosen
 
-/// Returns how far a place is off along its worst direction.
-double worst_deviation(const MotionSpread& spread) {
+/// Returns the standard deviation of the position along its worst direction, m.
+double worst_deviation(const MotionCovariance& spread) {
   const Mat3 place = spread.bottomRightCorner<3, 3>();
   return std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2]);
 }
@@ -25,13 +25,13 @@ double worst_deviation(const MotionSpread& spread) {
 }  // namespace
 
 BoardTracker::BoardTracker(Board board) : board_(std::move(board)) {
-  if (board_.picture) target_ = std::make_shared<const PictureTarget>(board_);
+  if (board_.picture) target_ = std::make_shared<const ImageTarget>(board_);
 }
 
-BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagPicture& picture,
+BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagImage& picture,
                                        const TagOptics& optics, const Seen& seen) const {
   if (target_) {
-    const MotionSpread spread = spread_of(pose, seen.corners, optics.straight);
+    const MotionCovariance spread = spread_of(pose, seen.corners, optics.straight);
     return {pose.camera_board, pose.rms, worst_deviation(spread), static_cast<int>(seen.corners.size()),
             spread};
   }
@@ -42,7 +42,7 @@ BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagPicture& 
   return {pose.camera_board, std::max(pose.rms, unfitted_px), corner_deviation, 0, {}};
 }
 
-std::optional<BoardTracker::Fitted> BoardTracker::choose(const TagPicture& picture, const TagOptics& optics,
+std::optional<BoardTracker::Fitted> BoardTracker::choose(const TagImage& picture, const TagOptics& optics,
                                                          const Seen& seen) {
   const std::vector<BoardPose> poses = solve_board(seen.corners, optics.straight);
   if (poses.empty()) return std::nullopt;
@@ -50,26 +50,27 @@ std::optional<BoardTracker::Fitted> BoardTracker::choose(const TagPicture& pictu
   const bool alike =
       poses.size() > 1 && (poses[1].rms < alike_ratio * poses[0].rms || poses[1].rms < alike_px);
   if (!alike) {
-    doubt_ = 0;
+    log_likelihood_ratio_ = 0;
     return first;
   }
   Fitted second = fit(poses[1], picture, optics, seen);
   if (!last_) {
-    doubt_ = 0;
+    log_likelihood_ratio_ = 0;
     return second.rms < first.rms ? second : first;
   }
   const auto turned = [&](const Fitted& one) {
     return one.camera_board.q.angularDistance(last_->camera_board.q);
   };
   if (turned(second) < turned(first)) std::swap(first, second);
-  // The logarithm of how much likelier the other one is; one picture says little, so it adds up.
-  doubt_ = doubt_kept * doubt_ + std::min(first.samples, second.samples) * std::log(first.rms / second.rms);
-  if (doubt_ < enough_doubt) return first;
-  doubt_ = 0;
+  // Accumulates the log likelihood ratio over images, because a single image isn't conclusive.
+  log_likelihood_ratio_ = doubt_kept * log_likelihood_ratio_ +
+                          std::min(first.samples, second.samples) * std::log(first.rms / second.rms);
+  if (log_likelihood_ratio_ < enough_doubt) return first;
+  log_likelihood_ratio_ = 0;
   return second;
 }
 
-std::vector<SeenCorner> BoardTracker::follow(const TagPicture& picture, const TagOptics& optics) const {
+std::vector<DetectedCorner> BoardTracker::follow(const TagImage& picture, const TagOptics& optics) const {
   std::vector<Vec3> corners;
   std::vector<Vec2> from;
   for (const int code : last_->codes)
@@ -82,37 +83,37 @@ std::vector<SeenCorner> BoardTracker::follow(const TagPicture& picture, const Ta
   if (last_->straight.width != picture.straight.width || last_->straight.height != picture.straight.height)
     return {};
   const auto to = follow_places(last_->straight, picture.straight, from);
-  std::vector<SeenCorner> out;
+  std::vector<DetectedCorner> out;
   for (std::size_t i = 0; i < to.size(); ++i)
     if (to[i]) out.push_back({corners[i], *to[i]});
   return out;
 }
 
-BoardTracker::Seen BoardTracker::look_for_tags(const TagPicture& picture, const TagOptics& optics) const {
+BoardTracker::Seen BoardTracker::look_for_tags(const TagImage& picture, const TagOptics& optics) const {
   Seen seen;
   seen.corners = corners_seen(board_, picture.tags, &seen.twice);
   if (!seen.corners.empty()) {
-    for (const SeenTag& tag : picture.tags)
+    for (const DetectedTag& tag : picture.tags)
       if (board_.find(tag.code) != nullptr) seen.codes.push_back(tag.code);
     return seen;
   }
   seen.followed = true;
   if (!last_) return seen;
   seen.codes = last_->codes;
-  if (seen.twice == 0 && static_cast<double>(picture.time_ns - last_->read_ns) * 1e-9 < longest_followed)
+  if (seen.twice == 0 && static_cast<double>(picture.time_ns - last_->read_ns) * 1e-9 < max_flow_time)
     seen.corners = follow(picture, optics);
   return seen;
 }
 
-BoardTracker::Seen BoardTracker::look_for_picture(const TagPicture& picture, const TagOptics& optics) {
+BoardTracker::Seen BoardTracker::look_for_picture(const TagImage& picture, const TagOptics& optics) {
   Seen seen;
   const auto looks_near = [&](const Pose& pose) {
     seen.corners = target_->follow(picture.straight, optics.straight, pose);
     return !seen.corners.empty();
   };
   if (last_ && looks_near(last_->camera_board)) return seen;
-  // A search takes long: not in each picture.
-  if (searched_ns_ && std::abs(static_cast<double>(picture.time_ns - *searched_ns_)) * 1e-9 < search_pause)
+  // A search is slow, so it isn't run for every image.
+  if (searched_ns_ && std::abs(static_cast<double>(picture.time_ns - *searched_ns_)) * 1e-9 < search_interval)
     return seen;
   searched_ns_ = picture.time_ns;
   for (const BoardPose& pose : solve_board(target_->find(picture.straight), optics.straight))
@@ -120,10 +121,10 @@ BoardTracker::Seen BoardTracker::look_for_picture(const TagPicture& picture, con
   return seen;
 }
 
-std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, const TagOptics& optics) {
+std::optional<TrackedBoard> BoardTracker::update(const TagImage& picture, const TagOptics& optics) {
   Seen seen = target_ ? look_for_picture(picture, optics) : look_for_tags(picture, optics);
   const auto found = choose(picture, optics, seen);
-  if (!found || (seen.followed && found->samples == 0)) {  // flow alone goes astray: edges must bear it out
+  if (!found || (seen.followed && found->samples == 0)) {  // flow alone drifts; edges must confirm it
     forget();
     return std::nullopt;
   }

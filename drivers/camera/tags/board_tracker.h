@@ -1,87 +1,88 @@
 #pragma once
-// Follows one board from picture to picture.
+// Tracks one board through successive images.
 //
-// Where its tags are read, corners give a pose and edges make it exact. Where blur or a hand hides what tags
-// say, the corners of the last picture are followed by flow for a while. A printed picture is searched seldom
-// and followed else.
+// When tags are read, their corners give a pose and their edges refine it. When blur or a hand makes tags
+// unreadable, optical flow follows the last image's corners for a while. A printed image is followed from
+// image to image and searched for only now and then.
 
 #include <optional>
 
 #include "drivers/camera/tags/edge_fit.h"
-#include "drivers/camera/tags/picture_target.h"
+#include "drivers/camera/tags/image_target.h"
 
 namespace prosector {
 
-/// One picture, as all trackers share it.
-struct TagPicture {
-  GreyImage bent;             // the camera's own
-  GreyImage straight;         // the same without distortion
-  std::vector<SeenTag> tags;  // of the straight one
+/// One processed image, shared by all trackers.
+struct TagImage {
+  GreyImage bent;                 // the camera's original, distorted image
+  GreyImage straight;             // the undistorted image
+  std::vector<DetectedTag> tags;  // tags of the undistorted image
   std::int64_t time_ns = 0;
 };
 
-/// How pictures of a camera are read.
+/// Lenses and response used to process a camera's images.
 struct TagOptics {
   Lens bent, straight;
-  double response = usual_response;
+  double response = default_response;
 };
 
 struct TrackedBoard {
-  Pose camera_board;                   // OpenCV's camera frame
-  double deviation = 0;                // m: expected of its place along the worst direction
-  std::optional<MotionSpread> spread;  // where its edges or places were fitted, in the camera's frame
-  bool followed = false;               // by flow: its tags couldn't be read
-  int twice = 0;                       // tags that were seen twice and left out
+  Pose camera_board;     // in OpenCV's camera frame
+  double deviation = 0;  // m: expected position error along the worst direction
+  std::optional<MotionCovariance>
+      spread;  // covariance in the camera's frame; set if edges or points of a printed image were fitted
+  bool followed = false;  // true: found by optical flow, because no tag was readable
+  int twice = 0;          // number of tags that were detected twice and left out
 };
 
 class BoardTracker {
  public:
-  /// Makes ready. Throws InputError where the board is a picture with too little to tell apart.
+  /// Prepares the tracker. Throws InputError if the board is an image with too few distinct features.
   explicit BoardTracker(Board board);
 
   const Board& board() const { return board_; }
-  /// Returns where the board is in the next picture, or nothing.
-  std::optional<TrackedBoard> update(const TagPicture& picture, const TagOptics& optics);
-  /// Forgets where it was.
+  /// Returns the pose of the board in the next image, or nothing.
+  std::optional<TrackedBoard> update(const TagImage& picture, const TagOptics& optics);
+  /// Forgets the last pose.
   void forget() { last_.reset(); }
 
-  static constexpr double longest_followed = 0.5;  // s that a board is followed without reading a tag
-  static constexpr double search_pause = 0.2;      // s between searches for a printed picture
+  static constexpr double max_flow_time = 0.5;    // s, longest time to follow a board without reading a tag
+  static constexpr double search_interval = 0.2;  // s, least time between searches for a printed image
 
  private:
   struct Last {
     Pose camera_board;
-    std::int64_t read_ns = 0;  // of the last picture in which tags were read
+    std::int64_t read_ns = 0;  // time of the last image in which tags were read
     GreyImage straight;
-    std::vector<int> codes;  // of tags that were seen
+    std::vector<int> codes;  // tags that were detected
   };
-  /// What a picture shows of the board.
+  /// Detections of the board in an image.
   struct Seen {
-    std::vector<SeenCorner> corners;
-    std::vector<int> codes;  // of tags whose edges are looked at
+    std::vector<DetectedCorner> corners;
+    std::vector<int> codes;  // tags whose edges to fit
     bool followed = false;
     int twice = 0;
   };
-  std::vector<SeenCorner> follow(const TagPicture& picture, const TagOptics& optics) const;
-  Seen look_for_tags(const TagPicture& picture, const TagOptics& optics) const;
-  Seen look_for_picture(const TagPicture& picture, const TagOptics& optics);
-  /// A pose made exact by edges, where they are found.
+  std::vector<DetectedCorner> follow(const TagImage& picture, const TagOptics& optics) const;
+  Seen look_for_tags(const TagImage& picture, const TagOptics& optics) const;
+  Seen look_for_picture(const TagImage& picture, const TagOptics& optics);
+  /// A pose refined by edges, if edges were found.
   struct Fitted {
     Pose camera_board;
     double rms = 0;        // pixels
     double deviation = 0;  // m
-    int samples = 0;       // of edges
-    MotionSpread spread = MotionSpread::Zero();
+    int samples = 0;       // number of edge samples, or of points on a printed image
+    MotionCovariance spread = MotionCovariance::Zero();
   };
-  Fitted fit(const BoardPose& pose, const TagPicture& picture, const TagOptics& optics,
-             const Seen& seen) const;
-  std::optional<Fitted> choose(const TagPicture& picture, const TagOptics& optics, const Seen& seen);
+  Fitted fit(const BoardPose& pose, const TagImage& picture, const TagOptics& optics, const Seen& seen) const;
+  std::optional<Fitted> choose(const TagImage& picture, const TagOptics& optics, const Seen& seen);
 
   Board board_;
-  std::shared_ptr<const PictureTarget> target_;  // null: the board has tags
-  std::optional<std::int64_t> searched_ns_;      // of the last picture in which a printed one was searched
+  std::shared_ptr<const ImageTarget> target_;  // null: the board has tags
+  std::optional<std::int64_t>
+      searched_ns_;  // time of the last image in which a printed image was searched for
   std::optional<Last> last_;
-  double doubt_ = 0;  // that of two poses which look alike the right one is taken
+  double log_likelihood_ratio_ = 0;  // log likelihood ratio of the rejected ambiguous pose to the chosen one
 };
 
 }  // namespace prosector

@@ -8,36 +8,37 @@ namespace prosector {
 namespace {
 
 constexpr int rounds = 4;
-constexpr double least_cell = 2.2;                 // pixels: edges of smaller tags blur into each other
-constexpr double half_of_cell = 0.5;               // how far across an edge is looked, in cells …
-constexpr double least_half = 1.0, most_half = 4;  // … and in pixels
-constexpr double most_spacing_across = 0.5, spacing_along = 1;  // pixels
-constexpr double end_share = 0.08;    // of an edge at its ends, where its neighbour is near
-constexpr int level_window = 6;       // places to each side that share levels of dark and bright
-constexpr double least_contrast = 4;  // of the noise around an edge …
-constexpr double least_share = 0.1;   // … and of the contrast that a tenth of all edges exceed
-constexpr double noise_slack = 3;     // standard deviations of noise that brightness may leave its levels by
-constexpr double most_off = 0.7;      // of the half width; what is farther is no edge
-constexpr double level_slack = 0.35;  // of the contrast that it may in any case
+constexpr double least_cell = 2.2;                 // pixels; with smaller cells, edges blur into each other
+constexpr double half_of_cell = 0.5;               // half width of the profile across an edge, in cells …
+constexpr double least_half = 1.0, most_half = 4;  // … limited to this range in pixels
+constexpr double most_spacing_across = 0.5,
+                 spacing_along = 1;   // pixels, spacing of samples across and along an edge
+constexpr double end_share = 0.08;    // share of an edge left out at each end, near the adjacent edges
+constexpr int level_window = 6;       // number of crossings on each side that share dark and bright levels
+constexpr double least_contrast = 4;  // multiple of the noise around an edge
+constexpr double least_share = 0.1;   // share of the contrast that the strongest tenth of the samples exceed
+constexpr double noise_slack = 3;  // standard deviations of noise by which brightness may exceed its levels
+constexpr double most_off = 0.7;   // share of the half width; an edge with a larger offset is rejected
+constexpr double level_slack = 0.35;  // share of the contrast that brightness may always exceed its levels by
 constexpr int least_samples = 12;
-constexpr double huber = 1.345;  // of the spread
+constexpr double huber = 1.345;  // multiple of the residuals' robust standard deviation
 
 using Row6 = Eigen::Matrix<double, 1, 6>;
 
-/// An edge's place found across it.
+/// A measured position on an edge.
 struct Sample {
-  double off;       // pixels along the normal
-  double contrast;  // of 255, in light
-  Row6 slope;       // of the predicted place by the pose
+  double off;       // pixels along the normal, from the predicted position
+  double contrast;  // in linear light, 0 to 255
+  Row6 slope;       // derivative of the predicted position with respect to the pose
 };
 
-/// What brightness is on both sides of an edge, in light.
+/// Light on both sides of an edge.
 struct Levels {
   double dark = 0, bright = 0;
   double noise = 0;  // standard deviation
 };
 
-/// Light by brightness, of 255.
+/// Linear light (0 to 255) for each grey value.
 using LightTable = std::array<float, 256>;
 
 LightTable light_table(double response) {
@@ -64,9 +65,9 @@ bool lies_within(const GreyImage& image, const Vec2& at, double margin) {
          at.y() < image.height - 1 - margin;
 }
 
-/// One place along an edge: brightness across it.
-struct Crossing {
-  Row6 slope;  // of its predicted place along the normal, by the pose
+/// Profile of light across an edge at one point along it.
+struct EdgeProfile {
+  Row6 slope;  // derivative of the predicted position along the normal with respect to the pose
   std::vector<double> bright;
 };
 
@@ -75,21 +76,21 @@ class EdgeReader {
   EdgeReader(const GreyImage& image, const Lens& lens, double response)
       : image_(image), lens_(lens), light_(light_table(response)) {}
 
-  /// Reads the edge from one corner to the next; the tag lies to its left, `opposite` is the corner that
-  /// comes then. Corners are in the camera's frame.
+  /// Samples the edge between two adjacent corners, with the tag on the left. `opposite` is the corner after
+  /// `to`. Corners are in the camera's frame.
   void read(const Vec3& from, const Vec3& to, const Vec3& opposite, std::vector<Sample>& out) const {
     if (from.z() <= 0 || to.z() <= 0 || opposite.z() <= 0) return;
     const Vec2 a = lens_.project(from), b = lens_.project(to), c = lens_.project(opposite);
-    // A tag that is seen aslant has narrower cells across than along the edge.
+    // An obliquely viewed tag has narrower cells across the edge than along it.
     const double length = (b - a).norm(),
                  across = std::abs((b - a).dot(Vec2(c.y() - b.y(), b.x() - c.x()))) / length;
     const double cell = std::min(length, across) / black_cells;
     if (cell < least_cell) return;
     const double half = std::clamp(half_of_cell * cell, least_half, most_half);
-    const std::vector<Crossing> crossings = crossings_of(from, to, length, half);
+    const std::vector<EdgeProfile> crossings = crossings_of(from, to, length, half);
     const auto count = static_cast<int>(crossings.size());
     for (int k = 0; k < count; ++k) {
-      const Crossing& here = crossings[static_cast<std::size_t>(k)];
+      const EdgeProfile& here = crossings[static_cast<std::size_t>(k)];
       if (here.bright.empty()) continue;
       const Levels levels = levels_at(crossings, k);
       if (const auto off = place(here.bright, levels, half))
@@ -98,16 +99,18 @@ class EdgeReader {
   }
 
  private:
-  std::vector<Crossing> crossings_of(const Vec3& from, const Vec3& to, double length, double half) const {
-    std::vector<Crossing> out;
+  std::vector<EdgeProfile> crossings_of(const Vec3& from, const Vec3& to, double length, double half) const {
+    std::vector<EdgeProfile> out;
     const int count = std::max(3, static_cast<int>(length * (1 - 2 * end_share) / spacing_along));
-    const int steps = static_cast<int>(std::ceil(2 * half / most_spacing_across));  // the same to both sides
+    const int steps =
+        static_cast<int>(std::ceil(2 * half / most_spacing_across));  // same number of steps on both sides
     for (int k = 0; k < count; ++k) {
-      // Even steps on the edge aren't even in the picture; what counts is that the point lies on it.
+      // Even steps on the edge aren't even in the image; each point is on the edge, which is all that
+      // matters.
       const Vec3 point = from + (end_share + (1 - 2 * end_share) * (k + 0.5) / count) * (to - from);
-      const Eigen::Matrix<double, 2, 3> slope = lens_.pixel_slope(point);
+      const Eigen::Matrix<double, 2, 3> slope = lens_.projection_jacobian(point);
       const Vec2 along = (slope * (to - from)).normalized(), outward(-along.y(), along.x());
-      Crossing crossing{outward.transpose() * slope * point_slope(point), {}};
+      EdgeProfile crossing{outward.transpose() * slope * point_jacobian(point), {}};
       const Vec2 at = lens_.project(point);
       if (lies_within(image_, at, half + 1))
         for (int i = 0; i <= steps; ++i)
@@ -117,8 +120,8 @@ class EdgeReader {
     return out;
   }
 
-  /// Returns the levels around crossing k, which was read.
-  static Levels levels_at(const std::vector<Crossing>& crossings, int k) {
+  /// Returns the levels around crossing k, which must be inside the image.
+  static Levels levels_at(const std::vector<EdgeProfile>& crossings, int k) {
     Levels out;
     const std::vector<double>* before = nullptr;
     double squares = 0;
@@ -139,11 +142,12 @@ class EdgeReader {
     }
     out.dark /= levels;
     out.bright /= levels;
-    if (pairs > 0) out.noise = std::sqrt(squares / (4 * pairs));  // differences have two noises each
+    if (pairs > 0)
+      out.noise = std::sqrt(squares / (4 * pairs));  // a difference contains the noise of two values
     return out;
   }
 
-  /// Finds the edge's place across one crossing; nothing where there is none.
+  /// Returns the edge's offset in one profile, or nothing if there is no edge.
   static std::optional<double> place(const std::vector<double>& values, const Levels& levels, double half) {
     const double contrast = levels.bright - levels.dark;
     if (contrast <= least_contrast * levels.noise || contrast <= 0) return std::nullopt;
@@ -165,8 +169,8 @@ class EdgeReader {
   const LightTable light_;
 };
 
-/// Leaves out edges that are faint beside the others: shades and stains.
-void leave_out_faint(std::vector<Sample>& samples) {
+/// Removes samples with much lower contrast than the others, such as shadows and stains.
+void remove_low_contrast(std::vector<Sample>& samples) {
   if (samples.empty()) return;
   std::vector<double> contrasts;
   for (const Sample& sample : samples) contrasts.push_back(sample.contrast);
@@ -182,14 +186,14 @@ std::vector<Sample> samples_at(const EdgeReader& reader, const Board& board, std
     const BoardTag* tag = board.find(code);
     if (tag == nullptr) continue;
     const Pose camera_tag = camera_board * tag->pose;
-    if ((camera_tag.q * Vec3::UnitZ()).dot(camera_tag.p) >= 0) continue;  // seen from behind
+    if ((camera_tag.q * Vec3::UnitZ()).dot(camera_tag.p) >= 0) continue;  // back side is visible
     const auto corners = tag->corners();
-    // Clockwise as seen, so that the tag lies to the left in a picture whose y grows downwards.
+    // The corners run counter-clockwise as seen by the camera, so the tag is on the left of each edge.
     for (std::size_t c = 0; c < corners.size(); ++c)
       reader.read(camera_board * corners[c], camera_board * corners[(c + 1) % corners.size()],
                   camera_board * corners[(c + 2) % corners.size()], out);
   }
-  leave_out_faint(out);
+  remove_low_contrast(out);
   return out;
 }
 
@@ -205,12 +209,12 @@ double spread_of(const std::vector<Sample>& samples) {
 std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const Board& board,
                                  std::span<const int> codes, const Pose& camera_board, double response) {
   const EdgeReader reader(image, lens, response);
-  EdgeFit fit{camera_board, 0, 0, MotionSpread::Zero()};
+  EdgeFit fit{camera_board, 0, 0, MotionCovariance::Zero()};
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Sample> samples = samples_at(reader, board, codes, fit.camera_board);
     if (static_cast<int>(samples.size()) < least_samples) return std::nullopt;
     const double bound = huber * spread_of(samples);
-    MotionSpread sum = MotionSpread::Zero();
+    MotionCovariance sum = MotionCovariance::Zero();
     SmallMotion right = SmallMotion::Zero();
     double squares = 0, weights = 0;
     for (const Sample& sample : samples) {
@@ -220,14 +224,14 @@ std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const
       squares += weight * sample.off * sample.off;
       weights += weight;
     }
-    const Eigen::LDLT<MotionSpread> solver(sum);
+    const Eigen::LDLT<MotionCovariance> solver(sum);
     if (solver.info() != Eigen::Success || solver.vectorD().minCoeff() <= 0) return std::nullopt;
     const SmallMotion step = solver.solve(right);
     if (!step.allFinite()) return std::nullopt;
     fit.camera_board = moved(fit.camera_board, step);
     fit.rms = std::sqrt(squares / weights);
     fit.samples = static_cast<int>(samples.size());
-    fit.covariance = fit.rms * fit.rms * solver.solve(MotionSpread::Identity());
+    fit.covariance = fit.rms * fit.rms * solver.solve(MotionCovariance::Identity());
   }
   return fit;
 }

@@ -1,18 +1,17 @@
 #pragma once
-// Makes a board's pose best by its tags' black edges, which say far more than their corners.
+// Refines a board's pose with the black edges of its tags, which are far more informative than their corners.
 //
-// Across an edge at predicted place and normal n, brightness I rises from dark d to bright b. The edge lies
-// where the area says, whatever blurs it evenly:
+// Across an edge at its predicted position, along its normal n, brightness I rises from dark d to bright b.
+// The edge's offset follows from the area under this profile, independent of any symmetric blur:
 //   x = h − ∫ (I − d)/(b − d) dt  over t = −h … h, pixels along n.
-// The pose minimises Σ ρ(x_i), ρ as Huber has it, by Gauss and Newton's method; edges are looked for anew at
-// each pose. Brightness must be proportional to light: where it isn't, all tags seem too large
-// (linear_light()).
+// The pose minimises Σ ρ(x_i) with Huber's loss ρ, by Gauss and Newton's method. Edges are searched again at
+// each pose. Brightness must be proportional to light; otherwise all tags appear too large (linear_light()).
 
 #include <optional>
 
-#include "drivers/camera/camera.h"
-#include "drivers/camera/grey_image.h"
-#include "drivers/camera/small_motion.h"
+#include "drivers/camera/base/camera.h"
+#include "drivers/camera/base/grey_image.h"
+#include "drivers/camera/base/small_motion.h"
 #include "drivers/camera/tags/board.h"
 #include "drivers/camera/tags/board_pose.h"
 
@@ -20,15 +19,15 @@ namespace prosector {
 
 struct EdgeFit {
   Pose camera_board;
-  double rms = 0;           // pixels that edges are off, where they count fully
-  int samples = 0;          // places along edges that count
-  MotionSpread covariance;  // of the pose, in the camera's frame
+  double rms = 0;               // pixels, residual of the edge samples with full weight
+  int samples = 0;              // number of edge samples used
+  MotionCovariance covariance;  // covariance of the pose, in the camera's frame
 };
 
-/// Fits in the lens' own picture, from a pose that is right to a few pixels. `tags`: codes that were seen,
-/// whose edges are looked at. Returns nothing where too few edges are found.
+/// Fits in the original, distorted image, from a pose that is right within a few pixels. `codes`: detected
+/// tags, whose edges are fitted. Returns nothing if too few edges are found.
 std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const Board& board,
                                  std::span<const int> codes, const Pose& camera_board,
-                                 double response = usual_response);
+                                 double response = default_response);
 
 }  // namespace prosector

@@ -2,14 +2,14 @@
 
 #include <opencv2/video/tracking.hpp>
 
-#include "drivers/camera/with_cv.h"
+#include "drivers/camera/base/with_cv.h"
 
 namespace prosector {
 namespace {
 
 constexpr int window_side = 15;  // pixels
 constexpr int pyramid_levels = 3;
-constexpr double most_back_px = 0.7;  // that a place may miss its start by when it is followed back
+constexpr double max_backward_error_px = 0.7;  // pixels, largest error after tracking a point forth and back
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::vector<std::optional<Vec2>> follow_places(const GreyImage& from, const Grey
   cv::calcOpticalFlowPyrLK(before, now, starts, ends, found, cv::noArray(), window, pyramid_levels);
   cv::calcOpticalFlowPyrLK(now, before, ends, back, found_back, cv::noArray(), window, pyramid_levels);
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (found[i] != 0 && found_back[i] != 0 && cv::norm(back[i] - starts[i]) < most_back_px)
+    if (found[i] != 0 && found_back[i] != 0 && cv::norm(back[i] - starts[i]) < max_backward_error_px)
       out[i] = Vec2(ends[i].x, ends[i].y);
   return out;
 }

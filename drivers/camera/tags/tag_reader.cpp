@@ -10,31 +10,31 @@
 namespace prosector {
 namespace {
 
-constexpr double beyond = 1;              // of a tag's side, that it may have moved by
-constexpr double most_region = 0.4;       // of a picture, that is searched thoroughly in each
-constexpr double shape_tolerance = 0.01;  // by which a picture's shape may differ from the calibrated one's
+constexpr double beyond = 1;              // margin around a tag's last position, as a factor of its side
+constexpr double most_region = 0.4;       // largest share of an image that is searched thoroughly each time
+constexpr double shape_tolerance = 0.01;  // relative tolerance of the image's aspect ratio
 
 double seconds_from(std::int64_t earlier_ns, std::int64_t later_ns) {
   return static_cast<double>(later_ns - earlier_ns) * 1e-9;
 }
 
-double side_of(const SeenTag& tag) {
+double side_of(const DetectedTag& tag) {
   return (tag.corners[1] - tag.corners[0]).norm();
 }
 
-/// Tells whether a tag is among others, about where it is.
-bool is_among(const SeenTag& tag, const std::vector<SeenTag>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const SeenTag& other) {
+/// Reports whether `others` contains a tag with the same code at about the same position.
+bool is_among(const DetectedTag& tag, const std::vector<DetectedTag>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const DetectedTag& other) {
     return other.code == tag.code && (other.corners[0] - tag.corners[0]).norm() < side_of(tag) / 2;
   });
 }
 
-/// Adds what isn't there yet, and keeps all in order of codes.
-void add_new(std::vector<SeenTag>& tags, const std::vector<SeenTag>& found) {
-  for (const SeenTag& tag : found)
+/// Adds tags that aren't yet in the list, and sorts it by code.
+void add_new(std::vector<DetectedTag>& tags, const std::vector<DetectedTag>& found) {
+  for (const DetectedTag& tag : found)
     if (!is_among(tag, tags)) tags.push_back(tag);
   std::stable_sort(tags.begin(), tags.end(),
-                   [](const SeenTag& a, const SeenTag& b) { return a.code < b.code; });
+                   [](const DetectedTag& a, const DetectedTag& b) { return a.code < b.code; });
 }
 
 /// A rectangle of pixels.
@@ -42,9 +42,9 @@ struct Region {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-Region around(const std::vector<SeenTag>& tags, const GreyImage& image) {
+Region around(const std::vector<DetectedTag>& tags, const GreyImage& image) {
   Eigen::AlignedBox2d box;
-  for (const SeenTag& tag : tags)
+  for (const DetectedTag& tag : tags)
     for (const Vec2& corner : tag.corners)
       for (const double reach : {-beyond, beyond}) box.extend(corner + Vec2::Constant(reach * side_of(tag)));
   const auto bounded = [](double at, int most) {
@@ -91,19 +91,19 @@ void TagReader::make_ready(int width, int height) {
       static_cast<double>(width) * known.lens.height / (static_cast<double>(height) * known.lens.width);
   if (std::abs(stretch - 1) > shape_tolerance)
     throw InputError(
-        fmt::format("pictures are {} × {}, but the camera was calibrated with {} × {}: calibrate it anew, or "
+        fmt::format("images are {} × {}, but the camera was calibrated with {} × {}: calibrate it again, or "
                     "set it to that size",
                     width, height, known.lens.width, known.lens.height));
   optics_.bent = known.lens.scaled(width, height);
   optics_.response = known.response;
-  straightener_ = std::make_unique<Straightener>(optics_.bent);
+  straightener_ = std::make_unique<Undistorter>(optics_.bent);
   optics_.straight = straightener_->lens();
   width_ = width;
   height_ = height;
   ++changes_;
 }
 
-const TagPicture& TagReader::read(const Frame& frame) {
+const TagImage& TagReader::read(const Frame& frame) {
   if (number_ == frame.number) return picture_;
   number_.reset();
   make_ready(frame.image.width, frame.image.height);
@@ -111,7 +111,7 @@ const TagPicture& TagReader::read(const Frame& frame) {
   picture_.straight = straightener_->straight(picture_.bent);
   picture_.tags = finder_.find(picture_.straight);
   picture_.time_ns = frame.time_ns;
-  find_more(picture_);
+  find_missing_tags(picture_);
   number_ = frame.number;
   return picture_;
 }
@@ -120,40 +120,40 @@ void TagReader::expect(const Board& board) {
   for (const BoardTag& tag : board.tags) expected_.insert(tag.code);
 }
 
-/// Finds what a quick search misses: tags far away, whose cells are small. Those that were seen lately are
-/// looked for where they were, others now and then in the whole picture.
-void TagReader::find_more(TagPicture& picture) {
+/// Finds tags that the quick search misses: distant tags with small cells. Recently detected tags are
+/// searched near their last position, others now and then in the whole image.
+void TagReader::find_missing_tags(TagImage& picture) {
   const auto is_read = [&](int code) {
     return std::any_of(picture.tags.begin(), picture.tags.end(),
-                       [&](const SeenTag& tag) { return tag.code == code; });
+                       [&](const DetectedTag& tag) { return tag.code == code; });
   };
-  std::erase_if(lately_, [&](const Lately& one) {
+  std::erase_if(recent_tags_, [&](const Lately& one) {
     const double age = seconds_from(one.time_ns, picture.time_ns);
     return age < 0 || age > remembered || is_read(one.tag.code);
   });
-  std::vector<SeenTag> missing;
-  for (const Lately& one : lately_) missing.push_back(one.tag);
+  std::vector<DetectedTag> missing;
+  for (const Lately& one : recent_tags_) missing.push_back(one.tag);
   const auto is_known = [&](int code) {
-    return is_read(code) ||
-           std::any_of(missing.begin(), missing.end(), [&](const SeenTag& tag) { return tag.code == code; });
+    return is_read(code) || std::any_of(missing.begin(), missing.end(),
+                                        [&](const DetectedTag& tag) { return tag.code == code; });
   };
   const bool is_due =
-      !thorough_ns_ || std::abs(seconds_from(*thorough_ns_, picture.time_ns)) > thorough_pause;
+      !thorough_ns_ || std::abs(seconds_from(*thorough_ns_, picture.time_ns)) > thorough_interval;
   if (is_due && !std::all_of(expected_.begin(), expected_.end(), is_known)) {
     thorough_ns_ = picture.time_ns;
     add_new(picture.tags, thorough_finder_.find(picture.straight));
   } else if (!missing.empty()) {
     const Region region = around(missing, picture.straight);
     if (region.width * region.height < most_region * picture.straight.width * picture.straight.height) {
-      std::vector<SeenTag> found = thorough_finder_.find(cut_out(picture.straight, region));
-      for (SeenTag& tag : found)
+      std::vector<DetectedTag> found = thorough_finder_.find(cut_out(picture.straight, region));
+      for (DetectedTag& tag : found)
         for (Vec2& corner : tag.corners) corner += Vec2(region.left, region.top);
       add_new(picture.tags, found);
     }
   }
-  for (const SeenTag& tag : picture.tags) {
-    std::erase_if(lately_, [&](const Lately& one) { return one.tag.code == tag.code; });
-    lately_.push_back({tag, picture.time_ns});
+  for (const DetectedTag& tag : picture.tags) {
+    std::erase_if(recent_tags_, [&](const Lately& one) { return one.tag.code == tag.code; });
+    recent_tags_.push_back({tag, picture.time_ns});
   }
 }
 

@@ -1,65 +1,67 @@
 #pragma once
-// Makes of a camera's pictures what trackers of boards look at: by the lens that is known of it.
+// Converts a camera's images to the form that board trackers use, with the camera's lens.
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 
-#include "drivers/camera/camera_calibration.h"
-#include "drivers/camera/straightener.h"
+#include "drivers/camera/base/camera_calibration.h"
+#include "drivers/camera/base/undistorter.h"
 #include "drivers/camera/tags/board_tracker.h"
 
 namespace prosector {
 
-/// Several may look by one reader, on one thread: each picture is read once.
+/// Reader of tags in a camera's images. Several trackers may share one reader on one thread; each image is
+/// read once.
 class TagReader {
  public:
-  /// Reads the lens' file; empty: it is the synthetic camera's own, or guessed. Throws InputError where it
-  /// can't be read.
+  /// Reads the lens file. If `lens` is empty, the lens is the synthetic camera's own or guessed. Throws
+  /// InputError if the file can't be read.
   explicit TagReader(const std::filesystem::path& lens);
-  /// Takes a lens that is known; nullopt: it is the camera's own, or guessed.
+  /// Takes a calibration; with nullopt the lens is the camera's own or guessed.
   explicit TagReader(std::optional<CameraCalibration> calibration);
 
-  /// Takes a camera that was opened.
+  /// Resets the lens for a newly opened camera.
   void begin(const Camera& camera);
-  /// Reads a picture, and holds it until the next one. Throws InputError where its shape isn't that of the
-  /// lens.
-  const TagPicture& read(const Frame& frame);
+  /// Reads an image and caches the result until the next one. Throws InputError if the image's aspect ratio
+  /// isn't that of the lens.
+  const TagImage& read(const Frame& frame);
 
-  /// Says which board should be seen: where tags of it are missing, pictures are read more thoroughly.
+  /// Registers a board that should be visible. While tags of it are missing, images are searched more
+  /// thoroughly.
   void expect(const Board& board);
 
-  /// Returns how the last picture was read.
+  /// Returns the lenses and response used for the last image.
   const TagOptics& optics() const { return optics_; }
-  const Straightener& straightener() const { return *straightener_; }
+  const Undistorter& straightener() const { return *straightener_; }
   bool is_guessed() const { return !calibration_; }
-  /// Returns how often pictures were read in another way than the one before: what was tracked is elsewhere.
+  /// Returns how often the lens or image size changed. After a change, earlier tracked positions are invalid.
   int changes() const { return changes_; }
 
  private:
   void make_ready(int width, int height);
-  void find_more(TagPicture& picture);
+  void find_missing_tags(TagImage& picture);
 
-  static constexpr double thorough_pause = 1;  // s between two thorough searches of whole pictures
-  static constexpr double remembered = 0.5;    // s that a tag is looked for where it was
-  /// A tag that was seen lately.
+  static constexpr double thorough_interval = 1;  // s, least time between thorough searches of whole images
+  static constexpr double remembered = 0.5;       // s, time for which a tag is searched at its last position
+  /// A recently detected tag.
   struct Lately {
-    SeenTag tag;
+    DetectedTag tag;
     std::int64_t time_ns;
   };
 
-  const bool is_calibrated_;  // by who made this
+  const bool is_calibrated_;  // a calibration was given to the constructor
   std::optional<CameraCalibration> calibration_;
-  TagFinder finder_{TagFinderSettings{}}, thorough_finder_{TagFinderSettings{1}};
+  TagDetector finder_{TagDetectorSettings{}}, thorough_finder_{TagDetectorSettings{1}};
   std::set<int> expected_;  // codes
-  std::vector<Lately> lately_;
-  std::optional<std::int64_t> thorough_ns_;  // of the last picture that was searched thoroughly
+  std::vector<Lately> recent_tags_;
+  std::optional<std::int64_t> thorough_ns_;  // time of the last image that was searched thoroughly
   TagOptics optics_;
-  std::unique_ptr<Straightener> straightener_;
-  int width_ = 0, height_ = 0;  // of pictures that it is ready for
-  TagPicture picture_;
-  std::optional<std::uint64_t> number_;  // of the frame that `picture_` is of; nullopt: none
+  std::unique_ptr<Undistorter> straightener_;
+  int width_ = 0, height_ = 0;  // size of the images it is prepared for
+  TagImage picture_;
+  std::optional<std::uint64_t> number_;  // number of the frame in `picture_`; nullopt: none
   int changes_ = 0;
 };
 

@@ -22,8 +22,8 @@ namespace prosector::fork_join {
 
 #ifdef __SANITIZE_THREAD__
 
-/// Calls f(begin, end) for ranges that together are [0, n), each on a thread of its own, and waits for all.
-/// Throws what the first of them threw.
+/// Calls f(begin, end) for ranges that together are [0, n), each on a separate thread, and waits for all.
+/// Rethrows the exception of the first range that threw.
 template <class F>
 void ranges(std::size_t n, const F& f) {
   const auto arena = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));

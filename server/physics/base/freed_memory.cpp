@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-void keep_freed_memory() {
+void retain_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kept = 512 << 20, taken_alone = 32 << 20;  // bytes; the latter is the most that glibc allows
   mallopt(M_TRIM_THRESHOLD, kept);
@@ -16,7 +16,7 @@ void keep_freed_memory() {
 #endif
 }
 
-void take_memory_ahead(std::size_t bytes) {
+void prefault_memory(std::size_t bytes) {
   constexpr std::size_t piece = 8 << 20, page = 4096;  // bytes; pieces, as larger ones aren't kept
   std::vector<std::unique_ptr<char[]>> taken;
   for (std::size_t begin = 0; begin < bytes; begin += piece) {

@@ -1,5 +1,6 @@
 #pragma once
-// What a change did to a list that else keeps its order: so that what is laid out by its indices can follow.
+// Description of insertions and removals in a list whose other entries keep their order, so that data indexed
+// by it can be updated.
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +36,7 @@ inline ListEdit::ListEdit(std::size_t before, std::vector<std::uint32_t> gone_in
   PROSECTOR_ASSERT(is_ascending(gone) && (gone.empty() || gone.back() < before));
   PROSECTOR_ASSERT(std::ranges::is_sorted(come_before) &&
                    (come_before.empty() || come_before.back() <= before));
+  PROSECTOR_ASSERT(before < none - come_before.size());
   std::uint32_t index = 0;
   auto leaving = gone.begin();
   auto coming = come_before.begin();
@@ -76,6 +78,7 @@ void apply(const ListEdit& edit, std::span<const T> come, std::vector<T>& list) 
     ++from;
   }
   take_until(list.end());
+  PROSECTOR_ASSERT(out.size() == edit.size() && c == come.size());
   list = std::move(out);
 }
 

@@ -15,9 +15,9 @@ constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
 }
 
 /// Calls f(begin, end, chunk_index) for fixed ranges of `chunk` items of [0, n). The ranges depend on n and
-/// `chunk` alone. So whoever writes only to its own items, or sums within a chunk and then over the chunks in
-/// order, gets equal bits for any number of threads. Runs in the caller's tbb::task_arena and within tbb's
-/// global limits.
+/// `chunk` only. Results are bitwise equal for any number of threads if f writes only its own items. The same
+/// holds if f sums within a chunk and the caller then sums over the chunks in order. Runs in the caller's
+/// tbb::task_arena and within tbb's global limits.
 template <class F>
 void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
   PROSECTOR_ASSERT(chunk > 0);
@@ -40,7 +40,7 @@ void parallel_each(std::size_t n, const F& f) {
   });
 }
 
-/// Calls both, at once where a thread is free.
+/// Calls both functions, in parallel if a thread is free.
 template <class F, class G>
 void parallel_both(const F& f, const G& g) {
   fork_join::both(f, g);

@@ -1,12 +1,12 @@
 #pragma once
-// What people make of the parts of the anatomy: taken out of their place and put back, hidden, shown larger.
+// State of anatomical parts that users change: detached and attached, hidden, inspected.
 
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
 
 namespace prosector {
 
-/// What somebody does to a part; journalled with the tick it is consumed in, which obeys it after the hands'
-/// events.
+/// User action on a part. Journalled with the tick that consumes it; applied after the hands' events.
 struct PartEvent {
   enum class Kind : std::uint8_t {
     detach,         // lets it go from its place
@@ -16,7 +16,7 @@ struct PartEvent {
     hide,           // neither seen nor touched; it stays where it is
     show,           // ends that
     set_opacity,    // to `value`, 0 … 1
-    set_stiffness,  // soft: to `value` times the scene's, least_stiffness … most_stiffness
+    set_stiffness,  // soft: to `value` times the scene's, min_stiffness … max_stiffness
     light,          // the light shaft on it: `value` 0 off, 1 on
   } kind = Kind::detach;
   ParticipantId participant = 0;
@@ -26,7 +26,7 @@ struct PartEvent {
 };
 inline constexpr PartEvent::Kind last_part_event = PartEvent::Kind::light;
 
-/// What was made of a body so far; part of the simulation's state.
+/// Current user-made changes of a body; included in the simulation's state.
 struct Part {
   bool attached = true;  // in its place
   bool hidden = false;

@@ -1,12 +1,12 @@
 #pragma once
-// What a step did and cost.
+// Results and statistics of a simulation step.
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/ids.h"
 #include "common/refusal.h"
 #include "server/physics/base/topology.h"
 
@@ -24,7 +24,7 @@ struct BodyReport {
   double residual = 0;   // relative, of the last linear solve
   double last_step = 0;  // m: how far the last Newton step moved a node or body
   bool converged = true;
-  double substep = 0;  // s: of bodies that take several in a tick; 0: the whole tick at once
+  double substep = 0;  // s: step length of bodies with several substeps per tick; 0: one step per tick
   bool reset = false;  // went non-finite: put back to its last good state; or unfolded
   std::string note;    // for people
 };

@@ -1,10 +1,11 @@
 #pragma once
-// What a cut changed in the list of a surface's vertices and triangles.
+// Changes of a surface's vertex and triangle lists by a cut.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "common/assert.h"
 #include "common/mesh.h"
 #include "server/physics/base/list_edit.h"
 #include "server/physics/base/topology.h"
@@ -27,6 +28,7 @@ struct SurfaceEdit {
 };
 
 inline void apply(const SurfaceEdit& edit, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  PROSECTOR_ASSERT(triangles.size() == edit.triangles.now.size());
   if (!edit.vertices.keeps_indices())
     for (auto& corners : triangles)  // of those that go, too
       for (std::uint32_t& corner : corners) corner = edit.vertices.now[corner];
@@ -34,6 +36,10 @@ inline void apply(const SurfaceEdit& edit, std::vector<std::array<std::uint32_t,
 }
 
 inline void apply(const SurfaceEdit& edit, TriangleMesh& surface) {
+  PROSECTOR_ASSERT(edit.positions.size() == edit.vertices.come.size() &&
+                   edit.rows.size() == edit.positions.size());
+  PROSECTOR_ASSERT(is_ascending(edit.touched) &&
+                   (edit.touched.empty() || edit.touched.back() < edit.vertices.size()));
   apply(edit.vertices, edit.positions, surface.positions);
   apply(edit, surface.triangles);
   apply(edit.triangles, edit.inner, surface.inner);

@@ -1,13 +1,15 @@
 #pragma once
-// What cutting makes of soft bodies, as the session hears of it. A change is an immutable revision; what it
-// is made of keeps its number for ever, so a change can be told as a difference.
+// Topology changes of soft bodies, as reported to the session. Each change is an immutable revision. Nodes,
+// vertices and triangles have permanent numbers, so a change can be sent as a difference.
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/hash.h"
+#include "common/ids.h"
+#include "common/surface_change.h"
 
 namespace prosector {
 
@@ -28,7 +30,7 @@ struct TopologyChange {
   std::optional<BodyId> piece_of;  // of a new piece: the body that it was cut off
 };
 
-/// What somebody asks of cuts that were made; journalled with the tick that consumes it.
+/// User request on earlier cuts; journalled with the tick that consumes it.
 struct CutEvent {
   enum class Kind : std::uint8_t {
     undo,    // the participant's last cut that was not undone yet
@@ -38,7 +40,7 @@ struct CutEvent {
   ParticipantId participant = 0;
   BodyId body = 0;             // of rewind
   std::uint32_t revision = 0;  // of rewind
-  /// What Simulation::save() gave then, in this run or the one that it goes on from; of rewind.
+  /// For rewind: result of Simulation::save() at that time, in this run or the one that it continues.
   std::shared_ptr<const std::vector<std::uint8_t>> state{};
 };
 inline constexpr CutEvent::Kind last_cut_event = CutEvent::Kind::rewind;

@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-bool obey_cut_events(State& state, std::span<const CutEvent> events, StepReport& report) {
+bool apply_cut_events(State& state, std::span<const CutEvent> events, StepReport& report) {
   bool went_back = false;
   for (const CutEvent& event : events) {
     const bool rewinds = event.kind == CutEvent::Kind::rewind;

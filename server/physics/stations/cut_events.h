@@ -10,6 +10,6 @@ namespace prosector {
 
 /// Applies the events in order and answers them in StepReport::cut_answers. Returns whether the state was
 /// rewound; the tick's islands then belong to another state.
-bool obey_cut_events(State& state, std::span<const CutEvent> events, StepReport& report);
+bool apply_cut_events(State& state, std::span<const CutEvent> events, StepReport& report);
 
 }  // namespace prosector

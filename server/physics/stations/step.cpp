@@ -8,12 +8,12 @@
 #include "server/physics/stations/dissecting/refining.h"
 #include "server/physics/stations/hands/holding.h"
 #include "server/physics/stations/islands/island_builder.h"
+#include "server/physics/stations/islands/recover_tangled.h"
 #include "server/physics/stations/islands/sleep.h"
 #include "server/physics/stations/islands/solve_islands.h"
-#include "server/physics/stations/islands/unfold_tangles.h"
 #include "server/physics/stations/panels/panel_station.h"
 #include "server/physics/stations/parts/breaking.h"
-#include "server/physics/stations/parts/lost.h"
+#include "server/physics/stations/parts/lost_bodies.h"
 #include "server/physics/stations/report.h"
 #include "server/physics/stations/take_inputs.h"
 #include "server/physics/stations/tick_parts.h"
@@ -43,10 +43,10 @@ void advance_part(State& s, StepBuffers& b, PhaseClock& clock, StepReport& repor
   clock.end(Phase::islands);
   b.last_good = motions(world);
   solve_islands(b.islands, b.stepper, s.bodies, touching, b.h, report);
-  keep_pads(world, b.islands, b.pads, s.hands);
+  store_pads(world, b.islands, b.pads, s.hands);
   clock.end(Phase::coupled);
   world.integrate(b.h);
-  bounce_rigid(b.islands, world, b.h);
+  apply_restitution(b.islands, world, b.h);
   clock.end(Phase::rigid);
 }
 
@@ -75,19 +75,19 @@ void step(State& s, StepBuffers& b, const TickInput& input, StepReport& report) 
   advance_in_parts(s, b, clock, report);
   ++s.time.tick;
   recover_hands(s, b.last_good, report);
-  unfold_tangles(s, b.islands, b.contacts.found(), b.h, report);
-  fall_asleep(s, b.islands, !input.drives.empty());
-  bring_back_lost(s, b.islands, report);
-  tend_holds(s, b.islands, b.h, report);
+  recover_tangled_bodies(s, b.islands, b.contacts.found(), b.h, report);
+  update_sleep(s, b.islands, !input.kinematic_targets.empty());
+  return_lost_bodies(s, b.islands, report);
+  update_holds(s, b.islands, b.h, report);
   break_bones(s, b.islands, b.colliders, b.h, report);
-  if (s.panels) work_panels(s, describe_hands(s, b.islands, b.colliders, b.h), report);
+  if (s.panels) step_panels(s, describe_hands(s, b.islands, b.colliders, b.h), report);
   clock.end(Phase::constraints);
   describe(s, b.islands, report);
   b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);
   clock.end(Phase::report);
-  PlacesOfBodies pressed = pressed_places(s, b.islands, input.drives);
+  PlacesOfBodies pressed = pressed_places(s, b.islands, input.kinematic_targets);
   cut_soft_bodies(s, b.grips, report);  // from here on: the state that the next tick starts from
-  if (obey_cut_events(s, input.cuts, report)) {
+  if (apply_cut_events(s, input.cuts, report)) {
     b.islands.clear();
     b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);
   }
@@ -99,7 +99,7 @@ std::vector<Exchange> exchanges(const State& s, const StepBuffers& b) {
   return exchanges(b.earlier_exchanges, b.islands, s.bodies.model.rigid.size(), b.h);
 }
 
-void forget_last_tick(const State& s, StepBuffers& b) {
+void clear_last_tick(const State& s, StepBuffers& b) {
   b.earlier_exchanges.clear();
   b.islands.clear();
   b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);

@@ -38,6 +38,6 @@ void step(State& state, StepBuffers& buffers, const TickInput& input, StepReport
 std::vector<Exchange> exchanges(const State& state, const StepBuffers& buffers);
 
 /// Clears the data of the last tick after the state was replaced. Hands have no contacts until the next tick.
-void forget_last_tick(const State& state, StepBuffers& buffers);
+void clear_last_tick(const State& state, StepBuffers& buffers);
 
 }  // namespace prosector

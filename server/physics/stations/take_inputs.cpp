@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "common/commands.h"
 #include "server/physics/mechanics/organs/locate.h"
 #include "server/physics/stations/hands/fingers.h"
 #include "server/physics/stations/hands/grasping.h"
@@ -18,7 +19,7 @@ constexpr double step_back = 0.01;  // m: distance of the tested positions of an
 constexpr int most_steps_back = 20;
 
 /// Sets a fixed body's target pose at the tick's end.
-void drive(Bodies& bodies, const Drive& drive, StepReport& report) {
+void drive(Bodies& bodies, const KinematicTarget& drive, StepReport& report) {
   const bool known = drive.body < bodies.model.rigid.size() && !bodies.rigid.dynamic(drive.body);
   if (known && is_finite(drive.pose) && drive.pose.p.cwiseAbs().maxCoeff() <= max_coordinate) {
     const Pose pose = {drive.pose.p, drive.pose.q.normalized()};
@@ -28,7 +29,7 @@ void drive(Bodies& bodies, const Drive& drive, StepReport& report) {
   BodyReport& row = report.bodies.emplace_back();
   row.body = drive.body < bodies.model.rigid.size() ? bodies.model.rigid[drive.body].name : "none";
   row.note =
-      known ? "a drive to nowhere in the room was ignored" : "a drive of what is no fixed body was ignored";
+      known ? "ignored a target pose outside the room" : "ignored a target pose for a body that is not fixed";
 }
 
 void take(const EffortChange& change, Bodies& bodies) {
@@ -132,7 +133,7 @@ void take_inputs(State& state, Colliders& colliders, const TickInput& input, Ste
   bend_fingers(state, colliders);
   for (const Hand& hand : state.hands)
     if (hand.hold && !bodies.is_soft(hand.hold->body)) bodies.rigid.wake(hand.hold->body);
-  for (const Drive& d : input.drives) drive(bodies, d, report);
+  for (const KinematicTarget& d : input.kinematic_targets) drive(bodies, d, report);
 }
 
 }  // namespace prosector

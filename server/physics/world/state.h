@@ -9,7 +9,7 @@
 
 #include "server/physics/mechanics/contact/layers.h"
 #include "server/physics/mechanics/contact/parting.h"
-#include "server/physics/mechanics/coupled/lingering.h"
+#include "server/physics/mechanics/coupled/vibration.h"
 #include "server/physics/mechanics/hands/hand.h"
 #include "server/physics/mechanics/organs/dissection.h"
 #include "server/physics/mechanics/panel/panel_world.h"

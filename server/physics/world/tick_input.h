@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/hand_pose.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "server/physics/base/part.h"
 #include "server/physics/base/topology.h"
 #include "server/physics/mechanics/panel/panel_event.h"
@@ -41,9 +43,9 @@ struct EffortChange {
 };
 
 /// Target pose of a kinematic body (a press, a clamp, a test machine) at the end of the tick. The body moves
-/// at constant velocity and nothing stops it; without a Drive in a tick it stands still. Bodies that it
-/// touches stay awake.
-struct Drive {
+/// at constant velocity and nothing stops it; without a KinematicTarget in a tick it stands still. Bodies
+/// that it touches stay awake.
+struct KinematicTarget {
   BodyId body = 0;
   Pose pose;  // of the body's frame, in the room frame
 };
@@ -58,7 +60,8 @@ struct TickInput {
   std::vector<HeldPlace> held;      // of tablets and styluses that moved, appeared or vanished
   std::vector<PartEvent> parts;     // applied after `events`; answered in StepReport::part_answers
   std::vector<CutEvent> cuts;       // applied at the end of the tick; answered in StepReport::cut_answers
-  std::vector<Drive> drives;        // for programs that use the standalone physics; sessions have none
+  std::vector<KinematicTarget>
+      kinematic_targets;  // for programs that use the standalone physics; sessions have none
 };
 
 }  // namespace prosector

@@ -5,7 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/hand_messages.h"
+#include "common/hand_pose.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "server/physics/mechanics/contact/contact.h"
 
 namespace prosector {

@@ -39,15 +39,18 @@ ContactSide Tissue::side(std::uint32_t vertex) const {
 }
 
 Vec3 Tissue::middle() const {
+  PROSECTOR_ASSERT(state.motion.x.size() == 3 * solver->nodes());
   const VecX& mass = solver->node_mass();
   return state.motion.x.reshaped(3, mass.size()) * mass / mass.sum();
 }
 
 double Tissue::reach(double h) const {
+  PROSECTOR_ASSERT(h > 0);
   return h * state.motion.v.lpNorm<Eigen::Infinity>();
 }
 
 double Tissue::inner_reach(double h) const {
+  PROSECTOR_ASSERT(h > 0 && state.motion.v.size() == 3 * solver->nodes());
   const auto v = state.motion.v.reshaped(3, solver->nodes());
   const Vec3 mean = v.rowwise().mean();
   return 2 * h * (v.colwise() - mean).cwiseAbs().maxCoeff();
@@ -64,6 +67,7 @@ SoftSkin Tissue::skin() {
 }
 
 const std::vector<char>& Tissue::inside_out() {
+  PROSECTOR_ASSERT(fits_its_mesh());
   if (knows_inside_out_) return inside_out_;
   knows_inside_out_ = true;
   inside_out_.clear();
@@ -101,6 +105,7 @@ void Tissue::wake() {
 }
 
 void Tissue::freeze() {
+  PROSECTOR_ASSERT(fits_its_mesh());
   state.asleep = true;
   stop(state);
 }

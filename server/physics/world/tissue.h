@@ -8,7 +8,7 @@
 
 #include "server/physics/base/topology.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
-#include "server/physics/mechanics/contact/memory.h"
+#include "server/physics/mechanics/contact/contact_memory.h"
 #include "server/physics/mechanics/contact/soft_collision.h"
 #include "server/physics/mechanics/contact/tissue_surface.h"
 #include "server/physics/mechanics/soft/soft_body.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "common/assert.h"
 #include "common/mesh.h"
 
 namespace prosector {
@@ -27,6 +28,7 @@ struct ContactSide {
       if (row.weight[k] == 0) continue;
       std::size_t at = 0;
       while (at < nodes && node[at] != row.node[k]) ++at;
+      PROSECTOR_ASSERT(at < most_nodes);
       if (at == nodes) node[nodes++] = row.node[k];
       weight[at] += share * row.weight[k];
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -52,6 +54,7 @@ void ElementSurface::find_neighbours() {
 }
 
 bool ElementSurface::hang_together(std::uint32_t element, std::uint32_t other, double reach) const {
+  PROSECTOR_ASSERT(element < elements_.size() && other < elements_.size() && reach > 0);
   if (together_.empty() || reach != reach_) together_.assign(elements_.size(), {});
   reach_ = reach;
   std::vector<std::uint32_t>& met = together_[element];
@@ -72,6 +75,7 @@ bool ElementSurface::hang_together(std::uint32_t element, std::uint32_t other, d
 }
 
 void ElementSurface::move(const VecX& x) {
+  PROSECTOR_ASSERT(x.size() == 3 * std::ssize(positions_));
   for (std::size_t i = 0; i < positions_.size(); ++i)
     positions_[i] = x.segment<3>(3 * static_cast<Eigen::Index>(i));
   tree_.refit(elements_, positions_);
@@ -95,6 +99,7 @@ std::uint32_t ElementSurface::feature(std::uint32_t element, const Vec3& weights
   const auto edge =
       std::lower_bound(edges_.begin(), edges_.end(),
                        std::array{std::min(on.node[0], on.node[1]), std::max(on.node[0], on.node[1])});
+  PROSECTOR_ASSERT(edge != edges_.end());
   return corners + static_cast<std::uint32_t>(edge - edges_.begin());
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -60,6 +62,7 @@ bool mark_inverted(const TetMesh& mesh, const VecX& x, std::vector<char>& marks)
 
 void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const FlatElementSearch& search,
                         std::vector<Contact>& out) {
+  PROSECTOR_ASSERT(x.size() == v.size());
   for (const auto& t : mesh.tets) {
     Tet at, rest;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/contact/surface_detector.h"
 
 namespace prosector {
@@ -33,6 +34,7 @@ Vec3 half_extents(const ShapePart& part, const Mat3& turned) {
 }  // namespace
 
 PartBoxes::PartBoxes(const Collider& collider, double margin) {
+  PROSECTOR_ASSERT(collider.parts != nullptr && collider.part_poses.size() == collider.parts->size());
   boxes_.reserve(collider.parts->size());
   for (std::size_t i = 0; i < collider.parts->size(); ++i) {
     const Pose pose = collider.pose * collider.part_poses[i];

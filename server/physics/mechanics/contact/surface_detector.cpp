@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 
 namespace prosector {
@@ -65,6 +66,9 @@ void SurfaceDetector::follow(const SurfaceEdit& edit) {
 }
 
 void SurfaceDetector::fit_chunks() {
+  PROSECTOR_ASSERT(order_.size() == rest_->positions.size() && stars_.vertices() == rest_->positions.size());
+  PROSECTOR_ASSERT(triangle_order_.size() == rest_->triangles.size() &&
+                   neighbours_.size() == rest_->triangles.size());
   positions_ = rest_->positions;
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
   triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
@@ -278,6 +282,7 @@ std::optional<TriangleTouch> SurfaceDetector::near_corner(const Collider& collid
 }
 
 std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi) {
+  PROSECTOR_ASSERT(collider.parts != nullptr && collider.part_poses.size() == collider.parts->size());
   std::vector<Rod> out;
   const Vec3 grow = Vec3::Constant(margin);
   for (std::size_t i = 0; i < collider.parts->size(); ++i)

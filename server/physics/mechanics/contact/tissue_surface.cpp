@@ -1,5 +1,7 @@
 #include "server/physics/mechanics/contact/tissue_surface.h"
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -43,6 +45,7 @@ void TissueSurface::fit(const SoftCollision& how, bool cut) {
 }
 
 bool TissueSurface::fit_self_collision(double cell) {
+  PROSECTOR_ASSERT(cell > 0 && !anatomy_->surface.triangles.empty());
   const bool closed = faces()->topology().closed();
   if (!closed)
     self_collision_.reset();

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "server/physics/mechanics/contact/element_surface.h"
-#include "server/physics/mechanics/contact/rough_shape.h"
-#include "server/physics/mechanics/contact/self_surface.h"
+#include "server/physics/mechanics/contact/proxy_shape.h"
+#include "server/physics/mechanics/contact/self_collision.h"
 #include "server/physics/mechanics/contact/soft_collision.h"
 #include "server/physics/mechanics/contact/soft_meeting.h"
 
@@ -52,18 +52,18 @@ class TissueSurface {
   /// Returns the thin-shell elements, moved to `x` once a tick.
   const ElementSurface& elements(const VecX& x);
   /// Returns the self-contact search; null: the body has none.
-  SelfSurface* self_collision() { return self_collision_ ? &*self_collision_ : nullptr; }
+  SelfCollision* self_collision() { return self_collision_ ? &*self_collision_ : nullptr; }
   /// Returns the proxy shape with which the body collides; null: it collides as its mesh.
-  const RoughShape* proxy() const { return proxy_ ? &*proxy_ : nullptr; }
+  const ProxyShape* proxy() const { return proxy_ ? &*proxy_ : nullptr; }
   bool thin_shell() const { return thin_shell_; }
 
  private:
   const Anatomy* anatomy_;
   SurfaceDetector vertices_;
   std::optional<TriangleSurface> faces_;
-  std::optional<SelfSurface> self_collision_;
+  std::optional<SelfCollision> self_collision_;
   std::optional<ElementSurface> elements_;
-  std::optional<RoughShape> proxy_;
+  std::optional<ProxyShape> proxy_;
   bool cut_ = false;  // the mesh is numbered, so the order of its triangles can be updated
   bool thin_shell_ = false;
   bool faces_moved_ = false, elements_moved_ = false;  // already moved in this tick

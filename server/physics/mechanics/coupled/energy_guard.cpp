@@ -1,4 +1,5 @@
 #include "server/physics/mechanics/coupled/energy_guard.h"
+#include "common/assert.h"
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"
 #include "server/physics/mechanics/soft/mechanical_energy.h"
@@ -20,6 +21,7 @@ constexpr int share_halvings = 10;
 constexpr double most_diagonals = 10;  // body diagonals per tick
 
 Vec3 mean(const VecX& values, const VecX& mass) {
+  PROSECTOR_ASSERT(values.size() == 3 * mass.size());
   return values.reshaped(3, mass.size()) * mass / mass.sum();
 }
 
@@ -32,6 +34,7 @@ void gather_towards(const Vec3& mean, double share, Eigen::Ref<VecX> values) {
 }  // namespace
 
 void limit_speed(SoftMember& m, double h) {
+  PROSECTOR_ASSERT(m.body != nullptr && m.state != nullptr && h > 0);
   const double most = most_diagonals * m.body->diagonal() / h;
   VecX& v = m.state->motion.v;
   if (!v.allFinite() || v.lpNorm<Eigen::Infinity>() * 2 < most) return;
@@ -63,6 +66,7 @@ double EnergyGuard::stored(const SoftMember& m) const {
 }
 
 double EnergyGuard::allowed(std::size_t m, double work) const {
+  PROSECTOR_ASSERT(island_ != nullptr && m < before_.size());
   const SoftMember& s = island_->soft[m];
   const SoftDesc& desc = s.body->desc();
   const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
@@ -80,6 +84,8 @@ double EnergyGuard::before() const {
 }
 
 bool EnergyGuard::gained(const std::vector<double>& work) {
+  PROSECTOR_ASSERT(island_ != nullptr && before_.size() == island_->soft.size() &&
+                   work.size() == before_.size());
   bool any = false;
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     const SoftMember& s = island_->soft[m];
@@ -90,10 +96,13 @@ bool EnergyGuard::gained(const std::vector<double>& work) {
 }
 
 void EnergyGuard::rewind() {
+  PROSECTOR_ASSERT(island_ != nullptr && before_.size() == island_->soft.size());
   for (SoftMember& s : island_->soft) s.body->stepper().recall(*s.state);
 }
 
 void EnergyGuard::shorten(const std::vector<double>& work) {
+  PROSECTOR_ASSERT(island_ != nullptr && after_.size() == island_->soft.size() &&
+                   work.size() == after_.size());
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     if (after_[m] <= allowed(m, work[m])) continue;
     SoftMember& s = island_->soft[m];
@@ -122,6 +131,8 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
 }
 
 void EnergyGuard::finish(const std::vector<double>& work, double h) {
+  PROSECTOR_ASSERT(island_ != nullptr && after_.size() == island_->soft.size() &&
+                   work.size() == after_.size() && h > 0);
   const double kept = std::max(least_kept, std::exp2(-h / slack_halved));
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     SoftBodyState& state = *island_->soft[m].state;

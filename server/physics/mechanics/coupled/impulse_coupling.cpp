@@ -5,8 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "server/physics/mechanics/coupled/held_together.h"
+#include "common/assert.h"
 #include "server/physics/mechanics/coupled/lever.h"
+#include "server/physics/mechanics/coupled/tied_response.h"
 #include "server/physics/mechanics/soft/integrators/substepper.h"
 
 namespace prosector {
@@ -53,7 +54,7 @@ struct ImpulseJoint {
 struct Buffers {
   std::vector<Rigid> rigid;
   std::vector<ImpulseJoint> contacts, ties;
-  HeldTogether held;
+  TiedResponse held;
 };
 
 class Coupling {
@@ -339,7 +340,7 @@ class Coupling {
   std::span<SubstepWork> work_;
   double passed_ = 0;  // fraction of the tick at the substep's end
   std::vector<Rigid>& rigid_;
-  HeldTogether& held_;
+  TiedResponse& held_;
   std::vector<ImpulseJoint>&contacts_, &ties_;
 };
 
@@ -354,6 +355,9 @@ ImpulseCoupling::~ImpulseCoupling() = default;
 ImpulseCoupling::ImpulseCoupling(ImpulseCoupling&&) noexcept = default;
 
 void ImpulseCoupling::run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work) {
+  PROSECTOR_ASSERT(tick.substeps > 0 && tick.h > 0);
+  PROSECTOR_ASSERT(tick.start.size() == island.soft.size() && tick.substepped.size() == island.soft.size() &&
+                   work.size() == island.soft.size());
   std::fill(work.begin(), work.end(), SubstepWork{});
   Coupling(island, tick, work, impl_->buffers).run();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/contact/pad.h"
 #include "server/physics/mechanics/contact/potentials.h"
@@ -38,6 +39,7 @@ void for_contacts(std::size_t n, const F& f) {
 }  // namespace
 
 void IslandJoints::begin(Island& island, const IslandLayout& layout, double h) {
+  PROSECTOR_ASSERT(h > 0);
   island_ = &island;
   layout_ = &layout;
   h_ = h;
@@ -79,6 +81,7 @@ Vec3 IslandJoints::tie_force(std::size_t t, const VecX& q) const {
 }
 
 void IslandJoints::add_energy(const VecX& q, double& sum) const {
+  PROSECTOR_ASSERT(q.size() == layout_->size);
   energies_.resize(contacts_.size());
   for_contacts(contacts_.size(),
                [&](std::size_t c) { energies_[c] = contact_energy(c, displacement(contacts_[c], q)); });
@@ -91,6 +94,7 @@ void IslandJoints::add_energy(const VecX& q, double& sum) const {
 }
 
 void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
+  PROSECTOR_ASSERT(q.size() == layout_->size && g.size() == layout_->size);
   find_forces(q);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (forces_[c].isZero(0)) continue;
@@ -111,6 +115,7 @@ void IslandJoints::find_forces(const VecX& q) const {
 }
 
 void IslandJoints::linearise(const VecX& q) {
+  PROSECTOR_ASSERT(q.size() == layout_->size);
   for_contacts(contacts_.size(), [&](std::size_t c) {
     contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
   });
@@ -122,6 +127,8 @@ void IslandJoints::linearise(const VecX& q) {
 }
 
 void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& work) const {
+  PROSECTOR_ASSERT(start.size() == layout_->size && q.size() == layout_->size &&
+                   work.size() == island_->soft.size());
   const auto add = [&](const JointSide& side, const Vec3& force) {
     if (side.nodes > 0) work[side.member] += force.dot(moved_by(side, q) - moved_by(side, start));
   };
@@ -145,6 +152,7 @@ double IslandJoints::normal_force(std::size_t c, const VecX& q) const {
 
 double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
   const std::uint32_t bearer = island_->contacts[c].bearer;
+  PROSECTOR_ASSERT(bearer <= c);
   return bearer > 0 ? normal_force(c - bearer, q) / patch_points : normal_force(c, q);
 }
 
@@ -156,6 +164,7 @@ void IslandJoints::lag_friction(const VecX& q) {
 }
 
 void IslandJoints::take(double length, const VecX& step) {
+  PROSECTOR_ASSERT(length > 0 && length <= 1 && step.size() == layout_->size);
   untaken_ *= 1 - length;
   for_contacts(contacts_.size(), [&](std::size_t c) {
     Joint& joint = contacts_[c];
@@ -181,6 +190,7 @@ void IslandJoints::add_load(const JointSide& side, const Load& load) {
 }
 
 bool IslandJoints::unsettled(const VecX& q) {
+  PROSECTOR_ASSERT(q.size() == layout_->size && lagged_.size() == contacts_.size());
   soft_loads_.assign(island_->soft.size(), {});
   rigid_loads_.assign(island_->rigid.size(), {});
   find_forces(q);
@@ -208,6 +218,8 @@ bool IslandJoints::unsettled(const VecX& q) {
 }
 
 void IslandJoints::tell_joints(const VecX& q, bool all_held) const {
+  PROSECTOR_ASSERT(q.size() == layout_->size && island_->contacts.size() == contacts_.size() &&
+                   island_->ties.size() == ties_.size());
   const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     Contact& contact = island_->contacts[c];

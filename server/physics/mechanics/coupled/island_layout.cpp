@@ -1,5 +1,7 @@
 #include "server/physics/mechanics/coupled/island_layout.h"
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -24,15 +26,18 @@ void IslandLayout::begin(const Island& island) {
 }
 
 JointSide IslandLayout::resolve(const ContactSide& side) const {
+  PROSECTOR_ASSERT(side.nodes <= ContactSide::most_nodes);
   JointSide out;
   if (side.kind == ContactSide::Kind::soft) {
     const std::size_t m = soft_members[side.body];
+    PROSECTOR_ASSERT(m < soft.size());
     out.member = m;
     out.nodes = side.nodes;
     out.weight = side.weight;
     for (std::size_t k = 0; k < side.nodes; ++k)
       out.offset[k] = soft[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
   } else if (side.kind == ContactSide::Kind::rigid) {
+    PROSECTOR_ASSERT(side.body < rigid_members.size() && rigid(rigid_members[side.body]) < size);
     out.rigid = rigid(rigid_members[side.body]);
     out.arm = side.arm;
   }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/coupled/island.h"
 #include "server/physics/mechanics/coupled/joint.h"
 
@@ -22,6 +23,7 @@ struct IslandLayout {
   Eigen::Index rigid(std::size_t member) const { return rigid_begin + 6 * static_cast<Eigen::Index>(member); }
   /// Returns the index of the rigid member of a side that is on a rigid body.
   std::size_t rigid_member(const JointSide& side) const {
+    PROSECTOR_ASSERT(side.rigid >= rigid_begin && side.rigid < size);
     return static_cast<std::size_t>((side.rigid - rigid_begin) / 6);
   }
   /// Returns the side, which is fixed or on a member, in terms of the island's unknowns.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "common/assert.h"
+#include "common/commands.h"
+#include "common/ids.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/base/effort.h"
 #include "server/physics/mechanics/soft/implicit_stepper.h"
@@ -194,6 +197,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
 /// Returns the largest step length 1, ½, ¼ … that decreases the energy enough; 0 if none does. On return,
 /// next_ and the system's last energy belong to that length.
 double IslandSolver::line_search(double energy, double slope, int halvings) {
+  PROSECTOR_ASSERT(slope < 0 && halvings > 0 && q_.size() == step_.size());
   double length = 1;
   for (int i = 0; i < halvings; ++i, length /= 2) {
     next_ = q_ + length * step_;
@@ -302,6 +306,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
 
 /// Makes one attempt at the tick. Sets work_: J, by joints on each soft member.
 IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h) {
+  PROSECTOR_ASSERT(limits.solver != nullptr && limits.newton >= 0);
   const double tolerance = linear_tolerance(island, limits.settings.tolerance, bodies_);
   int stages = 1;
   for (const SoftMember& m : island.soft) stages = std::max(stages, stages_of(m));
@@ -372,6 +377,7 @@ bool IslandSolver::gained_in_company(const Island& island, double h) {
 }
 
 IslandReport IslandSolver::solve(Island& island, double h) {
+  PROSECTOR_ASSERT(h > 0);
   Limits limits = limits_of(island);
   choose_integrators(island);
   guard_.begin(island);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/coupled/rigid_energy.h"
 #include "server/physics/mechanics/soft/implicit_stepper.h"
@@ -14,12 +15,14 @@ constexpr std::size_t nodes_per_chunk = 512;
 
 /// Returns the part of q that belongs to soft member m.
 auto soft_part(const Island& island, const IslandLayout& layout, std::size_t m, const VecX& q) {
+  PROSECTOR_ASSERT(q.size() == layout.size && m < layout.soft.size());
   return q.segment(layout.soft[m], 3 * island.soft[m].body->nodes());
 }
 
 }  // namespace
 
 void IslandSystem::begin(Island& island, double h) {
+  PROSECTOR_ASSERT(h > 0);
   island_ = &island;
   h_ = h;
   layout_.begin(island);
@@ -58,6 +61,7 @@ double IslandSystem::energy(const VecX& q) {
 }
 
 double IslandSystem::stored_in_tissue(const VecX& q) const {
+  PROSECTOR_ASSERT(energies_.size() == island_->soft.size());
   double sum = soft_energy_;
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
     sum -= island_->soft[m].body->potential().inertia_energy(soft_part(*island_, layout_, m, q));
@@ -72,6 +76,7 @@ double IslandSystem::stored_in_joints(const VecX& q) const {
 }
 
 double IslandSystem::energy_but_soft(const VecX& q) const {
+  PROSECTOR_ASSERT(island_ != nullptr && q.size() == layout_.size);
   double sum = 0;
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     add_energy(island_->rigid[m], q.segment<6>(layout_.rigid(m)), h_, sum);
@@ -145,6 +150,7 @@ void IslandSystem::add_block(const JointSide& side, const Mat3& D) {
 }
 
 void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
+  PROSECTOR_ASSERT(p.size() == layout_.size);
   Hp.resize(layout_.size);
   parallel_each(island_->soft.size(), [&](std::size_t m) {
     island_->soft[m].body->potential().multiply(p.data() + layout_.soft[m], Hp.data() + layout_.soft[m]);
@@ -155,6 +161,7 @@ void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
 }
 
 void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
+  PROSECTOR_ASSERT(r.size() == layout_.size);
   z.resize(layout_.size);
   parallel_chunks(node_inverse_.size(), nodes_per_chunk,
                   [&](std::size_t first, std::size_t last, std::size_t) {
@@ -167,6 +174,7 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
 }
 
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
+  PROSECTOR_ASSERT(r.size() == layout_.size);
   z.resize(layout_.size);
   parallel_each(island_->soft.size(), [&](std::size_t m) {
     SoftBody& body = *island_->soft[m].body;
@@ -180,6 +188,7 @@ void IslandSystem::multigrid(const VecX& r, VecX& z) const {
 }
 
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
+  PROSECTOR_ASSERT(r.size() == layout_.size);
   z.resize(layout_.size);
   parallel_each(island_->soft.size(), [&](std::size_t m) {
     island_->soft[m].body->potential().factor_solve(r.data() + layout_.soft[m], z.data() + layout_.soft[m]);

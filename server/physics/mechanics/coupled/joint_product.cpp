@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 
 namespace prosector {
@@ -129,6 +130,7 @@ void JointProduct::add_to_bodies(VecX& out) const {
 }
 
 void JointProduct::multiply(const VecX& p, VecX& Hp) const {
+  PROSECTOR_ASSERT(p.size() == Hp.size());
   for_rows([&](const Row& row) -> Vec3 {
     Vec3 a = moved_nodes(row.a, row.b, p), b = moved_nodes(row.b, row.end, p);
     if (row.body_a != none) a += moved_body(row.body_a, row.arm_a, p);
@@ -140,6 +142,7 @@ void JointProduct::multiply(const VecX& p, VecX& Hp) const {
 }
 
 void JointProduct::subtract_from_nodes(const VecX& z, VecX& g) const {
+  PROSECTOR_ASSERT(z.size() == g.size());
   for_rows([&](const Row& row) -> Vec3 {
     if (row.a == row.end || (row.body_a == none && row.body_b == none)) return Vec3::Zero();
     const Vec3 a = row.body_a != none ? moved_body(row.body_a, row.arm_a, z) : Vec3(Vec3::Zero());
@@ -150,6 +153,7 @@ void JointProduct::subtract_from_nodes(const VecX& z, VecX& g) const {
 }
 
 void JointProduct::subtract_from_bodies(const VecX& p, VecX& g) const {
+  PROSECTOR_ASSERT(p.size() == g.size());
   for_rows([&](const Row& row) -> Vec3 {
     return row.D * (moved_nodes(row.b, row.end, p) - moved_nodes(row.a, row.b, p));
   });

@@ -2,7 +2,7 @@
 // Displacement of a point of a rigid body under a twist.
 
 #include "server/physics/mechanics/coupled/island.h"
-#include "server/physics/mechanics/soft/laws/vec9.h"
+#include "server/physics/mechanics/soft/laws/flattened_matrix.h"
 
 namespace prosector {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"
 #include "server/physics/mechanics/soft/mechanical_energy.h"
 #include "server/physics/mechanics/soft/recovery_law.h"
@@ -99,7 +100,7 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
 /// 1/cos of the angle. Tissue under tension stores energy at rest, too.
 bool falsely_turned(const SoftMember& s) {
   const VecX& x = s.state->motion.x;
-  if (s.state->recovering || !turned_by(*s.body, false_turn, x)) return false;
+  if (s.state->recovering || !rotated_by(*s.body, false_turn, x)) return false;
   IncrementalPotential& potential = s.body->potential();
   return potential.elastic_energy(x) <
          potential.elastic_energy(s.body->rest()) + stuck_energy * stiffness(*s.body);
@@ -134,6 +135,7 @@ double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
 }  // namespace
 
 void choose_law(SoftMember& member, double h) {
+  PROSECTOR_ASSERT(member.body != nullptr && member.state != nullptr && h > 0);
   SoftBody& body = *member.body;
   SoftBodyState& state = *member.state;
   member.degraded = member.refused = member.guarded = member.limited = false;
@@ -142,10 +144,10 @@ void choose_law(SoftMember& member, double h) {
   if (body.recovery().is_kept()) {
     if (!state.recovering) enter(state, true);
     member.degraded = true;
-    member.note = "its own weight would crush it: stepped as fem_corotational by implicit_euler";
+    member.note = "its own weight would crush it: stepped with fem_corotational and implicit_euler";
     return;
   }
-  const bool turned = turned_by(body, turn_allowed(body, state), state.motion.x);
+  const bool turned = rotated_by(body, turn_allowed(body, state), state.motion.x);
   if (state.recovering) {
     const bool out =
         !turned && ((is_whole(body, member) && calm(body.in_force(state), member)) || stands(body, member));
@@ -158,8 +160,8 @@ void choose_law(SoftMember& member, double h) {
   }
   if (!state.recovering) return;
   member.degraded = turned;
-  member.note = turned ? "turned too far for fem_linear: stepped as fem_corotational by implicit_euler"
-                       : "inside out or crushed: recovering as fem_corotational by implicit_euler";
+  member.note = turned ? "rotation too large for fem_linear: stepped with fem_corotational and implicit_euler"
+                       : "inverted or crushed: recovering with fem_corotational and implicit_euler";
 }
 
 bool may_sleep(const SoftMember& member) {
@@ -175,13 +177,14 @@ void count_quiet_ticks(SoftMember& s) {
 
 bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks) {
-  const double patience = seconds_until_unfolded(s, about, equilibrium);
-  s.state->tangled_ticks = std::isfinite(patience) ? s.state->tangled_ticks + ticks : 0;
-  if (s.state->tangled_ticks * h < patience) return false;
+  PROSECTOR_ASSERT(h > 0 && ticks > 0 && equilibrium.size() == 3 * s.body->nodes());
+  const double time_limit = seconds_until_unfolded(s, about, equilibrium);
+  s.state->tangled_ticks = std::isfinite(time_limit) ? s.state->tangled_ticks + ticks : 0;
+  if (s.state->tangled_ticks * h < time_limit) return false;
   unfold(*s.body, *s.state);
   // A body under load must still settle in its equilibrium.
   s.state->tangled_ticks = s.state->quiet_ticks = 0;
-  s.note = "stayed inside out or tangled: unfolded into its rest shape where it was";
+  s.note = "remained inverted or tangled: reset to its rest shape at its position";
   return true;
 }
 

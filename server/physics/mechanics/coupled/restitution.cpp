@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -54,6 +56,7 @@ double rebound_speed(double restitution, double approach) {
 }
 
 bool bounce(Island& island, double h) {
+  PROSECTOR_ASSERT(h > 0);
   const auto presses = [](const Contact& c) { return c.a.kind != ContactSide::Kind::soft && c.force > 0; };
   if (std::none_of(island.contacts.begin(), island.contacts.end(),
                    [&](const Contact& c) { return presses(c) && (c.rebound > 0 || c.gap < -overlap); }))

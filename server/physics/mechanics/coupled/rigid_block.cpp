@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -21,6 +23,7 @@ void RigidBlock::begin(std::size_t bodies, std::span<const Pair> pairs) {
   if (neighbours_.size() < bodies) neighbours_.resize(bodies);
   for (std::size_t b = 0; b < bodies; ++b) neighbours_[b].clear();
   for (const auto& [a, b] : pairs) {
+    PROSECTOR_ASSERT(a < b && b < bodies);
     insert(neighbours_[a], static_cast<std::uint32_t>(b));
     insert(neighbours_[b], static_cast<std::uint32_t>(a));
   }
@@ -43,6 +46,7 @@ void RigidBlock::order() {
     std::uint32_t next = bodies;
     for (std::uint32_t b = 0; b < bodies; ++b)
       if (!eliminated_[b] && (next == bodies || neighbours_[b].size() < neighbours_[next].size())) next = b;
+    PROSECTOR_ASSERT(next < bodies);
     eliminated_[next] = 1;
     rank_[next] = static_cast<Rank>(body_.size());
     body_.push_back(next);
@@ -63,6 +67,7 @@ void RigidBlock::order() {
 Mat6& RigidBlock::below(Rank row, Rank column) {
   const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(first_[column]),
              end = rows_.begin() + static_cast<std::ptrdiff_t>(first_[column + 1]);
+  PROSECTOR_ASSERT(row > column && std::binary_search(begin, end, row));
   return below_[static_cast<std::size_t>(std::lower_bound(begin, end, row) - rows_.begin())];
 }
 
@@ -71,6 +76,7 @@ void RigidBlock::set_zero() {
 }
 
 void RigidBlock::add(std::size_t a, std::size_t b, const Mat6& block) {
+  PROSECTOR_ASSERT(a < b && b < rank_.size());
   if (rank_[a] > rank_[b])
     below(rank_[a], rank_[b]) += block;
   else
@@ -94,6 +100,7 @@ bool RigidBlock::factor() {
 }
 
 void RigidBlock::solve(const Eigen::Ref<const VecX>& r, Eigen::Ref<VecX> z) const {
+  PROSECTOR_ASSERT(r.size() == entry(body_.size()) && z.size() == r.size());
   const auto part = [&](Rank k) { return work_.segment<6>(entry(k)); };
   for (Rank k = 0; k < body_.size(); ++k) part(k) = r.segment<6>(entry(body_[k]));
   for (Rank k = 0; k < body_.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/coupled/lever.h"
 #include "server/physics/mechanics/coupled/rigid_energy.h"
@@ -31,16 +32,19 @@ void RigidElimination::begin(const Island& island, const IslandLayout& layout, c
 }
 
 void RigidElimination::assemble(const VecX& q) {
+  PROSECTOR_ASSERT(q.size() == layout_->size);
   for (std::size_t m = 0; m < own_.size(); ++m)
     sums_[m] = own_[m] = hessian_of(island_->rigid[m], q.segment<6>(layout_->rigid(m)), h_);
 }
 
 void RigidElimination::add(const JointSide& side, const Mat3& D) {
+  PROSECTOR_ASSERT(side.rigid >= layout_->rigid_begin);
   const Mat36 J = lever(side.arm);
   sums_[layout_->rigid_member(side)] += J.transpose() * D * J;
 }
 
 void RigidElimination::factor(const std::vector<const Joint*>& stiff, const JointProduct& product) {
+  PROSECTOR_ASSERT(sums_.size() == island_->rigid.size());
   product_ = &product;
   condensed_ = layout_->rigid_begin > 0 && layout_->rigid_begin < layout_->size;
   for (std::size_t m = 0; m < sums_.size(); ++m) factors_[m].compute(sums_[m]);
@@ -74,11 +78,13 @@ void RigidElimination::solve(const VecX& r, VecX& z) const {
 }
 
 void RigidElimination::multiply(const VecX& p, VecX& Hp) const {
+  PROSECTOR_ASSERT(p.size() == layout_->size && Hp.size() == layout_->size);
   for (std::size_t m = 0; m < own_.size(); ++m)
     Hp.segment<6>(layout_->rigid(m)) = own_[m] * p.segment<6>(layout_->rigid(m));
 }
 
 void RigidElimination::condense(VecX& g) const {
+  PROSECTOR_ASSERT(g.size() == layout_->size);
   if (!condensed_) return;
   work_.resize(layout_->size);
   solve(g, work_);
@@ -87,6 +93,7 @@ void RigidElimination::condense(VecX& g) const {
 }
 
 void RigidElimination::expand(const VecX& g, const VecX& solved, VecX& step) const {
+  PROSECTOR_ASSERT(g.size() == layout_->size && solved.size() == layout_->size);
   step = solved;
   if (!condensed_) return;
   rest_ = g;  // minus the forces on the rigid bodies due to the soft nodes' step
@@ -95,6 +102,7 @@ void RigidElimination::expand(const VecX& g, const VecX& solved, VecX& step) con
 }
 
 void RigidElimination::precondition(const VecX& r, VecX& z) const {
+  PROSECTOR_ASSERT(r.size() == layout_->size && z.size() == layout_->size);
   if (condensed_)
     z.tail(layout_->size - layout_->rigid_begin).setZero();
   else

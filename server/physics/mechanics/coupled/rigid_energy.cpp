@@ -1,10 +1,12 @@
 #include "server/physics/mechanics/coupled/rigid_energy.h"
 
+#include "common/assert.h"
 #include "server/physics/mechanics/contact/potentials.h"
 
 namespace prosector {
 
 double inertia_energy(const RigidMember& body, const Vec6& twist, double h) {
+  PROSECTOR_ASSERT(h > 0);
   const Vec6 d = twist - body.predicted;
   return (body.mass * d.head<3>().squaredNorm() + d.tail<3>().dot(body.inertia * d.tail<3>())) / (2 * h * h);
 }
@@ -19,6 +21,7 @@ void add_energy(const RigidMember& body, const Vec6& twist, double h, double& su
 }
 
 void set_gradient(const RigidMember& body, const Vec6& twist, double h, Eigen::Ref<Vec6> out) {
+  PROSECTOR_ASSERT(h > 0);
   const Vec6 d = twist - body.predicted;
   out.head<3>() = body.mass / (h * h) * d.head<3>();
   out.tail<3>() = body.inertia * d.tail<3>() / (h * h);
@@ -30,6 +33,7 @@ void set_gradient(const RigidMember& body, const Vec6& twist, double h, Eigen::R
 }
 
 Mat6 hessian_of(const RigidMember& body, const Vec6& twist, double h) {
+  PROSECTOR_ASSERT(h > 0);
   Mat6 block = Mat6::Zero();
   block.topLeftCorner<3, 3>() = body.mass / (h * h) * Mat3::Identity();
   block.bottomRightCorner<3, 3>() = body.inertia / (h * h);

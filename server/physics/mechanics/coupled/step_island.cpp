@@ -7,7 +7,9 @@
 #include <limits>
 #include <map>
 
-#include "common/messages.h"
+#include "common/assert.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "server/physics/mechanics/coupled/energy_guard.h"
 #include "server/physics/mechanics/coupled/impulse_coupling.h"
 #include "server/physics/mechanics/coupled/island_solver.h"
@@ -96,6 +98,7 @@ class Tick {
   /// Returns whether a substepped body's energy is explained by its start, gravity and impulses. Includes the
   /// strain that the method allows for impulses.
   bool tame(std::size_t m) const {
+    PROSECTOR_ASSERT(m < energy_.size() && island_.soft[m].body->substepper() != nullptr);
     const SoftMember& member = island_.soft[m];
     const Substepper& own = *member.body->substepper();
     const double explained =
@@ -160,15 +163,17 @@ class Tick {
     member.degraded = true;
     member.refused = own.has_limit();
     if (needed <= own.allowed())
-      say(member, "{} did not hold in this tick: stepped by implicit_euler", method);
+      say(member, "{} was unstable in this tick: stepped with implicit_euler", method);
     else if (!own.has_limit())
-      say(member, "{} gains energy in as many as {} substeps: stepped by implicit_euler{}", method,
+      say(member, "{} gains energy even with {} substeps: stepped with implicit_euler{}", method,
           own.allowed(), own.remark());
     else if (std::isfinite(needed))
-      say(member, "{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler", method,
-          needed, 1e3 * h_ / needed, desc.max_substeps);
+      say(member,
+          "{} needs {:.0f} substeps of {:.3g} ms; at most {} are allowed: stepped with implicit_euler",
+          method, needed, 1e3 * h_ / needed, desc.max_substeps);
     else
-      say(member, "{} grows at every step without more damping: stepped by implicit_euler", method);
+      say(member, "{} is unstable at any step size without more damping: stepped with implicit_euler",
+          method);
   }
 
   /// Moves bodies in contact with a minimised body to the minimised ones, repeatedly. A minimised body takes
@@ -183,7 +188,7 @@ class Tick {
         if (substepped_[a] == substepped_[b]) continue;
         const std::size_t joins = substepped_[a] ? a : b;
         substepped_[joins] = 0;
-        say(island_.soft[joins], "stepped by implicit_euler, as what it touches");
+        say(island_.soft[joins], "stepped with implicit_euler, like the body it touches");
         island_.soft[joins].degraded = true;
         again = true;
       }
@@ -192,6 +197,7 @@ class Tick {
   }
 
   std::size_t member_of(const ContactSide& side) const {
+    PROSECTOR_ASSERT(side.kind == ContactSide::Kind::soft);
     std::size_t m = 0;
     while (island_.soft[m].index != side.body) ++m;
     return m;
@@ -241,6 +247,7 @@ class Tick {
     report.converged = true;
     if (rest.soft.empty() && rest.rigid.empty()) return report;
     report = solver_of(rest, solvers_).solve(rest, h_);
+    PROSECTOR_ASSERT(member_of.size() == rest.soft.size() && contact_of.size() == rest.contacts.size());
     island_.rigid = rest.rigid;
     for (std::size_t m = 0; m < member_of.size(); ++m)
       island_.soft[member_of[m]].guarded = rest.soft[m].guarded;
@@ -313,6 +320,7 @@ IslandStepper::~IslandStepper() = default;
 IslandStepper::IslandStepper(IslandStepper&&) noexcept = default;
 
 IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) {
+  PROSECTOR_ASSERT(h > 0);
   std::vector<SoftBody*>& own = buffers_->own;
   own.clear();
   for (SoftMember& m : island.soft) {
@@ -330,9 +338,10 @@ IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) 
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];
-    if (m.limited) m.note = "nodes flew apart by more than ten diagonals a tick: held to that";
-    if (!sane) m.note = "gravity is not finite: none was taken";
-    if (m.guarded && m.note.empty()) m.note = "gained energy: taken again with more care by implicit_euler";
+    if (m.limited) m.note = "nodes moved more than ten body diagonals in one tick: displacement limited";
+    if (!sane) m.note = "gravity is not finite: ignored";
+    if (m.guarded && m.note.empty())
+      m.note = "gained energy: step repeated with implicit_euler and tighter tolerances";
   }
   return report;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/coupled/island.h"
 
 namespace prosector {
@@ -18,6 +19,7 @@ bool is_met(const Island& island, const SoftMember& member) {
 
 void weigh(Island& island, const Vec3& gravity) {
   for (SoftMember& member : island.soft) {
+    PROSECTOR_ASSERT(member.body != nullptr);
     member.weight = member.body->weight(gravity, true);
     const bool matters = member.weight.by_shape != nullptr;  // no effect with linear elements
     if (matters && !member.body->attached() && !is_met(island, member))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/tet_tree.h"
 
@@ -32,6 +33,7 @@ struct Stretch {
 /// if the tetrahedron is flat.
 std::optional<Stretch> stretch_in(const TetComplex& complex, TetId tet, std::span<const Vec3> positions,
                                   const Vec3& a, const Vec3& b) {
+  PROSECTOR_ASSERT(complex.has_tet(tet) && !complex.is_sheet());
   const auto& c = complex.corners(tet);
   Mat3 edges;
   for (int k = 0; k < 3; ++k) edges.col(k) = positions[c[static_cast<std::size_t>(k) + 1]] - positions[c[0]];
@@ -61,6 +63,7 @@ void find_stretches(const TetComplex& complex, const TetTree& tree, std::span<co
   tree.query(a.cwiseMin(b), a.cwiseMax(b), near);
   for (std::size_t n = 0; n < near.size(); ++n)
     if (!complex.has_tet(near[n])) {
+      PROSECTOR_ASSERT(complex.lineage(near[n]).child != TetComplex::none);
       near.push_back(complex.lineage(near[n]).child);
       near.push_back(near.back() + 1);
     }
@@ -85,6 +88,7 @@ bool are_neighbors(const TetComplex& complex, TetId a, TetId b) {
 
 /// Returns the point of the blade's edge at position `at`, counted in points of the edge.
 Vec3 point_at(std::span<const Vec3> edge, double at) {
+  PROSECTOR_ASSERT(edge.size() >= 2);
   const std::size_t k = std::min(static_cast<std::size_t>(at), edge.size() - 2);
   return edge[k] + (at - static_cast<double>(k)) * (edge[k + 1] - edge[k]);
 }
@@ -94,6 +98,7 @@ Vec3 point_at(std::span<const Vec3> edge, double at) {
 /// already. `from_is_held`: the last point stays attached to its tetrahedron.
 void go_on(std::vector<EdgePoint>& line, bool from_is_held, EdgePoint to, const std::vector<Stretch>& way,
            const TetComplex& complex) {
+  PROSECTOR_ASSERT(!line.empty());
   const EdgePoint from = line.back();
   const auto put = [](EdgePoint& point, const Stretch& s, double share) {
     point.tet = s.tet;
@@ -143,6 +148,7 @@ BladeStroke begin_stroke(std::span<const Vec3> edge) {
 
 std::vector<Vec3> carried_edge(const BladeStroke& stroke, std::span<const Vec3> edge,
                                const TetComplex& complex, std::span<const Vec3> positions) {
+  PROSECTOR_ASSERT(positions.size() >= complex.node_end() && edge.size() == stroke.points());
   const std::vector<EdgePoint>& line = stroke.edge;
   std::vector<Vec3> out(line.size());
   std::vector<std::size_t> tied;
@@ -174,6 +180,7 @@ std::vector<Vec3> carried_edge(const BladeStroke& stroke, std::span<const Vec3> 
 
 MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std::span<const Vec3> edge,
                      double least_motion) {
+  PROSECTOR_ASSERT(from.size() == stroke.edge.size() && least_motion >= 0);
   const std::vector<EdgePoint>& line = stroke.edge;
   MovedEdge out;
   std::vector<std::size_t> bends;  // points at which the moved line may bend; it is straight between them
@@ -195,6 +202,8 @@ MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std:
 
 void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& complex, const TetTree& tree,
                std::span<const Vec3> positions) {
+  PROSECTOR_ASSERT(moved.to.size() == stroke.edge.size() && moved.stands.size() == stroke.edge.size());
+  PROSECTOR_ASSERT(positions.size() >= complex.node_end());
   std::vector<EdgePoint> line;
   std::vector<TetId> near;
   std::vector<Stretch> way;

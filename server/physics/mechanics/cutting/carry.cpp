@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -12,10 +14,12 @@ struct Carry {
     values[node] = value;
   }
   void operator()(const SplitEdge& op) const {
+    PROSECTOR_ASSERT(op.a < values.size() && op.b < values.size());
     set(op.node, values[op.a] + (values[op.b] - values[op.a]) * op.t);
   }
   void operator()(const SlitFaces&) const {}
   void operator()(const PartNode& op) const {
+    PROSECTOR_ASSERT(op.node < values.size());
     const Vec3 value = values[op.node];
     for (const auto& copy : op.copies) set(copy.node, value);
   }

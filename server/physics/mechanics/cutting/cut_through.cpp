@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -15,8 +17,8 @@ bool is_marked_face(const TetComplex& complex, const Marks& marks, TetId tet, st
 /// Parts of the body: tetrahedra connected through faces that are not fully marked.
 class Parts {
  public:
-  Parts(const TetComplex& complex, const Marks& marks, double crumb)
-      : complex_(complex), marks_(marks), crumb_(crumb), of_(complex.tet_end(), none) {
+  Parts(const TetComplex& complex, const Marks& marks, double least_fragment)
+      : complex_(complex), marks_(marks), least_fragment_(least_fragment), of_(complex.tet_end(), none) {
     for (const TetId t : tet_ids(complex))
       if (of_[t] == none) fill(t);
   }
@@ -43,6 +45,7 @@ class Parts {
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
   void fill(TetId first) {
+    PROSECTOR_ASSERT(complex_.has_tet(first) && of_[first] == none);
     const auto part = static_cast<std::uint32_t>(is_part_.size());
     double volume = 0;
     bool is_inside = false;  // has an unmarked node
@@ -61,11 +64,11 @@ class Parts {
         open.push_back(beyond);
       }
     }
-    is_part_.push_back(is_inside && volume > crumb_);
+    is_part_.push_back(is_inside && volume > least_fragment_);
   }
   const TetComplex& complex_;
   const Marks& marks_;
-  double crumb_;
+  double least_fragment_;
   std::vector<std::uint32_t> of_;
   std::vector<bool> is_part_;
 };
@@ -73,6 +76,7 @@ class Parts {
 }  // namespace
 
 BladeStroke::Mark mark_between(const TetComplex& complex, const Marks& marks, NodeId node) {
+  PROSECTOR_ASSERT(complex.has_node(node) && !marks.find(node));
   BladeStroke::Mark out{node, complex.rest(node), Vec3::Zero()};
   for (const TetId t : complex.star(node))
     for (const NodeId corner : complex.corners(t))
@@ -82,7 +86,8 @@ BladeStroke::Mark mark_between(const TetComplex& complex, const Marks& marks, No
   return out;
 }
 
-SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double crumb) {
+SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double least_fragment) {
+  PROSECTOR_ASSERT(least_fragment >= 0);
   SlitFaces op;
   for (const BladeStroke::Mark& mark : marks.all()) {
     if (!complex.has_node(mark.node)) continue;
@@ -94,7 +99,7 @@ SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, dou
   if (op.faces.empty()) return op;
   std::sort(op.faces.begin(), op.faces.end());
   op.faces.erase(std::unique(op.faces.begin(), op.faces.end()), op.faces.end());
-  Parts parts(complex, marks, crumb);
+  Parts parts(complex, marks, least_fragment);
   parts.join_crumbs();
   std::erase_if(op.faces, [&](const std::array<TetId, 2>& f) { return !parts.differ(f[0], f[1]); });
   return op;

@@ -14,6 +14,6 @@ BladeStroke::Mark mark_between(const TetComplex& complex, const Marks& marks, No
 
 /// Returns the faces with three marked nodes that are the last connection between parts of the body. Each
 /// part has a volume above `crumb`, m³.
-SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double crumb);
+SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double least_fragment);
 
 }  // namespace prosector

@@ -94,6 +94,7 @@ class EdgeSplitter {
   /// stored pulled back to the rest shape, which is exact for the linear map of a tetrahedron. For a sheet,
   /// the mark's normal is projected into the sheet.
   void mark(NodeId node, TetId tet, const Vec3& point, const Vec3& normal) {
+    PROSECTOR_ASSERT(complex_.has_tet(tet) && complex_.has_node(node) && node < x_.size());
     Vec3 covector = gradient(tet).transpose() * normal;
     if (complex_.is_sheet()) covector = in_sheet(covector, complex_.star(node));
     BladeStroke::Mark m{node, complex_.rest(node), normal};
@@ -126,6 +127,7 @@ class EdgeSplitter {
   /// Returns the component of a rest-shape normal that lies in the plane of these triangles. Without this
   /// projection, an inclined or twisted blade would put bent parts of the sheet on the wrong side.
   Vec3 in_sheet(const Vec3& normal, std::span<const TetId> triangles) const {
+    PROSECTOR_ASSERT(!triangles.empty());
     Vec3 area = Vec3::Zero();
     for (const TetId t : triangles) {
       const auto c = complex_.corners(t);
@@ -189,6 +191,7 @@ class EdgeSplitter {
   }
 
   bool split(const CrossedEdge& e) {
+    PROSECTOR_ASSERT(x_.size() == complex_.node_end() && !around_.empty());
     double worst = -1;
     const double exact = e.at.t, nearest = std::min(exact, 1 - exact);
     for (const double t : {exact, std::clamp(exact, 0.25, 0.75), 0.5}) {
@@ -258,6 +261,7 @@ Marks::Marks(const std::vector<Mark>& known, std::size_t nodes)
 }
 
 void Marks::add(const Mark& mark) {
+  PROSECTOR_ASSERT(mark.node >= index_.size() || index_[mark.node] == none);
   if (mark.node >= index_.size()) index_.resize(mark.node + 1u, none);
   index_[mark.node] = static_cast<std::uint32_t>(marks_.size());
   marks_.push_back(mark);

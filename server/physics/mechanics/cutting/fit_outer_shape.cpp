@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 #include "server/physics/mechanics/cutting/outer_shape.h"
@@ -45,6 +46,7 @@ double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 double mean_edge(const TriangleMesh& mesh) {
+  PROSECTOR_ASSERT(!mesh.triangles.empty());
   double sum = 0;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[(i + 1) % 3]] - mesh.positions[t[i]]).norm();
@@ -61,6 +63,8 @@ class OuterShape::Fit {
 
   void find(OuterShape& out) {
     find_boundary(out);
+    PROSECTOR_ASSERT(out.edges_.size() == edge_.size() &&
+                     reach_.size() == complex_.node_end() + edge_.size());
     const std::size_t nodes = complex_.node_end();
     to_surface_.assign(nodes + edge_.size(), Vec3::Zero());
     parallel_chunks(to_surface_.size(), rays_per_chunk,

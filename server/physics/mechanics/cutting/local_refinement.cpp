@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -55,6 +56,7 @@ void LocalRefinement::keep_touched(const TouchedPlaces& touched, bool resting) {
 
 /// Returns whether the edge, if it were whole, would be bisected again for the touched places.
 bool LocalRefinement::is_touched(const TouchedPlaces& touched, const Split& split) const {
+  PROSECTOR_ASSERT(split.op.count > 0);
   for (TetId half = split.op.first; half < split.op.first + 2 * split.op.count; half += 2)
     if (const RestBox box = box_of(complex_.lineage(half).parent);
         touched.within(box.low, box.high, limits_.reach))
@@ -74,6 +76,7 @@ LocalRefinement::RestBox LocalRefinement::box_of(TetId tet) const {
 
 /// Returns the longest edge of a tetrahedron; computed once.
 const LocalRefinement::RankedEdge& LocalRefinement::longest_edge(TetId tet) {
+  PROSECTOR_ASSERT(tet < complex_.tet_end());
   if (tet >= longest_.size()) longest_.resize(complex_.tet_end());
   RankedEdge& longest = longest_[tet];
   if (longest.squared >= 0) return longest;
@@ -103,6 +106,7 @@ std::vector<LocalRefinement::Wanted> LocalRefinement::too_large(const TouchedPla
 }
 
 bool LocalRefinement::may_add(std::size_t tets, std::size_t at_begin) const {
+  PROSECTOR_ASSERT(complex_.tets() >= compiled_tets_);
   return added() + tets <= limits_.most && complex_.tets() + tets <= at_begin + most_at_once;
 }
 
@@ -199,6 +203,7 @@ std::vector<RefinedEdge> LocalRefinement::edges() const {
 LocalRefinement LocalRefinement::compacted(const TetMesh& rest) const {
   LocalRefinement made = unrefined(rest);
   made.bisect(edges());
+  PROSECTOR_ASSERT(made.complex_.nodes() == complex_.nodes() && made.complex_.tets() == complex_.tets());
   return made;
 }
 
@@ -206,11 +211,10 @@ void LocalRefinement::bisect(std::span<const RefinedEdge> edges) {
   std::vector<RefinementStep> steps;
   for (const auto& [a, b, left] : edges) {
     if (!complex_.has_node(a) || !complex_.has_node(b) || a == b)
-      throw InputError("a refinement: an edge that isn't there");
+      throw InputError("a refinement: nonexistent edge");
     split(a, b, steps);
     splits_.back().left = left;
-    if (left > limits_.linger || added() > limits_.most)
-      throw InputError("a refinement: more than may be refined");
+    if (left > limits_.linger || added() > limits_.most) throw InputError("a refinement: too many edges");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/cut_through.h"
 #include "server/physics/mechanics/cutting/edge_splitter.h"
@@ -87,6 +88,7 @@ SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
       const BladeStroke::Mark* first = nullptr;
       for (const std::size_t j : TetComplex::face[k])
         if (j < c.size() && (!first || mark[j]->node < first->node)) first = mark[j];
+      PROSECTOR_ASSERT(first != nullptr);
       const Vec3& up = first->normal;
       if (is_above(complex, marks, t, up) != is_above(complex, marks, beyond, up))
         op.faces.push_back({std::min(t, beyond), std::max(t, beyond)});
@@ -98,35 +100,38 @@ SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
 
 /// Returns the tetrahedra connected with `first` after `slit` is applied; none if their volume exceeds the
 /// minimum piece.
-std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, TetId first) {
-  std::vector<TetId> crumb = {first};
+std::vector<TetId> fragment_at(const TetComplex& complex, const SlitFaces& slit, TetId first) {
+  PROSECTOR_ASSERT(complex.has_tet(first));
+  std::vector<TetId> least_fragment = {first};
   double volume = 0;
-  for (std::size_t n = 0; n < crumb.size(); ++n) {
-    const TetId t = crumb[n];
+  for (std::size_t n = 0; n < least_fragment.size(); ++n) {
+    const TetId t = least_fragment[n];
     volume += complex.volume(t);
     if (volume > least_piece_share * complex.tables().mean_volume) return {};
     for (std::size_t k = 0; k < complex.sides(); ++k) {
       const TetId beyond = complex.neighbor(t, k);
-      if (beyond == TetComplex::none || std::find(crumb.begin(), crumb.end(), beyond) != crumb.end())
+      if (beyond == TetComplex::none ||
+          std::find(least_fragment.begin(), least_fragment.end(), beyond) != least_fragment.end())
         continue;
       const std::array<TetId, 2> face = {std::min(t, beyond), std::max(t, beyond)};
-      if (!std::binary_search(slit.faces.begin(), slit.faces.end(), face)) crumb.push_back(beyond);
+      if (!std::binary_search(slit.faces.begin(), slit.faces.end(), face)) least_fragment.push_back(beyond);
     }
   }
-  return crumb;
+  return least_fragment;
 }
 
 /// Removes the faces of small fragments from `slit`: a blade that follows an older cut would otherwise chip
 /// off small protrusions of its walls.
 void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
+  PROSECTOR_ASSERT(is_ascending(slit.faces));
   bool any = false;
   std::vector<bool> in_crumb(complex.tet_end(), false);
   for (const auto& face : slit.faces)
     for (const TetId t : face) {
       if (in_crumb[t] || complex.volume(t) > least_piece_share * complex.tables().mean_volume) continue;
-      const auto crumb = crumb_at(complex, slit, t);
-      any |= !crumb.empty();
-      for (const TetId part : crumb) in_crumb[part] = true;
+      const auto least_fragment = fragment_at(complex, slit, t);
+      any |= !least_fragment.empty();
+      for (const TetId part : least_fragment) in_crumb[part] = true;
     }
   if (!any) return;
   std::erase_if(slit.faces,
@@ -140,6 +145,7 @@ class Fans {
 
   /// Finds the node's fans and returns their number; the fan with the lowest id is the first.
   std::uint32_t find(NodeId node) {
+    PROSECTOR_ASSERT(complex_.has_node(node) && fan_of_.size() == complex_.tet_end());
     const auto star = complex_.star(node);
     for (const TetId t : star) fan_of_[t] = none;
     std::uint32_t fans = 0;
@@ -175,6 +181,7 @@ class Fans {
 /// split edges are included because the tetrahedra around an edge may separate before those at its ends.
 void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x, Marks& marks,
                 CutResult& result) {
+  PROSECTOR_ASSERT(x.size() == complex.node_end());
   std::vector<NodeId> nodes;
   for (const TopologyOp& op : result.ops)
     if (const auto* split = std::get_if<SplitEdge>(&op)) nodes.push_back(split->node);
@@ -187,6 +194,7 @@ void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x
   for (const NodeId node : nodes) {
     const std::uint32_t count = fans.find(node);
     if (count < 2) continue;
+    PROSECTOR_ASSERT(marks.find(node) != nullptr);
     PartNode op{node, std::vector<PartNode::Copy>(count - 1)};
     for (const TetId t : complex.star(node))
       if (const std::uint32_t fan = fans.fan_of(t); fan > 0) op.copies[fan - 1].tets.push_back(t);
@@ -229,6 +237,7 @@ bool is_in_tissue(const BladeStroke& stroke) {
 /// Returns the mean motion of the line, m: of its points in tissue; for a sheet, of all points.
 Vec3 way_of(const BladeStroke& stroke, const TetComplex& complex, std::span<const Vec3> from,
             std::span<const Vec3> to) {
+  PROSECTOR_ASSERT(from.size() == stroke.edge.size() && to.size() == from.size());
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for (std::size_t i = 0; i < stroke.edge.size(); ++i) {
@@ -247,8 +256,8 @@ void end_line(TetComplex& complex, bool went_across, std::vector<Vec3>& x, Marks
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
     }
-  const double crumb = least_piece_share * complex.tables().mean_volume;
-  if (const SlitFaces op = faces_between_parts(complex, marks, crumb); !op.faces.empty())
+  const double least_fragment = least_piece_share * complex.tables().mean_volume;
+  if (const SlitFaces op = faces_between_parts(complex, marks, least_fragment); !op.faces.empty())
     slit(complex, op, x, marks, result);
 }
 
@@ -258,9 +267,9 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
               BladeStroke& stroke) {
   check_edge(edge);
   if (edge.size() != stroke.points())
-    throw InputError(
-        fmt::format("blade: its edge has {} points, but {} when the stroke began; allowed: as many",
-                    edge.size(), stroke.points()));
+    throw InputError(fmt::format(
+        "blade: its edge has {} points, but had {} when the stroke began; the number must not change",
+        edge.size(), stroke.points()));
   if (positions.size() < complex.node_end())
     throw InputError(
         fmt::format("cutting: {} positions for nodes up to {}", positions.size(), complex.node_end()));
@@ -268,6 +277,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   const std::vector<Vec3> from = carried_edge(stroke, edge, complex, positions);
   const MovedEdge moved = moved_edge(stroke, from, edge, least_motion);
   const std::vector<Vec3>& to = moved.to;
+  PROSECTOR_ASSERT(from.size() == stroke.edge.size() && to.size() == from.size());
   if (to == from) return result;
 
   std::vector<std::size_t> piece_of_edge;

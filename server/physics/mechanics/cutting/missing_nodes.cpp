@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -32,6 +34,7 @@ class Surroundings {
   bool is_above(Vertex v) const { return is_unit(v) && seen_[v] == from_above; }
   bool is_below(Vertex v) const { return is_unit(v) && seen_[v] == from_below; }
   std::span<const Vertex> neighbors(Vertex v) const {
+    PROSECTOR_ASSERT(v < size());
     if (!is_unit(v)) return others_[v - nodes_.size()];
     return begin_.empty() ? std::span<const Vertex>()
                           : std::span(beside_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
@@ -90,6 +93,7 @@ class Surroundings {
 
   /// Creates one vertex for all nodes that are connected with `first` without passing through units.
   void fill(NodeId first) {
+    PROSECTOR_ASSERT(of_[first] == nobody);
     const auto vertex = static_cast<Vertex>(size());
     others_.emplace_back();
     open_.assign(1, first);
@@ -150,6 +154,7 @@ class Paths {
   }
   /// Returns the minimum vertex cut. Valid after find() has found fewer paths than its limit.
   std::vector<NodeId> bottleneck() const {
+    PROSECTOR_ASSERT(depth_.size() == 2 * around_.size());
     std::vector<NodeId> nodes;
     for (Vertex v = 0; v < around_.size() && around_.is_unit(v); ++v)
       if (depth_[in(v)] != unseen && depth_[out(v)] == unseen) nodes.push_back(around_.node(v));
@@ -243,6 +248,7 @@ class Paths {
     return unseen;
   }
   void take_way() {
+    PROSECTOR_ASSERT(!way_.empty());
     for (std::size_t n = 0; n < way_.size(); ++n) {
       const Place place = way_[n];
       const Vertex v = place / 2, from = n > 0 ? way_[n - 1] / 2 : nobody;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/sheet_mass.h"
 
@@ -24,17 +25,20 @@ void NodeMasses::grow(std::size_t end) {
 }
 
 void NodeMasses::start(const TetTables& tables) {
+  PROSECTOR_ASSERT(!tables.is_sheet() && tables.star.size() == tables.rest.size());
   grow(tables.rest.size());
   for (NodeId i = 0; i < tables.rest.size(); ++i) find(tables, i);
 }
 
 void NodeMasses::start_sheet(std::span<const double> volumes, std::vector<std::uint8_t> held) {
+  PROSECTOR_ASSERT(held.empty() || held.size() == volumes.size());
   grow(volumes.size());
   if (!held.empty()) held_ = std::move(held);
   for (NodeId i = 0; i < volumes.size(); ++i) mass_[i] = density_ * volumes[i];
 }
 
 void NodeMasses::settle(const TetTables& tables) {
+  PROSECTOR_ASSERT(unsettled_.empty() || deferred_);
   deferred_ = false;
   for (const NodeId node : unsettled_) {
     find(tables, node);
@@ -44,6 +48,7 @@ void NodeMasses::settle(const TetTables& tables) {
 }
 
 void NodeMasses::update(const TetTables& tables, NodeId node) {
+  PROSECTOR_ASSERT(!tables.is_sheet() && node < mass_.size() && node < tables.star.size());
   if (!deferred_) return find(tables, node);
   if (!stale_[node]) unsettled_.push_back(node);
   stale_[node] = 1;
@@ -70,6 +75,8 @@ void NodeMasses::update_around(const TetTables& tables, std::span<const TetId> t
 }
 
 void NodeMasses::share(const SplitEdge& op) {
+  PROSECTOR_ASSERT(op.a < mass_.size() && op.b < mass_.size() && op.node < mass_.size() && op.t > 0 &&
+                   op.t < 1);
   const bool at_a = is_held(op.a), at_b = is_held(op.b);
   before_.resize(mass_.size());
   before_[op.node] = {mass_[op.a], mass_[op.b]};
@@ -82,6 +89,7 @@ void NodeMasses::share(const SplitEdge& op) {
 
 /// Distributes the node's mass in proportion to the areas of the node and its copies.
 void NodeMasses::share(const TetTables& tables, const PartNode& op) {
+  PROSECTOR_ASSERT(tables.is_sheet() && !op.copies.empty() && op.copies.back().node < mass_.size());
   const auto area = [&](NodeId node) {
     double sum = 0;
     for (const TetId t : tables.star[node]) sum += tables.tet[t].volume;
@@ -100,11 +108,13 @@ void NodeMasses::share(const TetTables& tables, const PartNode& op) {
 }
 
 void NodeMasses::share_back(const SplitEdge& op) {
+  PROSECTOR_ASSERT(op.node < before_.size());
   mass_[op.a] = before_[op.node].a;
   mass_[op.b] = before_[op.node].b;
 }
 
 void NodeMasses::share_back(const PartNode& op) {
+  PROSECTOR_ASSERT(!op.copies.empty() && op.copies.front().node < before_.size());
   mass_[op.node] = before_[op.copies.front().node].a;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 OuterShape::Place OuterShape::place(NodeId node) const {
@@ -10,6 +12,7 @@ OuterShape::Place OuterShape::place(NodeId node) const {
 }
 
 const OuterShape::Edge* OuterShape::edge(NodeId a, NodeId b) const {
+  PROSECTOR_ASSERT(std::max(a, b) + std::size_t{1} < begin_.size());
   const auto [low, high] = std::minmax(a, b);
   for (std::uint32_t i = begin_[low]; i < begin_[low + 1u]; ++i)
     if (edges_[i].high == high) return &edges_[i];
@@ -17,6 +20,7 @@ const OuterShape::Edge* OuterShape::edge(NodeId a, NodeId b) const {
 }
 
 OuterShape::Place OuterShape::between(const Place& a, const Place& b, double t) const {
+  PROSECTOR_ASSERT(t >= 0 && t <= 1 && a.nodes <= 3 && b.nodes <= 3);
   if (a.nodes == 0 || b.nodes == 0) return {};
   Place out = a;
   for (std::uint32_t i = 0; i < a.nodes; ++i) out.weight[i] *= 1 - t;
@@ -35,6 +39,7 @@ OuterShape::Place OuterShape::between(const Place& a, const Place& b, double t) 
 }
 
 Vec3 OuterShape::offset(const Place& place) const {
+  PROSECTOR_ASSERT(place.nodes <= 3);
   Vec3 out = Vec3::Zero();
   for (std::uint32_t i = 0; i < place.nodes; ++i) out += place.weight[i] * offset_[place.node[i]];
   for (std::uint32_t i = 0; i < place.nodes; ++i)

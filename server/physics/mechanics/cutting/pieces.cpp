@@ -17,6 +17,7 @@ std::vector<std::vector<TetId>> pieces(const TetComplex& complex) {
     for (std::size_t n = 0; n < open.size(); ++n)
       for (std::size_t k = 0; k < 4; ++k) {
         const TetId beyond = complex.neighbor(open[n], k);
+        PROSECTOR_ASSERT(beyond == TetComplex::none || complex.has_tet(beyond));
         if (beyond == TetComplex::none || piece_of[beyond] != TetComplex::none) continue;
         piece_of[beyond] = piece;
         open.push_back(beyond);

@@ -1,11 +1,14 @@
 #include "server/physics/mechanics/cutting/sheet_passage.h"
 
+#include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/segment_hit.h"
 
 namespace prosector {
 
 SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> triangles, std::span<const Vec3> x,
                            std::span<const Vec3> from, std::span<const Vec3> to) {
+  PROSECTOR_ASSERT(sheet.is_sheet() && x.size() >= sheet.node_end());
+  PROSECTOR_ASSERT(from.size() == to.size() && !from.empty());
   constexpr double slack = 1e-9;  // relative to a triangle: no gap between triangles with a common edge
   SheetPassage out;
   for (const TetId t : triangles) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -21,6 +23,7 @@ TetId largest_around(const TetComplex& complex, TetId tet, std::size_t k, const 
     const auto& c = complex.corners(tet);
     std::size_t other = 0;
     while (other == k || c[other] == edge[0] || c[other] == edge[1]) ++other;
+    PROSECTOR_ASSERT(other < c.size());
     const TetId next = complex.neighbor(tet, other);
     if (next == TetComplex::none) return largest;
     for (k = 0; complex.neighbor(next, k) != tet;) ++k;
@@ -29,6 +32,7 @@ TetId largest_around(const TetComplex& complex, TetId tet, std::size_t k, const 
 }
 
 TetId largest_at(const TetComplex& complex, NodeId node) {
+  PROSECTOR_ASSERT(!complex.star(node).empty());
   TetId largest = complex.star(node).front();
   for (const TetId tet : complex.star(node))
     if (complex.volume(tet) > complex.volume(largest)) largest = tet;
@@ -48,6 +52,7 @@ std::array<double, 4> shift_of(const TetComplex& complex, TetId tet, const Vec3&
 }
 
 void add_boundary(const TetComplex& complex, TetId tet, std::vector<std::array<std::uint32_t, 2>>& faces) {
+  PROSECTOR_ASSERT(complex.has_tet(tet));
   for (std::uint32_t k = 0; k < 4; ++k)
     if (complex.neighbor(tet, k) == TetComplex::none) faces.push_back({tet, k});
 }
@@ -89,6 +94,8 @@ Skin::Change Skin::begin(const TetComplex& complex) {
 
 void Skin::end(Change& change) const {
   std::sort(change.slots.begin(), change.slots.end());
+  PROSECTOR_ASSERT(is_ascending(change.slots) && key_.size() == triangles_.size() &&
+                   seen_.size() == triangles_.size());
   for (const std::uint32_t slot : change.slots) change.triangles.push_back(triangles_[slot]);
   change.vertices.assign(vertices_.begin() + change.first_vertex, vertices_.end());
 }
@@ -156,6 +163,7 @@ std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<co
 }
 
 void Skin::clear_unseen(std::uint32_t slot, Change& change) {
+  PROSECTOR_ASSERT(slot < triangles_.size());
   if (seen_[slot] == now_ || triangles_[slot] == Triangle{}) return;
   triangles_[slot] = {};
   change.slots.push_back(slot);
@@ -188,8 +196,10 @@ void Skin::find_double_edges(const TetComplex& complex, std::span<const Face> fa
 /// Returns a node's place on the outer shape, cached by node. Ids are never reused for another node, and a
 /// repeated cut places a node between the same nodes.
 const OuterShape::Place& Skin::place(const TetComplex& complex, NodeId node) {
+  PROSECTOR_ASSERT(shape_ != nullptr && node < placed_.size());
   if (std::exchange(placed_[node], std::uint8_t{1}) != 0) return place_[node];
   const TetComplex::Origin& from = complex.tables().origin[node];
+  PROSECTOR_ASSERT(from.a == node || (from.a < node && from.b < node));
   if (from.a == node)
     place_[node] = shape_->place(node);
   else if (from.a == from.b)
@@ -227,12 +237,14 @@ std::uint32_t Skin::middle(const TetComplex& complex, TetId tet, std::size_t k, 
 }
 
 std::uint32_t Skin::vertex(const TetComplex& complex, const Edge& edge, TetId carrier) {
+  PROSECTOR_ASSERT(edge[0] <= edge[1] && edge[1] < complex.node_end());
   Name name{edge, {none, none, none, none}};
   if (carrier != TetComplex::none) std::ranges::copy(complex.corners(carrier), name.carrier.begin());
   for (std::uint32_t slot = newest_[edge[0]]; slot != none; slot = next_[slot])
     if (name_[slot] == name) return slot;
   Vertex made{{edge[0]}, {1}};
   if (carrier != TetComplex::none) {
+    PROSECTOR_ASSERT(has_corner(complex, carrier, edge[0]) && has_corner(complex, carrier, edge[1]));
     const Vec3 off = offset(complex, edge);
     made.node = name.carrier;
     made.weight = off.isZero(0) ? std::array<double, 4>{} : shift_of(complex, carrier, off);
@@ -246,6 +258,7 @@ std::uint32_t Skin::vertex(const TetComplex& complex, const Edge& edge, TetId ca
 }
 
 void Skin::set(std::uint64_t key, const Triangle& triangle, Change& change) {
+  PROSECTOR_ASSERT(key < slot_of_.size());
   std::uint32_t& slot = slot_of_[key];
   if (slot == none) {
     slot = static_cast<std::uint32_t>(triangles_.size());
@@ -260,6 +273,7 @@ void Skin::set(std::uint64_t key, const Triangle& triangle, Change& change) {
 }
 
 void Skin::put_face(const TetComplex& complex, TetId tet, std::size_t k, Change& change) {
+  PROSECTOR_ASSERT(complex.has_tet(tet) && k < 4 && complex.neighbor(tet, k) == TetComplex::none);
   std::array<std::uint32_t, 3> c{}, m{};
   std::size_t middles = 0, last = 0;
   for (std::size_t i = 0; i < 3; ++i) {

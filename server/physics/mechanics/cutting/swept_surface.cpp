@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
 namespace prosector {
@@ -29,6 +30,7 @@ double strips_of(const Vec3& motion, const Vec3& next_motion) {
 
 SweptSurface::SweptSurface(std::span<const Vec3> from, std::span<const Vec3> to,
                            std::span<const std::size_t> part, Twist twist) {
+  PROSECTOR_ASSERT(from.size() >= 2 && to.size() == from.size() && part.size() == from.size());
   for (std::size_t first = 0, next = 0; first + 1 < from.size(); first = next) {
     Vec3 area = Vec3::Zero();
     for (next = first; next + 1 < from.size() && part[next] == part[first]; ++next)

@@ -3,7 +3,8 @@
 #include <utility>
 #include <variant>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
+#include "common/assert.h"
 #include "common/hash.h"
 
 namespace prosector {
@@ -19,6 +20,7 @@ TetComplex::TetComplex(const TetMesh& rest, double density)
 }
 
 TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vector<std::uint8_t> held) {
+  PROSECTOR_ASSERT(held.empty() || held.size() == sheet.tets.positions.size());
   TetComplex out(tables_of_sheet(sheet), NodeMasses(density));
   out.masses_.start_sheet(sheet_node_volumes(sheet), std::move(held));
   return out;
@@ -34,6 +36,8 @@ void TetComplex::take_back(const TopologyOp& op) {
 }
 
 void TetComplex::continue_from(const TetComplex& later) {
+  PROSECTOR_ASSERT(later.sides() == sides());
+  PROSECTOR_ASSERT(later.node_end() >= node_end() && later.tet_end() >= tet_end());
   tables_.grow_nodes(later.node_end());
   masses_.grow(later.node_end());
   tables_.grow_tets(later.tet_end());
@@ -65,6 +69,7 @@ std::vector<NodeId> node_ids(const TetComplex& complex) {
   ids.reserve(complex.nodes());
   for (NodeId i = 0; i < complex.node_end(); ++i)
     if (complex.has_node(i)) ids.push_back(i);
+  PROSECTOR_ASSERT(ids.size() == complex.nodes());
   return ids;
 }
 
@@ -73,6 +78,7 @@ std::vector<TetId> tet_ids(const TetComplex& complex) {
   ids.reserve(complex.tets());
   for (TetId t = 0; t < complex.tet_end(); ++t)
     if (complex.has_tet(t)) ids.push_back(t);
+  PROSECTOR_ASSERT(ids.size() == complex.tets());
   return ids;
 }
 

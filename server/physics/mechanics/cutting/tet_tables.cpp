@@ -19,8 +19,8 @@ void fill_stars(TetTables& tables) {
   for (TetId t = 0; t < tables.tet.size(); ++t)
     for (const NodeId node : tables.corners(t)) {
       if (node >= tables.rest.size())
-        throw InputError(
-            fmt::format("cutting: tetrahedron {} names node {}; there are {}", t, node, tables.rest.size()));
+        throw InputError(fmt::format("cutting: tetrahedron {} refers to node {}; there are {}", t, node,
+                                     tables.rest.size()));
       ++around[node];
     }
   // Reserves room for tetrahedra added by cuts.
@@ -123,6 +123,9 @@ TetTables tables_of_sheet(const Anatomy& sheet) {
 }
 
 void connect(TetTables& tables) {
+  PROSECTOR_ASSERT(tables.sides == 3 || tables.sides == 4);
+  PROSECTOR_ASSERT(tables.origin.size() == tables.rest.size() && tables.star.size() == tables.rest.size() &&
+                   tables.node_live.size() == tables.rest.size());
   std::fill(tables.node_live.begin(), tables.node_live.end(), std::uint8_t{1});
   for (NodeId node = 0; node < tables.rest.size(); ++node) tables.origin[node] = {node, node, 0};
   tables.live_nodes = tables.rest.size();
@@ -138,6 +141,7 @@ void connect(TetTables& tables) {
 }
 
 std::size_t TetTables::corner_index(TetId t, NodeId node) const {
+  PROSECTOR_ASSERT(t < tet.size());
   const Corners& c = tet[t].corner;
   for (std::size_t k = 0; k < sides; ++k)
     if (c[k] == node) return k;
@@ -145,12 +149,14 @@ std::size_t TetTables::corner_index(TetId t, NodeId node) const {
 }
 
 std::size_t TetTables::face_towards(TetId t, TetId other) const {
+  PROSECTOR_ASSERT(t < tet.size() && other < tet.size());
   for (std::size_t k = 0; k < 4; ++k)
     if (tet[t].beyond[k] == other) return k;
   return 4;
 }
 
 std::size_t TetTables::face_shared(TetId t, TetId other) const {
+  PROSECTOR_ASSERT(t < tet.size() && other < tet.size());
   std::size_t slot = 4, apart = 0;
   for (std::size_t k = 0; k < sides; ++k)
     if (corner_index(other, tet[t].corner[k]) == 4) {
@@ -161,6 +167,7 @@ std::size_t TetTables::face_shared(TetId t, TetId other) const {
 }
 
 void TetTables::around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const {
+  PROSECTOR_ASSERT(a < star.size() && b < star.size());
   tets.clear();
   const TetId *i = star[a].data(), *j = star[b].data();
   const TetId *const last_i = i + star[a].size(), *const last_j = j + star[b].size();
@@ -173,11 +180,14 @@ void TetTables::around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const 
 }
 
 double TetTables::volume_of(std::span<const Vec3> x) const {
+  PROSECTOR_ASSERT(x.size() == sides);
   if (is_sheet()) return thickness * (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
   return tet_volume(x[0], x[1], x[2], x[3]);
 }
 
 void TetTables::grow_nodes(std::size_t end) {
+  PROSECTOR_ASSERT(origin.size() == rest.size() && node_live.size() == rest.size() &&
+                   star.size() == rest.size());
   if (end <= rest.size()) return;
   rest.resize(end, Vec3::Zero());
   origin.resize(end);
@@ -190,6 +200,7 @@ void TetTables::grow_tets(std::size_t end) {
 }
 
 void TetTables::leave(NodeId node, TetId t) {
+  PROSECTOR_ASSERT(node < star.size() && std::ranges::binary_search(star[node], t));
   auto& of = star[node];
   of.erase(std::lower_bound(of.begin(), of.end(), t));
 }

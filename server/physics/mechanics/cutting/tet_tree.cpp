@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/assert.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/collision/surface/space_order.h"
 
@@ -34,11 +35,13 @@ void TetTree::build(const TetComplex& complex) {
   leaf_of_.assign(complex.tet_end(), 0);
   if (!tets.empty()) split(tets, 0, tets.size());
   built_tets_ = tets.size();
+  PROSECTOR_ASSERT(built_tets_ == complex.tets());
   undone_ = complex.undone();
 }
 
 /// Builds the branch of a run of tetrahedra by halving. The run follows a space-filling curve.
 std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std::size_t end) {
+  PROSECTOR_ASSERT(begin < end && end <= tets.size());
   const auto index = static_cast<std::uint32_t>(branches_.size());
   branches_.push_back({});
   branches_[index].first = static_cast<std::uint32_t>(leaves_.size());
@@ -58,8 +61,10 @@ std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std
 
 /// Adds new tetrahedra: children of a split are put into their parent's leaf.
 void TetTree::take_in(const TetComplex& complex) {
+  PROSECTOR_ASSERT(leaf_of_.size() <= complex.tet_end());
   for (auto t = static_cast<TetId>(leaf_of_.size()); t < complex.tet_end(); ++t) {
     const TetId parent = complex.lineage(t).parent;
+    PROSECTOR_ASSERT(parent == TetComplex::none || parent < t);
     leaf_of_.push_back(parent == TetComplex::none ? 0 : leaf_of_[parent]);
     if (parent == TetComplex::none) continue;
     std::vector<TetId>& leaf = leaves_[leaf_of_.back()];
@@ -70,6 +75,7 @@ void TetTree::take_in(const TetComplex& complex) {
 
 void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
                      const Vec3& high) {
+  PROSECTOR_ASSERT(positions.size() >= complex.node_end());
   if (branches_.empty() || undone_ != complex.undone() || complex.tets() > 2 * built_tets_) build(complex);
   take_in(complex);
   find_near(complex, positions, low, high);
@@ -103,6 +109,7 @@ void TetTree::find_near(const TetComplex& complex, std::span<const Vec3> positio
 }
 
 void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) {
+  PROSECTOR_ASSERT(near_.size() == leaves_.size());
   leaf_begin_.assign(1, 0);
   for (const auto& leaf : leaves_) leaf_begin_.push_back(leaf_begin_.back() + leaf.size());
   low_.resize(leaf_begin_.back());
@@ -143,6 +150,7 @@ void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) 
 
 template <class Meets>
 void TetTree::visit(Meets&& meets, std::vector<TetId>& found) const {
+  PROSECTOR_ASSERT(branches_.empty() || leaf_begin_.size() == leaves_.size() + 1);
   std::vector<std::uint32_t> open;
   if (!branches_.empty()) open.push_back(0);
   while (!open.empty()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -23,6 +24,7 @@ void grow_nodes(EditedTables edited, std::size_t end) {
 
 /// Returns the rest position of an edge's new node, m.
 Vec3 middle_of(const SplitEdge& op, const TetTables& tables) {
+  PROSECTOR_ASSERT(tables.has_node(op.a) && tables.has_node(op.b));
   return tables.rest[op.a] + (tables.rest[op.b] - tables.rest[op.a]) * op.t;
 }
 
@@ -30,14 +32,14 @@ Vec3 middle_of(const SplitEdge& op, const TetTables& tables) {
 void check_split(const SplitEdge& op, const TetTables& tables, EdgeScratch& scratch) {
   const std::size_t node_end = tables.rest.size(), tet_end = tables.tet.size();
   require(op.a != op.b && tables.has_node(op.a) && tables.has_node(op.b),
-          "an edge to split has no such nodes");
+          "an edge to split has nonexistent nodes");
   require(op.t > 0 && op.t < 1, "an edge is split outside (0, 1)");
-  require(op.node >= node_end && op.first >= tet_end, "an edge's splitting brings ids that were used");
+  require(op.node >= node_end && op.first >= tet_end, "an edge split reuses ids");
   tables.around_edge(op.a, op.b, scratch.around);
   require(!scratch.around.empty() && scratch.around.size() == op.count,
-          "an edge to split has another number of tetrahedra");
+          "an edge to split has a different number of tetrahedra");
   require(op.node - node_end <= tet_end && op.first - tet_end <= 8 * (tet_end + 8),
-          "an edge's splitting brings ids far beyond those used");
+          "an edge split has ids out of range");
   const Vec3 middle = middle_of(op, tables);
   const auto volume_with = [&](TetId t, NodeId gone) {
     std::array<Vec3, 4> x;
@@ -49,7 +51,7 @@ void check_split(const SplitEdge& op, const TetTables& tables, EdgeScratch& scra
   for (const TetId t : scratch.around) {
     scratch.halves.push_back({volume_with(t, op.b), volume_with(t, op.a)});
     require(scratch.halves.back()[0] > 0 && scratch.halves.back()[1] > 0,
-            "an edge's splitting makes no volume");
+            "an edge split creates elements without volume");
   }
 }
 
@@ -59,6 +61,7 @@ void join_halves(const SplitEdge& op, TetTables& tables, std::span<const TetId> 
                  TetId with_a) {
   const TetId with_b = with_a + 1;
   const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
+  PROSECTOR_ASSERT(ka < tables.sides && kb < tables.sides && ka != kb && is_ascending(around));
   TetTables::Tet &a = tables.tet[with_a], &b = tables.tet[with_b];
   for (std::size_t k = 0; k < tables.sides; ++k) {
     const TetId beyond = tables.tet[t].beyond[k];
@@ -74,6 +77,7 @@ void join_halves(const SplitEdge& op, TetTables& tables, std::span<const TetId> 
       a.beyond[k] = b.beyond[k] = none;
     } else {
       const auto j = std::lower_bound(around.begin(), around.end(), beyond) - around.begin();
+      PROSECTOR_ASSERT(j < std::ssize(around) && around[static_cast<std::size_t>(j)] == beyond);
       a.beyond[k] = op.first + 2 * static_cast<TetId>(j);
       b.beyond[k] = a.beyond[k] + 1;
     }
@@ -85,6 +89,9 @@ void split_tet(const SplitEdge& op, TetTables& tables, TetId t, TetId with_a,
                const std::array<double, 2>& volumes) {
   const TetId with_b = with_a + 1;
   const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
+  PROSECTOR_ASSERT(tables.has_tet(t) && !tables.has_tet(with_a) && !tables.has_tet(with_b) &&
+                   with_b < tables.tet.size());
+  PROSECTOR_ASSERT(volumes[0] > 0 && volumes[1] > 0);
   TetTables::Tet &whole = tables.tet[t], &a = tables.tet[with_a], &b = tables.tet[with_b];
   a.corner = b.corner = whole.corner;
   a.corner[kb] = b.corner[ka] = op.node;
@@ -107,32 +114,33 @@ void split_tet(const SplitEdge& op, TetTables& tables, TetId t, TetId with_a,
 /// Checks a node duplication: no copy may separate two tetrahedra with a common face, and the node must keep
 /// some tetrahedra.
 void check_parting(const PartNode& op, const TetTables& tables) {
-  require(tables.has_node(op.node), "a node to part isn't there");
+  require(tables.has_node(op.node), "a node to split does not exist");
   std::vector<TetId> taken;
   const std::size_t node_end = tables.rest.size();
   NodeId last = static_cast<NodeId>(node_end - 1);
   for (const auto& copy : op.copies) {
     require(copy.node > last && copy.node - node_end <= tables.tet.size(),
-            "a parted node's copies bring wrong ids");
+            "copies of a split node have wrong ids");
     last = copy.node;
     require(!copy.tets.empty() && std::is_sorted(copy.tets.begin(), copy.tets.end()),
-            "a parted node's copy has no tetrahedra in order");
+            "the tetrahedra of a split node's copy are missing or out of order");
     taken.insert(taken.end(), copy.tets.begin(), copy.tets.end());
     for (const TetId t : copy.tets) {
       require(tables.has_tet(t) && tables.corner_index(t, op.node) < 4,
-              "a parted node's copy takes what isn't the node's");
+              "a split node's copy takes tetrahedra of another node");
       for (std::size_t k = 0; k < tables.sides; ++k) {
         const TetId beyond = tables.tet[t].beyond[k];
         require(beyond == none || tables.tet[t].corner[k] == op.node ||
                     std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
-                "a parted node's copy would tear a face");
+                "a split node's copy would tear a face");
       }
     }
   }
   if (op.copies.size() > 1) std::sort(taken.begin(), taken.end());
-  require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(), "two copies take one tetrahedron");
+  require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(),
+          "two copies take the same tetrahedron");
   require(!op.copies.empty() && taken.size() < tables.star[op.node].size(),
-          "a parted node keeps no tetrahedron");
+          "a split node has no remaining tetrahedron");
 }
 
 }  // namespace
@@ -149,6 +157,8 @@ void apply(const SplitEdge& op, EditedTables edited) {
   ++tables.live_nodes;
   tables.live_tets += op.count;
   const std::span<const TetId> around = scratch.around;
+  PROSECTOR_ASSERT(is_ascending(around) && scratch.halves.size() == around.size() &&
+                   tables.star[op.node].empty());
   tables.leave_all(op.a, around);
   tables.leave_all(op.b, around);
   tables.star[op.node].reserve(2 * around.size());
@@ -157,6 +167,7 @@ void apply(const SplitEdge& op, EditedTables edited) {
     split_tet(op, tables, around[i], with_a, scratch.halves[i]);
     join_halves(op, tables, around, around[i], with_a);
   }
+  PROSECTOR_ASSERT(tables.star[op.node].size() == 2 * around.size() && is_ascending(tables.star[op.node]));
   if (tables.is_sheet()) return masses.share(op);
   masses.update_around(tables, around);
   masses.update(tables, op.node);
@@ -168,7 +179,7 @@ void take_back(const SplitEdge& op, EditedTables edited) {
               tables.star[op.node].size() == 2ull * op.count;
   for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c)
     good = tables.has_tet(c) && tables.tet[c].lineage.parent != none;
-  require(good, "an edge's splitting to take back isn't there as it was made");
+  require(good, "an edge split to undo does not match the mesh");
   for (TetId i = 0; i < op.count; ++i) {
     const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = tables.tet[with_a].lineage.parent;
     const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
@@ -202,6 +213,7 @@ void apply(const SlitFaces& op, EditedTables edited) {
   }
   for (const auto& [a, b] : op.faces) {
     const std::size_t ka = tables.face_towards(a, b), kb = tables.face_towards(b, a);
+    PROSECTOR_ASSERT(ka < tables.sides && kb < tables.sides);
     TetTables::Tet &of_a = tables.tet[a], &of_b = tables.tet[b];
     of_a.beyond[ka] = of_b.beyond[kb] = none;
     of_a.wall = static_cast<std::uint8_t>(of_a.wall | 1u << ka);
@@ -232,6 +244,7 @@ void apply(const PartNode& op, EditedTables edited) {
   check_parting(op, tables);
   grow_nodes(edited, op.copies.back().node + 1u);
   for (const auto& copy : op.copies) {
+    PROSECTOR_ASSERT(!tables.has_node(copy.node) && tables.star[copy.node].empty());
     tables.rest[copy.node] = tables.rest[op.node];
     tables.origin[copy.node] = {op.node, op.node, 0};
     tables.node_live[copy.node] = 1;
@@ -241,16 +254,17 @@ void apply(const PartNode& op, EditedTables edited) {
     tables.star[copy.node] = copy.tets;
     if (!tables.is_sheet()) masses.update(tables, copy.node);
   }
+  PROSECTOR_ASSERT(!tables.star[op.node].empty());
   if (tables.is_sheet()) return masses.share(tables, op);
   masses.update(tables, op.node);
 }
 
 void take_back(const PartNode& op, EditedTables edited) {
   auto& [tables, masses, scratch] = edited;
-  require(tables.has_node(op.node), "a node to join again isn't there");
+  require(tables.has_node(op.node), "a node to rejoin does not exist");
   for (const auto& copy : op.copies)
     require(tables.has_node(copy.node) && tables.star[copy.node] == copy.tets,
-            "a node's copies aren't as they were made");
+            "a node's copies do not match the mesh");
   for (const auto& copy : op.copies) {
     for (const TetId t : copy.tets) {
       tables.tet[t].corner[tables.corner_index(t, copy.node)] = op.node;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -24,6 +26,7 @@ bool is_before(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 TouchedPlaces::TouchedPlaces(std::vector<Vec3> points, double apart) : places_(std::move(points)) {
+  PROSECTOR_ASSERT(apart > 0);
   std::sort(places_.begin(), places_.end(), [&](const Vec3& a, const Vec3& b) {
     const auto of_a = cube_of(a, apart), of_b = cube_of(b, apart);
     return of_a != of_b ? of_a < of_b : is_before(a, b);

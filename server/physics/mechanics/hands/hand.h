@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "common/ids.h"
 #include "server/physics/mechanics/contact/contact.h"
 #include "server/physics/mechanics/contact/pad.h"
 #include "server/physics/mechanics/hands/grip.h"

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/ids.h"
 #include "common/scene/scene.h"
 #include "server/physics/mechanics/contact/contact.h"
 #include "server/physics/mechanics/cutting/blade_stroke.h"

@@ -90,7 +90,7 @@ void entry(Io& io, typename Io::template Entry<BladeStroke>& stroke) {
   io.list(edge, most_listed, "point", [&](auto& point) {
     auto& [at, room, tet, weight] = point;
     io.number(at, "position along the edge");
-    io.require(at >= before && at < static_cast<double>(most_listed), "a line in disorder");
+    io.require(at >= before && at < static_cast<double>(most_listed), "an inconsistent line");
     before = at;
     io.vector(room, "position");
     io.number(tet, "tetrahedron");

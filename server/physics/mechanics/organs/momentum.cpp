@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -64,6 +66,7 @@ void keep_momentum(std::span<const PieceMotion> before, std::span<const PieceMot
   std::vector<double> mass_before;  // by node
   for (const PieceMotion& piece : before) {
     if (piece.nodes.empty()) continue;
+    PROSECTOR_ASSERT(is_ascending(piece.nodes) && piece.mass->size() >= std::ssize(piece.nodes));
     mass_before.resize(std::max<std::size_t>(mass_before.size(), piece.nodes.back() + 1), absent);
     for (std::size_t n = 0; n < piece.nodes.size(); ++n)
       mass_before[piece.nodes[n]] = (*piece.mass)[static_cast<Eigen::Index>(n)];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/organs/tet_lineage.h"
 
 namespace prosector {
@@ -59,6 +60,7 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
   if (quadratic)
     for (const PieceMesh* piece : before) edges_before.emplace_back(piece->mesh.tets, piece->nodes.size());
 
+  PROSECTOR_ASSERT(is_ascending(now.nodes));
   // Positions in each piece's nodes, which ascend like those of `now`.
   std::vector<std::size_t> reached(before.size(), 0);
   const auto itself = [&](NodeId id) -> std::optional<Source> {
@@ -109,6 +111,7 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
 NodeTransfer::NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
                            std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges)
     : sources_(edit.made_nodes.size()) {
+  PROSECTOR_ASSERT(made.size() <= edit.made_nodes.size() && edit.middles.size() <= 6 * tets.size());
   const PieceMesh* const pieces[] = {&before};
   const std::span<const EdgeNodes> edges_before(edges, edges ? 1 : 0);
   const auto find = [&](TetId tet, const Vec3& rest) {
@@ -145,6 +148,7 @@ VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
 }
 
 VecX NodeTransfer::carried(const VecX& field, const MeshEdit& edit) const {
+  PROSECTOR_ASSERT(sources_.size() == edit.made_nodes.size());
   const VecX* const fields[] = {&field};
   const VecX made = (*this)(fields);
   VecX out(3 * static_cast<Eigen::Index>(edit.kept_nodes.now));

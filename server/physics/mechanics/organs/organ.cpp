@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/cutting/touched.h"
@@ -45,13 +46,14 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
                 });
   grouping_.note_touched(complex_, change.touched);
   if (!much) skin = skin_.follow(complex_, change.touched);
+  PROSECTOR_ASSERT(is_ascending(change.touched));
   grouping_.note_skin(skin);
   return result;
 }
 
 Refusal Organ::undo(ParticipantId author) {
   const std::vector<OrganChange*> stroke = stroke_of(log_, author);
-  if (stroke.empty()) return "there is no cut of yours to undo";
+  if (stroke.empty()) return "you have no cut to undo";
   if (Refusal why = why_not_undone(log_, stroke)) return why;
   const TetComplex before = complex_;
   try {
@@ -76,6 +78,7 @@ Refusal Organ::undo(ParticipantId author) {
 
 void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
   for (OrganChange* change : newest_first) {
+    PROSECTOR_ASSERT(change != nullptr && change->cause == TopologyCause::cut && !change->taken_back);
     for (auto op = change->ops.rbegin(); op != change->ops.rend(); ++op) {
       complex_.take_back(*op);
       if (const auto* split = std::get_if<SplitEdge>(&*op)) grouping_.note_joined(complex_, *split);
@@ -90,6 +93,7 @@ Regrouped Organ::regroup(std::size_t next_body) {
 }
 
 void Organ::follow(const PieceEdit& edit) {
+  PROSECTOR_ASSERT(grouping_.has(edit.body));
   grouping_.follow(complex_, edit, log_.size());
 }
 

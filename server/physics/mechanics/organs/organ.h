@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
 #include "common/refusal.h"
 #include "server/physics/mechanics/cutting/mesh_cut.h"
 #include "server/physics/mechanics/cutting/skin.h"

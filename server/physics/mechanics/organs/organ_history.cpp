@@ -36,6 +36,7 @@ void Organ::redo(OrganChange change) {
 
 /// Restores the tetrahedra and the log's entries in force as they were when the log had `length` entries.
 void Organ::go_back(std::size_t length) {
+  PROSECTOR_ASSERT(length <= log_.size());
   const TetComplex later = std::exchange(complex_, uncut(complex_.density()));
   OrganLog log;
   log.swap(log_);

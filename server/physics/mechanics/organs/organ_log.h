@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "common/messages.h"
+#include "common/ids.h"
 #include "common/refusal.h"
+#include "common/surface_change.h"
 #include "server/physics/base/topology.h"
 #include "server/physics/mechanics/cutting/topology_op.h"
 

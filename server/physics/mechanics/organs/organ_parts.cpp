@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/organs/sheet_parts.h"
 #include "server/physics/mechanics/soft/elements/edge_nodes.h"
 
@@ -53,6 +54,7 @@ PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
       out.tets.push_back(at_place[place]);
       out.places.push_back(place);
     }
+  PROSECTOR_ASSERT(out.tets.size() == tets.size());
   std::vector<std::uint32_t> index(complex.node_end(), no_index);
   for (const TetId tet : out.tets)
     for (const NodeId node : complex.corners(tet)) index[node] = 0;
@@ -70,6 +72,8 @@ PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
 }
 
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched) {
+  PROSECTOR_ASSERT(!piece.nodes.empty() && piece.places.size() == piece.tets.size() &&
+                   piece.mesh.tets.size() == piece.tets.size());
   PieceEdit out;
   std::erase_if(touched, [&](TetId tet) { return !complex.has_tet(tet); });
   std::sort(touched.begin(), touched.end(),
@@ -117,6 +121,10 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
 }
 
 PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
+  PROSECTOR_ASSERT(is_ascending(before.nodes) && is_ascending(before.places) &&
+                   before.places.size() == before.tets.size());
+  PROSECTOR_ASSERT(is_ascending(now.nodes) && is_ascending(now.places) &&
+                   now.places.size() == now.tets.size());
   PieceEdit piece;
   MeshEdit& out = piece.mesh;
   out.kept_nodes.before = before.nodes.size();
@@ -171,6 +179,8 @@ bool is_worth_following(const PieceEdit& edit) {
 }
 
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
+  PROSECTOR_ASSERT(edit.tets.size() == edit.mesh.tets.size());
+  PROSECTOR_ASSERT(edit.nodes.empty() || piece.nodes.empty() || piece.nodes.back() < edit.nodes.front());
   piece.nodes.insert(piece.nodes.end(), edit.nodes.begin(), edit.nodes.end());
   apply(edit.mesh, piece.mesh);
   piece.tets.resize(piece.mesh.tets.size());
@@ -183,6 +193,7 @@ void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
 
 PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
                      std::uint32_t first_vertex, std::uint32_t first_triangle) {
+  PROSECTOR_ASSERT(is_ascending(piece.nodes));
   PieceSurface out;
   out.numbering.nodes = piece.nodes;
   std::vector<char> in_piece(complex.tet_end(), 0);

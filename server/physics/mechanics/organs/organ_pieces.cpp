@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/pieces.h"
 
@@ -27,6 +28,7 @@ OrganPieces::OrganPieces(const TetComplex& complex, std::size_t body) : owner_(c
 }
 
 const OrganPiece& OrganPieces::piece(std::size_t body) const {
+  PROSECTOR_ASSERT(std::ranges::find(pieces_, body, &OrganPiece::body) != pieces_.end());
   return *std::find_if(pieces_.begin(), pieces_.end(),
                        [&](const OrganPiece& piece) { return piece.body == body; });
 }
@@ -67,12 +69,14 @@ void OrganPieces::note_from(std::size_t log_entries) {
 }
 
 void OrganPieces::note_joined(const TetComplex& complex, const SplitEdge& split) {
+  PROSECTOR_ASSERT(split.first + 2 * std::size_t{split.count} <= owner_.size());
   for (TetId child = split.first; child < split.first + 2 * split.count; child += 2)
     owner_[complex.lineage(child).parent] = std::min(owner_[child], owner_[child + 1]);
 }
 
 /// Finds connected components; a component with several bodies gets the lowest of them.
 std::vector<OrganPieces::Component> OrganPieces::components(const TetComplex& complex) {
+  PROSECTOR_ASSERT(owner_.size() >= complex.tet_end());
   std::vector<Component> found;
   for (std::vector<TetId>& tets : pieces(complex)) {
     Component& c = found.emplace_back();
@@ -90,6 +94,7 @@ std::vector<OrganPieces::Component> OrganPieces::components(const TetComplex& co
 
 /// Keeps each body's index for its largest component; the others become bodies from `next_body` on.
 void OrganPieces::name_new(std::vector<Component>& found, std::size_t next_body) {
+  PROSECTOR_ASSERT(!pieces_.empty() && pieces_.back().body < next_body);
   std::map<std::size_t, std::size_t> largest;  // of each body's components
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto [at, is_new] = largest.try_emplace(found[i].owner, i);
@@ -120,6 +125,7 @@ Regrouped OrganPieces::regroup(const TetComplex& complex, std::size_t next_body,
       out.before.push_back(std::exchange(piece, {piece.body, {}}));
   for (const Component& c : found)
     if (changes_.bodies.contains(c.owner)) find_or_add(c.owner).mesh = piece_mesh(complex, c.tets);
+  PROSECTOR_ASSERT(std::ranges::is_sorted(pieces_, {}, &OrganPiece::body));
   out.touched = std::move(changes_.touched);
   out.skin_changed = std::move(changes_.skin);
   note_from(log_entries);
@@ -158,7 +164,7 @@ void OrganPieces::restore(const PieceMarks& marks, const TetComplex& complex, st
     const auto at =
         std::find_if(found.begin(), found.end(),
                      [&, id = *first](const std::vector<TetId>& tets) { return tets.front() == id; });
-    require(at != found.end(), "a piece that isn't there");
+    require(at != found.end(), "a nonexistent piece");
     piece.mesh = piece_mesh(complex, *at);
     for (const TetId tet : *at) owner_[tet] = piece.body;
     ++used;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/touched.h"
 #include "server/physics/mechanics/organs/organ.h"
@@ -13,6 +14,7 @@ Organ::Mark Organ::mark() const {
 }
 
 void Organ::back_to(const Mark& mark, std::size_t bodies) {
+  PROSECTOR_ASSERT(!pieces().empty() && mark.changes <= log_.size());
   Organ before(pieces().front().body, whole_, complex_.density(), held_);
   log_.resize(mark.changes);
   before.restore(std::move(log_), mark.pieces, bodies);
@@ -20,6 +22,7 @@ void Organ::back_to(const Mark& mark, std::size_t bodies) {
 }
 
 void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) {
+  PROSECTOR_ASSERT(log_.empty());
   const auto require = [](bool good, const char* problem) {
     if (!good) throw InputError(std::string("an organ's log: ") + problem);
   };
@@ -27,8 +30,8 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
     change.touched.clear();
     change.taken_back = false;
     if (change.cause == TopologyCause::rewind) {
-      require(change.stroke <= log_.size(), "a rewind to what isn't there");
-      require(change.ops.empty(), "a rewind that cuts");
+      require(change.stroke <= log_.size(), "a rewind to a nonexistent revision");
+      require(change.ops.empty(), "a rewind with a cut");
       redo(std::move(change));
       skin_.update(complex_);
       continue;
@@ -36,10 +39,10 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
     for (const TopologyOp& op : change.ops) complex_.apply(op);
     if (change.cause == TopologyCause::undo) {
       const std::vector<OrganChange*> stroke = stroke_of(log_, change.author);
-      require(!stroke.empty() && stroke.front()->stroke == change.stroke, "an undo of what isn't there");
+      require(!stroke.empty() && stroke.front()->stroke == change.stroke, "an undo of a nonexistent cut");
       take_back(stroke);
     } else {
-      require(change.cause == TopologyCause::cut, "a change of a topology that is none");
+      require(change.cause == TopologyCause::cut, "an invalid topology change");
       change.touched = touched_by(complex_, change.ops);
       grouping_.note_touched(complex_, change.touched);
     }

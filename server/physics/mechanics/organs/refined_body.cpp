@@ -7,6 +7,7 @@
 #include <map>
 
 #include "common/anatomy/embedding.h"
+#include "common/assert.h"
 #include "common/error.h"
 #include "server/physics/mechanics/organs/tet_lineage.h"
 #include "server/physics/mechanics/soft/rungs.h"
@@ -32,13 +33,13 @@ LocalRefinement refinement_of(const SoftBody& compiled, double tick_rate) {
     return InputError(fmt::format("[[soft]] \"{}\": refine is \"{}\", {}", desc.name, desc.refine, why));
   };
   if (mesh_kind(compiled.anatomy()) != MeshKind::tets || desc.element != "tet4")
-    throw refusal("allowed for solids of linear tetrahedra (element = \"tet4\"), else: none");
+    throw refusal("allowed only for solids of linear tetrahedra (element = \"tet4\"); otherwise use none");
   if (compiled.dropped_elements() > 0)
-    throw refusal(fmt::format("but {} of its tetrahedra are flat", compiled.dropped_elements()));
+    throw refusal(fmt::format("but {} of its tetrahedra are degenerate", compiled.dropped_elements()));
   try {
     return {compiled.anatomy().tets, desc.density, limits_of(desc, tick_rate)};
   } catch (const InputError& error) {
-    throw refusal(fmt::format("but its mesh can't be: {}", error.what()));
+    throw refusal(fmt::format("but its mesh does not allow it: {}", error.what()));
   }
 }
 
@@ -61,6 +62,7 @@ std::vector<TetId> carriers(const Anatomy& anatomy, const TetComplex& complex) {
 
 /// Returns the index of a node of the refined mesh.
 std::uint32_t index_of(const PieceMesh& mesh, NodeId node) {
+  PROSECTOR_ASSERT(std::ranges::binary_search(mesh.nodes, node));
   return static_cast<std::uint32_t>(std::lower_bound(mesh.nodes.begin(), mesh.nodes.end(), node) -
                                     mesh.nodes.begin());
 }
@@ -80,6 +82,7 @@ SparseMap::Row hung_within(const TetComplex& complex, TetId tet, const SparseMap
     if (compiled.weight[k] != 0) weight[complex.corner_index(tet, compiled.node[k])] += compiled.weight[k];
   while (!complex.has_tet(tet)) {
     const TetId with_a = complex.lineage(tet).child, with_b = with_a + 1;
+    PROSECTOR_ASSERT(with_a != TetComplex::none && complex.lineage(with_a).parent == tet);
     const auto corners = complex.corners(tet), of_a = complex.corners(with_a), of_b = complex.corners(with_b);
     std::size_t a = 0, b = 0;  // corners of the edge that was bisected
     for (std::size_t k = 0; k < 4; ++k) {
@@ -105,6 +108,7 @@ SparseMap::Row hung_within(const TetComplex& complex, TetId tet, const SparseMap
 
 /// Copies a field to vectors by node id; nodes without values get zero.
 std::vector<Vec3> by_id(const VecX& field, const PieceMesh& mesh, std::size_t end) {
+  PROSECTOR_ASSERT(field.size() == 3 * std::ssize(mesh.nodes));
   std::vector<Vec3> out(end, Vec3::Zero());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     out[mesh.nodes[i]] = field.segment<3>(3 * static_cast<Eigen::Index>(i));
@@ -162,6 +166,7 @@ PieceMesh refined_mesh(const RefinedBody& body) {
 }
 
 SparseMap refined_embedding(const RefinedBody& body, const PieceMesh& now) {
+  PROSECTOR_ASSERT(body.carrier.size() == body.whole.embedding.rows.size());
   const TetComplex& complex = body.mesh.complex();
   SparseMap out = body.whole.embedding;
   for (std::size_t vertex = 0; vertex < out.rows.size(); ++vertex)
@@ -179,6 +184,7 @@ Anatomy refined_anatomy(const RefinedBody& body, const PieceMesh& now) {
 VecX refined_field(const RefinedBody& body, const PieceMesh& now, const VecX& compiled) {
   const TetComplex& complex = body.mesh.complex();
   const std::size_t count = body.whole.tets.positions.size();
+  PROSECTOR_ASSERT(compiled.size() == 3 * std::ssize(body.whole.tets.positions) && now.nodes.size() >= count);
   std::vector<Vec3> values(complex.node_end(), Vec3::Zero());
   for (std::size_t node = 0; node < count; ++node)
     values[node] = compiled.segment<3>(3 * static_cast<Eigen::Index>(node));
@@ -191,6 +197,7 @@ VecX refined_field(const RefinedBody& body, const PieceMesh& now, const VecX& co
 
 VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
              std::span<const RefinementStep> steps, Leaving leaving) {
+  PROSECTOR_ASSERT(!before.nodes.empty());
   std::size_t end = before.nodes.back() + 1u;
   for (const RefinementStep& step : steps) end = std::max<std::size_t>(end, step.split.node + 1u);
   std::vector<Vec3> values = by_id(field, before, end);
@@ -200,6 +207,7 @@ VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
     if (step.made) {
       values[op.node] = middle;
     } else if (leaving == Leaving::momentum) {
+      PROSECTOR_ASSERT(step.a_mass > 0 && step.b_mass > 0);
       const Vec3 more = step.node_mass * (values[op.node] - middle);
       values[op.a] += (1 - op.t) / step.a_mass * more;
       values[op.b] += op.t / step.b_mass * more;

@@ -5,6 +5,8 @@
 #include <array>
 #include <tuple>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -23,7 +25,7 @@ using Twins = std::array<Node, 2>;  // ascending by piece
 
 /// Returns the pairs of nodes of different pieces that the cut made from one node: their rest positions are
 /// equal, and one of them is gone. Where an older cut met the cut there is a third node.
-std::vector<Twins> find_twins(const TetComplex& complex, std::span<const ApartPiece> pieces) {
+std::vector<Twins> find_twins(const TetComplex& complex, std::span<const SeparatedPiece> pieces) {
   std::vector<RestNode> nodes;
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
     for (std::uint32_t i = 0; i < pieces[p].mesh->nodes.size(); ++i) {
@@ -51,6 +53,7 @@ Vec3 at(const VecX& field, const Node& node) {
 
 /// Returns the rigid motion that moves the `from` points nearest to the `to` points.
 Pose fit(std::span<const std::array<Vec3, 2>> from_to) {
+  PROSECTOR_ASSERT(!from_to.empty());
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   for (const auto& [a, b] : from_to) from += a, to += b;
   from /= static_cast<double>(from_to.size());
@@ -71,10 +74,10 @@ Pose fit(std::span<const std::array<Vec3, 2>> from_to) {
 }
 
 /// Returns the motion from a piece to its twins in pieces that are already placed; none if it has none there.
-std::optional<WayBack> way_back(std::span<const ApartPiece> pieces, std::span<const Twins> twins,
-                                std::span<const std::optional<WayBack>> ways,
-                                std::span<const std::uint8_t> placed, std::uint32_t piece) {
-  WayBack out;
+std::optional<ReturnMotion> way_back(std::span<const SeparatedPiece> pieces, std::span<const Twins> twins,
+                                     std::span<const std::optional<ReturnMotion>> ways,
+                                     std::span<const std::uint8_t> placed, std::uint32_t piece) {
+  ReturnMotion out;
   std::vector<std::array<Vec3, 2>> from_to;
   for (const Twins& pair : twins) {
     if (pair[0].piece != piece && pair[1].piece != piece) continue;
@@ -93,13 +96,13 @@ std::optional<WayBack> way_back(std::span<const ApartPiece> pieces, std::span<co
 }
 
 /// Returns by piece whether it stays.
-std::vector<std::uint8_t> staying(std::span<const ApartPiece> pieces) {
+std::vector<std::uint8_t> staying(std::span<const SeparatedPiece> pieces) {
   std::vector<std::uint8_t> out;
-  for (const ApartPiece& piece : pieces) {
-    const bool any_tied = std::any_of(pieces.begin(), pieces.end(), [&](const ApartPiece& other) {
+  for (const SeparatedPiece& piece : pieces) {
+    const bool any_tied = std::any_of(pieces.begin(), pieces.end(), [&](const SeparatedPiece& other) {
       return other.joins == piece.joins && other.tied;
     });
-    const bool larger = std::any_of(pieces.begin(), pieces.end(), [&](const ApartPiece& other) {
+    const bool larger = std::any_of(pieces.begin(), pieces.end(), [&](const SeparatedPiece& other) {
       const std::size_t n = other.mesh->nodes.size(), own = piece.mesh->nodes.size();
       return other.joins == piece.joins && (n > own || (n == own && &other < &piece));
     });
@@ -110,8 +113,9 @@ std::vector<std::uint8_t> staying(std::span<const ApartPiece> pieces) {
 
 }  // namespace
 
-std::vector<std::optional<WayBack>> ways_back(const TetComplex& complex, std::span<const ApartPiece> pieces) {
-  std::vector<std::optional<WayBack>> ways(pieces.size());
+std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
+                                                   std::span<const SeparatedPiece> pieces) {
+  std::vector<std::optional<ReturnMotion>> ways(pieces.size());
   std::vector<std::uint8_t> placed = staying(pieces);
   if (std::count(placed.begin(), placed.end(), 0) == 0) return ways;
   const std::vector<Twins> twins = find_twins(complex, pieces);

@@ -11,7 +11,7 @@
 namespace prosector {
 
 /// State of a piece before its cut is undone.
-struct ApartPiece {
+struct SeparatedPiece {
   const PieceMesh* mesh = nullptr;
   std::size_t joins = 0;           // group: pieces with the same number are one now
   const VecX* place = nullptr;     // 3 numbers of each node at least, m
@@ -20,7 +20,7 @@ struct ApartPiece {
 };
 
 /// Rigid motion with which a piece moves back, so that it keeps its shape.
-struct WayBack {
+struct ReturnMotion {
   Pose motion;  // of its positions
   // m/s, of all nodes after the motion: velocity of the piece that it returns to.
   Vec3 velocity = Vec3::Zero();
@@ -30,6 +30,7 @@ struct WayBack {
 /// the undo. In each group the attached pieces stay or, without any, the piece with most nodes. Each other
 /// piece moves by the rigid motion that brings its nodes nearest to their duplicates from the cut, by least
 /// squares (Kabsch, Acta Crystallogr. A 32, 1976).
-std::vector<std::optional<WayBack>> ways_back(const TetComplex& complex, std::span<const ApartPiece> pieces);
+std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
+                                                   std::span<const SeparatedPiece> pieces);
 
 }  // namespace prosector

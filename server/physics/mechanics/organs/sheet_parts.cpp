@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -21,6 +23,7 @@ class SheetPiece {
       : complex_(complex), piece_(piece), whole_(whole), numbering_(numbering) {}
 
   Anatomy build() {
+    PROSECTOR_ASSERT(is_ascending(piece_.nodes) && piece_.mesh.positions.size() == piece_.nodes.size());
     numbering_ = {piece_.nodes, {}, {}};
     index_.resize(complex_.node_end());
     for (std::uint32_t i = 0; i < piece_.nodes.size(); ++i) index_[piece_.nodes[i]] = i;
@@ -123,6 +126,7 @@ std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<
                                            std::span<const TetId> touched) {
   for (TetId t : touched) {
     while (complex.lineage(t).parent != TetComplex::none) t = complex.lineage(t).parent;
+    PROSECTOR_ASSERT(t / 2 < whole.quads.size());
     for (const NodeId corner : whole.quads[t / 2]) {
       const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
       if (at != nodes.end() && *at == corner)
@@ -135,6 +139,7 @@ std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<
 }
 
 Anatomy sheet_remnant(const Anatomy& whole) {
+  PROSECTOR_ASSERT(!whole.quads.empty());
   Anatomy out;
   for (const std::uint32_t corner : whole.quads.front())
     out.tets.positions.push_back(whole.tets.positions[corner]);

@@ -60,6 +60,8 @@ std::uint32_t number_of(const Numbers& numbers, std::uint32_t index) {
 template <class F>
 ListEdit edit_between(std::size_t before, const Numbers& numbered_before, std::size_t now,
                       const Numbers& numbered, const F& is_same) {
+  PROSECTOR_ASSERT((numbered_before.empty() || numbered_before.size() == before) &&
+                   (numbered.empty() || numbered.size() == now));
   Numbers gone, come_before;
   std::uint32_t i = 0;
   for (std::uint32_t j = 0; j < now; ++j) {
@@ -95,6 +97,9 @@ SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::sp
                             const std::function<bool(TetId)>& in_piece, std::vector<std::uint32_t> slots,
                             const TriangleMesh& before, const Numbering& numbering,
                             std::uint32_t first_vertex, std::uint32_t first_triangle) {
+  PROSECTOR_ASSERT(numbering.triangles.size() == before.triangles.size() &&
+                   numbering.vertices.size() == before.positions.size());
+  PROSECTOR_ASSERT(is_ascending(nodes));
   SurfaceEdit out;
   sort_unique(slots);
   // Triangles by index; vertices of these, by index; numbers of vertices of new triangles.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
@@ -9,6 +11,7 @@ std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceM
   for (; tet != TetComplex::none; tet = complex.lineage(tet).parent)
     for (std::uint32_t p = 0; p < before.size(); ++p) {
       const std::vector<TetId>& places = before[p]->places;
+      PROSECTOR_ASSERT(places.size() == before[p]->tets.size());
       const auto at = std::lower_bound(places.begin(), places.end(), complex.lineage(tet).place);
       const auto i = static_cast<std::size_t>(at - places.begin());
       if (at != places.end() && before[p]->tets[i] == tet) return OldTet{p, i};
@@ -19,6 +22,7 @@ std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceM
 VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
                      std::span<const TetId> tets) {
+  PROSECTOR_ASSERT(histories.size() == before.size() && numbers >= 0);
   if (numbers == 0) return {};
   VecX out = VecX::Zero(numbers * static_cast<Eigen::Index>(tets.size()));
   for (std::size_t t = 0; t < tets.size(); ++t)

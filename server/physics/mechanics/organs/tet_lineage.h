@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/organs/node_transfer.h"
 
 namespace prosector {
@@ -20,6 +21,7 @@ std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceM
 
 /// Returns the number of history values per tetrahedron. Every tetrahedron must be an element.
 inline Eigen::Index history_per_tet(const VecX& history, const PieceMesh& mesh) {
+  PROSECTOR_ASSERT(!mesh.tets.empty());
   return history.size() / static_cast<Eigen::Index>(mesh.tets.size());
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 // Panel inputs of a tick.
 
-#include "common/messages.h"
+#include "common/hand_pose.h"
+#include "common/ids.h"
+#include "common/math.h"
+#include "common/panel_control.h"
 
 namespace prosector {
 
@@ -32,7 +35,7 @@ struct HeadPlace {
 /// Pose of a participant's tablet or stylus. A device without a new pose keeps its last one.
 struct HeldPlace {
   ParticipantId participant = 0;
-  HeldThing thing = HeldThing::tablet;
+  HeldObject thing = HeldObject::tablet;
   bool seen = true;  // false: no longer tracked, `at` is invalid
   Pose at;           // tablet: pose of its panel; stylus: pose of its tip, +z along the shaft; world frame
 };

@@ -11,6 +11,7 @@
 #include <bitset>
 #include <span>
 
+#include "common/hand_pose.h"
 #include "common/panel.h"
 
 namespace prosector {

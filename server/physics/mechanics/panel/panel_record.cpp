@@ -33,7 +33,7 @@ template <class Io>
 void PanelWorld::entry_of(Io& io, typename Io::template Entry<Open>& panel, std::size_t body_count) {
   auto& [body, pose, came_up, hold, pinned, motions, home, touched, pointed, shown, idle, came_under] = panel;
   io.number(body, "body");
-  io.require(body < body_count, "a panel of a body that isn't there");
+  io.require(body < body_count, "a panel of a nonexistent body");
   io.pose(pose, "pose");
   io.pose(came_up, "first pose");
   io.optional(hold, "carried");
@@ -49,7 +49,7 @@ void PanelWorld::entry_of(Io& io, typename Io::template Entry<Open>& panel, std:
     io.number(position, "position");
     io.require(position >= 0 && position <= 1, "a control outside its range");
     io.number(velocity, "velocity");
-    io.require(std::abs(velocity) <= max_control_speed, "a control that flies");
+    io.require(std::abs(velocity) <= max_control_speed, "a control with an invalid position");
     io.flag(home[k], "pressed home");
     io.flag(touched[k], "touched");
     io.number(pointed[k], "ticks pointed at");
@@ -95,7 +95,7 @@ void PanelWorld::entry_of(Io& io, typename Io::template Entry<PanelWorld>& world
     entry(io, hand);
     io.flag(closed, "closed");
     io.number(since, "ticks since it closed");
-    io.require(since <= no_fist, "a fist from before all time");
+    io.require(since <= no_fist, "a fist with a negative time");
     io.vector(at, "palm");
   });
   io.map(tablets, most_entries, "tablet", [&](auto& who, auto& tablet) {

@@ -43,7 +43,7 @@ void PanelWorld::take(const HeadPlace& head) {
 
 void PanelWorld::take(const HeldPlace& held) {
   const ParticipantId who = held.participant;
-  if (held.thing == HeldThing::stylus) {
+  if (held.thing == HeldObject::stylus) {
     const Vec3 tip = held.at * Vec3(0, 0, stylus_radius), end = held.at * Vec3(0, 0, stylus_length);
     styli_.erase(who);
     if (held.seen && usable(tip) && usable(end)) styli_[who] = {tip, end, stylus_radius};

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "common/part_messages.h"
 #include "server/physics/mechanics/panel/panel_event.h"
 #include "server/physics/mechanics/panel/panel_motion.h"
 #include "server/physics/mechanics/panel/panel_place.h"

@@ -14,14 +14,14 @@ struct Limit {
 
 constexpr std::array limits = {
     Limit{"fem_stvk",
-          "yields when squeezed below 58 % of its length, and is content inside out: not for what is pressed "
-          "hard; fem_corotational and fem_neo_hookean come back"},
+          "softens when compressed below 58 % of its length, and is stable when inverted: unsuitable for "
+          "strong compression; fem_corotational and fem_neo_hookean recover"},
     Limit{"fem_linear",
-          "is for small strains and turns, and does not resist being turned inside out: not for what is "
-          "pressed hard; fem_corotational and fem_neo_hookean come back"},
+          "is for small strains and rotations, and does not resist inversion: unsuitable for strong "
+          "compression; fem_corotational and fem_neo_hookean recover"},
     Limit{"fem_neo_hookean_polynomial",
-          "stays collapsed when squeezed to a point: fem_neo_hookean and fem_corotational come back"},
-    Limit{"xpbd", "stays collapsed when squeezed to a point: fem_neo_hookean and fem_corotational come back"},
+          "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover"},
+    Limit{"xpbd", "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover"},
 };
 
 }  // namespace
@@ -29,7 +29,7 @@ constexpr std::array limits = {
 std::string limit_under_compression(const SoftDesc& desc, bool solid) {
   if (!solid) return {};
   if (desc.model == "mass_spring" && !desc.hold_volume)
-    return "has springs that do not know inside from outside: with hold_volume they do";
+    return "has springs that do not resist inversion; hold_volume = true adds volume springs that do";
   const auto row = std::find_if(limits.begin(), limits.end(),
                                 [&](const Limit& limit) { return limit.model == desc.model; });
   return row == limits.end() ? std::string() : std::string(row->sentence);

@@ -57,7 +57,7 @@ class IncrementalPotential {
   /// step's start. Either is used if no node has moved by more than a tenth of a cell.
   bool assemble_roughly(const Eigen::Ref<const VecX>& x);
   /// Returns whether the tangent is cheap: in single precision for models with rotated elements
-  /// (turned_elements.h). Not cheap for solver `direct`, or if inertia is less than 1e-5 of the stiffness.
+  /// (corotated_elements.h). Not cheap for solver `direct`, or if inertia is less than 1e-5 of the stiffness.
   bool tangent_is_cheap() const { return elements_.turned(); }
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n

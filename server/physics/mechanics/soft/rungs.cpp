@@ -22,8 +22,8 @@ MeshKind mesh_kind(const Anatomy& anatomy) {
 const std::vector<ModelRow>& models() {
   static const std::vector<ModelRow> rows = [] {
     std::vector<ModelRow> out = {
-        {"mass_spring", "springs along edges; sheets and ropes bend", true, true, false},
-        {"xpbd", "position-based, in small substeps; the fast rung", true, true, true}};
+        {"mass_spring", "springs along edges; also sheets and ropes, with bending", true, true, false},
+        {"xpbd", "position-based dynamics with small substeps; the fastest", true, true, true}};
     for (const LawRow& law : laws()) out.push_back({law.name, law.help, true, false, false});
     return out;
   }();
@@ -43,7 +43,8 @@ namespace {
 void check_relaxation(const SoftDesc& desc) {
   if (desc.model.rfind("fem_", 0) != 0)
     throw InputError(fmt::format(
-        "has relaxation, which model \"{}\" does not know; allowed: those that start with fem_", desc.model));
+        "has relaxation, which model \"{}\" does not support; allowed: models whose name starts with fem_",
+        desc.model));
   std::vector<std::string> implicit;
   for (const IntegratorRow& row : integrators()) implicit.emplace_back(row.name);
   if (std::find(implicit.begin(), implicit.end(), desc.integrator) == implicit.end())
@@ -88,10 +89,10 @@ void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
   if (desc.element == "tet10" && (model.fabric || kind != MeshKind::tets))
     throw InputError(fmt::format("element is \"tet10\"; allowed with model \"{}\": tet4", desc.model));
   if (!desc.regions.empty() && kind != MeshKind::tets)
-    throw InputError("has regions, which need tetrahedra; a sheet or rope is of one material");
+    throw InputError("has regions, which need tetrahedra; a sheet or rope has one material");
   if (desc.fiber_stiffness > 0 && desc.model != "fem_fibers")
     throw InputError(
-        fmt::format("fiber_stiffness is {} Pa; allowed with model \"{}\": 0 (fem_fibers has fibres)",
+        fmt::format("fiber_stiffness is {} Pa; allowed with model \"{}\": 0 (only fem_fibers has fibres)",
                     desc.fiber_stiffness, desc.model));
   const auto allowed = integrators_for(model);
   if (std::find(allowed.begin(), allowed.end(), desc.integrator) == allowed.end())

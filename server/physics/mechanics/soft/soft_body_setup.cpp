@@ -35,35 +35,35 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
   const std::size_t n = anatomy.tets.positions.size();
   require(!anatomy.tets.tets.empty() || !anatomy.quads.empty() || !anatomy.triangles.empty() ||
               !anatomy.segments.empty(),
-          desc,
-          "its mesh has no tetrahedra, and no cells of a sheet or pieces of a rope; at least one is needed");
+          desc, "its mesh has no tetrahedra, sheet cells or rope segments; at least one is needed");
   for (std::size_t i = 0; i < n; ++i)
     if (!is_finite(anatomy.tets.positions[i])) refuse(desc, fmt::format("node {} is not finite", i));
   for (std::size_t e = 0; e < anatomy.tets.tets.size(); ++e)
     for (std::uint32_t node : anatomy.tets.tets[e])
-      if (node >= n) refuse(desc, fmt::format("tetrahedron {} names node {}; there are {}", e, node, n));
+      if (node >= n) refuse(desc, fmt::format("tetrahedron {} refers to node {}; there are {}", e, node, n));
   for (const auto& quad : anatomy.quads)
     for (std::uint32_t node : quad)
-      if (node >= n) refuse(desc, fmt::format("a sheet's cell names node {}; there are {}", node, n));
+      if (node >= n) refuse(desc, fmt::format("a sheet's cell refers to node {}; there are {}", node, n));
   for (const auto& triangle : anatomy.triangles)
     for (std::uint32_t node : triangle)
-      if (node >= n) refuse(desc, fmt::format("part of a sheet's cell names node {}; there are {}", node, n));
+      if (node >= n)
+        refuse(desc, fmt::format("part of a sheet's cell refers to node {}; there are {}", node, n));
   require(anatomy.node_volume.empty() || anatomy.node_volume.size() == n, desc,
-          fmt::format("{} volumes of nodes, of which there are {}", anatomy.node_volume.size(), n));
+          fmt::format("{} node volumes for {} nodes", anatomy.node_volume.size(), n));
   for (const auto& segment : anatomy.segments)
     for (std::uint32_t node : segment)
-      if (node >= n) refuse(desc, fmt::format("a rope's piece names node {}; there are {}", node, n));
+      if (node >= n) refuse(desc, fmt::format("a rope segment refers to node {}; there are {}", node, n));
   const std::size_t vertices = anatomy.surface.positions.size();
   require(anatomy.embedding.rows.size() == vertices, desc,
           fmt::format("{} surface vertices but {} rows that embed them", vertices,
                       anatomy.embedding.rows.size()));
   for (const auto& row : anatomy.embedding.rows)
     for (std::uint32_t node : row.node)
-      if (node >= n) refuse(desc, fmt::format("its surface is tied to node {}; there are {}", node, n));
+      if (node >= n) refuse(desc, fmt::format("its surface is embedded in node {}; there are {}", node, n));
   for (const auto& triangle : anatomy.surface.triangles)
     for (std::uint32_t vertex : triangle)
       if (vertex >= vertices)
-        refuse(desc, fmt::format("a surface triangle names vertex {}; there are {}", vertex, vertices));
+        refuse(desc, fmt::format("a surface triangle refers to vertex {}; there are {}", vertex, vertices));
 }
 
 VecX lumped_mass(double density, const VecX& volume) {

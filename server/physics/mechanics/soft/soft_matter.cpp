@@ -23,7 +23,7 @@ Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy, std::optional<Quadratic
 std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& anatomy) {
   auto model = name_in_errors(desc, [&] { return make_elastic_model(desc, anatomy); });
   require(model->connectivity().size() > 0, desc,
-          fmt::format("all {} elements are flat or of no length; at least one must not be",
+          fmt::format("all {} elements are degenerate; at least one must have volume, area or length",
                       model->dropped_elements()));
   return model;
 }

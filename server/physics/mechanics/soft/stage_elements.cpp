@@ -1,7 +1,8 @@
 #include "server/physics/mechanics/soft/stage_elements.h"
 #include "server/physics/mechanics/soft/base/scratch.h"
 
-#include "common/messages.h"
+#include "common/ids.h"
+#include "common/math.h"
 
 namespace prosector {
 namespace {
@@ -12,13 +13,13 @@ constexpr double same_tangent = 0.1;
 }  // namespace
 
 StageElements::StageElements(const SoftSystem& system, bool in_double) : system_(system) {
-  if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.pattern, system.symmetric);
+  if (system.model.turns()) rotated_.emplace(system.model.connectivity(), system.pattern, system.symmetric);
   if (in_double && system.damped()) fit_scratch(blocks_, system.pattern.blocks());
   fit();
 }
 
 void StageElements::fit() {
-  if (turned_) turned_->fit();
+  if (rotated_) rotated_->fit();
   for (Linearised* place : {&first_, &later_}) {
     place->at.setZero(system_.model.rest().size());
     place->known = false;
@@ -60,7 +61,7 @@ void StageElements::linearise(const Eigen::Ref<const VecX>& x) {
 
 void StageElements::assemble(const Eigen::Ref<const VecX>& x, SymmetricRows& rows) {
   linearise(x);
-  turned_->assemble(present_->elements, rows);
+  rotated_->assemble(present_->elements, rows);
   assembled_ = present_;
 }
 
@@ -76,12 +77,12 @@ bool StageElements::near_start(const Eigen::Ref<const VecX>& x) const {
 
 double StageElements::damping_energy(const Eigen::Ref<const VecX>& x, const VecX& u) {
   if (!first_.known) linearise(x);
-  return turned_->energy(first_.elements, u.data());
+  return rotated_->energy(first_.elements, u.data());
 }
 
 double StageElements::damping_forces(const Eigen::Ref<const VecX>& x, const VecX& u, VecX& f) {
   if (!first_.known) linearise(x);
-  return turned_->multiply(first_.elements, u.data(), f.data());
+  return rotated_->multiply(first_.elements, u.data(), f.data());
 }
 
 std::span<const Mat3> StageElements::damping_blocks(const Eigen::Ref<const VecX>& x) {

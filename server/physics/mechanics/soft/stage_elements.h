@@ -3,14 +3,14 @@
 //
 // The stage's first evaluation point fixes the stiffness used by stiffness-proportional damping: the warped
 // stiffness (linear elastic, rotated with each element) at that point. Newton's matrix is assembled at the
-// last evaluation point. Models with rotated elements store these in single precision (turned_elements.h).
+// last evaluation point. Models with rotated elements store these in single precision (corotated_elements.h).
 // Other models, and cases in which single precision is not sufficient, use blocks in double precision.
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "server/physics/mechanics/soft/matrices/turned_stiffness.h"
+#include "server/physics/mechanics/soft/matrices/corotated_stiffness.h"
 #include "server/physics/mechanics/soft/soft_system.h"
 
 namespace prosector {
@@ -27,7 +27,7 @@ class StageElements {
   /// `single`: whether single precision is sufficient.
   void begin_stage(const VecX& start, double scale, bool single);
   /// Returns whether this stage uses rotated elements.
-  bool turned() const { return turned_ && single_; }
+  bool turned() const { return rotated_ && single_; }
 
   // ---- Rotated elements
   /// Computes all cached data of the elements at x in one pass.
@@ -50,7 +50,7 @@ class StageElements {
  private:
   /// Rotated elements and the positions at which they were computed.
   struct Linearised {
-    TurnedElements elements;
+    CorotatedElements elements;
     VecX at;
     bool known = false;
   };
@@ -59,7 +59,7 @@ class StageElements {
   bool near(const Eigen::Ref<const VecX>& x, const VecX& there) const;
 
   SoftSystem system_;
-  std::optional<TurnedStiffness> turned_;  // for models with rotated elements
+  std::optional<CorotatedStiffness> rotated_;  // for models with rotated elements
   const VecX* start_ = nullptr;
   double scale_ = 1;
   bool single_ = false;

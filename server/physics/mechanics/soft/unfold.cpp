@@ -76,7 +76,7 @@ void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state)
   state.law_seconds = 0;
 }
 
-bool turned_by(const SoftBody& body, double angle, const VecX& x) {
+bool rotated_by(const SoftBody& body, double angle, const VecX& x) {
   if (body.objective()) return false;
   return best_rotation(body.rest(), body.node_mass(), x).trace() < 1 + 2 * std::cos(angle);
 }

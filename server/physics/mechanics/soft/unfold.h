@@ -24,7 +24,7 @@ Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x);
 
 /// Returns whether the body's law is for small rotations and the body as a whole is rotated by more than
 /// `angle` (rad) from its rest pose. Returns false for objective laws.
-bool turned_by(const SoftBody& body, double angle, const VecX& x);
+bool rotated_by(const SoftBody& body, double angle, const VecX& x);
 
 /// Resets the body to its rest shape at its current position and keeps its linear momentum. `turn`: rotates
 /// the rest shape by best_rotation() and keeps the angular momentum; else uses the rest orientation without

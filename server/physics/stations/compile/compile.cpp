@@ -7,8 +7,8 @@
 #include <set>
 
 #include "common/error.h"
-#include "common/primitives.h"
-#include "server/physics/mechanics/contact/self_surface.h"
+#include "common/scene/primitives.h"
+#include "server/physics/mechanics/contact/self_collision.h"
 #include "server/physics/mechanics/rigid/collision_shape.h"
 #include "server/physics/mechanics/soft/compression.h"
 #include "server/physics/mechanics/soft/rungs.h"
@@ -20,7 +20,7 @@
 namespace prosector {
 namespace {
 
-constexpr double told_of_tension = 1e-3;  // m: smaller displacements by tension are not reported
+constexpr double reported_tension = 1e-3;  // m: smaller displacements by tension are not reported
 // Ratio of surface edge to element edge beyond which refinement has little effect.
 constexpr double coarse_surface = 1.5;
 // Smallest fraction of its hull's volume that a plausible closed mesh fills.
@@ -95,7 +95,7 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
   if (!(solid.mass.mass > 0) && !desc.fixed)
     throw InputError(
-        fmt::format("rigid '{}': has no volume, so no mass; give it parts or a closed mesh", desc.name));
+        fmt::format("rigid '{}': no volume, so no mass; give it parts or a closed mesh", desc.name));
   if (desc.mass > 0 && solid.mass.mass > 0) {
     solid.mass.inertia *= desc.mass / solid.mass.mass;
     solid.mass.mass = desc.mass;
@@ -145,7 +145,7 @@ RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, con
   for (const RoomModel& side : model.room) room.push_back(side.side);
   const RoomSides out = sides_before(start, room);
   if (out != 0)
-    say(fmt::format("{}: begins behind the room's {}, so it passes through that side", name,
+    say(fmt::format("{}: starts behind the room's {}, so it does not collide with that side", name,
                     has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
   return out;
 }
@@ -175,8 +175,8 @@ void press_over_area(const SoftBody& body, SoftCollision& collision) {
   if (mesh_kind(body.anatomy()) != MeshKind::tets || collision.fidelity != Fidelity::mesh ||
       body.substepper())
     throw InputError(
-        fmt::format("[[soft]] \"{}\": contact is \"surface\"; allowed for a solid that collides as mesh and "
-                    "has no substeps, else: vertices",
+        fmt::format("[[soft]] \"{}\": contact is \"surface\"; allowed only for a solid that collides as mesh "
+                    "and has no substeps; otherwise use vertices",
                     desc.name));
   collision.over_area = true;
 }
@@ -188,17 +188,17 @@ void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const
   const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
   const double edge = mean_edge(body.anatomy().surface);
   if (edge > coarse_surface * cell)
-    say(fmt::format(
-        "{}: warning: refine makes elements of {:.1f} mm, but the triangles that are touched have "
-        "edges of {:.1f} mm; a smaller surface_cell lets them be felt",
-        desc.name, 1e3 * cell, 1e3 * edge));
+    say(
+        fmt::format("{}: warning: refine creates elements of {:.1f} mm, but the surface triangles have edges "
+                    "of {:.1f} mm; reduce surface_cell to feel the refinement",
+                    desc.name, 1e3 * cell, 1e3 * edge));
 }
 
 CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
                             const CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
   CompiledTissue out;
-  if (const double moved = put_under_tension(desc, anatomy); moved > told_of_tension)
+  if (const double moved = put_under_tension(desc, anatomy); moved > reported_tension)
     say(fmt::format("{}: its tension moves it by {:.1f} mm from its imaged shape", desc.name, 1e3 * moved));
   out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
   const TriangleMesh& surface = out.solver->anatomy().surface;

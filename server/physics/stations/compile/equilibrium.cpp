@@ -60,11 +60,12 @@ bool read_rests(const std::vector<std::uint8_t>& bytes, std::vector<Rest>& rests
 bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vector<Rest>& rests) {
   if (options.cache_dir.empty()) return false;
   const std::filesystem::path file = cache_file(options, hash);
-  FoundFile found = read_sealed(file, seal_key(hash));
+  SealedFileResult found = read_sealed_file(file, seal_key(hash));
   if (found.bytes && read_rests(*found.bytes, rests)) return true;
   if (found.bytes) found.trouble = "is damaged";
   if (!found.trouble.empty() && options.progress)
-    options.progress(fmt::format("cache {} {}: bodies settle anew", file.filename().string(), found.trouble));
+    options.progress(
+        fmt::format("cache {} {}: equilibrium is computed again", file.filename().string(), found.trouble));
   return false;
 }
 
@@ -75,7 +76,7 @@ void write_cache(const CompileOptions& options, const ContentHash& hash, const s
     out.add(rest.shape);
     out.add(static_cast<std::uint8_t>(rest.recovering));
   }
-  write_sealed(cache_file(options, hash), seal_key(hash), out.bytes());
+  write_sealed_file(cache_file(options, hash), seal_key(hash), out.bytes());
 }
 
 /// Finds equilibrium shapes, with surroundings as at the start of the scene.
@@ -195,12 +196,11 @@ void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
   const SoftDesc& desc = b.desc();
   const std::string what =
       b.recovery().is_kept()
-          ? fmt::format("under {} its own weight crushes it: it is fem_corotational", desc.model)
+          ? fmt::format("its own weight crushes it with model {}: fem_corotational is used", desc.model)
           : fmt::format("its own weight crushes {:.2g} % of it", 100 * share);
-  options.progress(
-      fmt::format("soft body \"{}\": {}; let it be stiffer than {:.3g} Pa, smaller, or tied to its place "
-                  "([[soft.attach]])",
-                  desc.name, what, desc.youngs_modulus));
+  options.progress(fmt::format(
+      "soft body \"{}\": {}; make it stiffer than {:.3g} Pa, make it smaller, or attach it ([[soft.attach]])",
+      desc.name, what, desc.youngs_modulus));
 }
 
 }  // namespace
@@ -229,7 +229,7 @@ void settle(State& state, SoftContactFinder& finder, const CompileOptions& optio
       tell_if_crushed(tissue, options);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
-            "{}: settled, {:.1f} mm from its imaged shape", tissue.solver->desc().name,
+            "{}: equilibrium found, {:.1f} mm from its imaged shape", tissue.solver->desc().name,
             1e3 * (tissue.equilibrium - tissue.solver->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
     }
   }

@@ -76,7 +76,7 @@ Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy) {
   const auto refusal = [&](const std::string& why) {
     return InputError(fmt::format("[[soft]] \"{}\": grade is \"{}\", {}", desc.name, desc.grade, why));
   };
-  if (mesh_kind(anatomy) != MeshKind::tets) throw refusal("allowed for solids, else: none");
+  if (mesh_kind(anatomy) != MeshKind::tets) throw refusal("allowed only for solids; otherwise use none");
   if (desc.attach.empty()) return anatomy;
   try {
     const Rim rim = rim_of(desc, TetComplex(anatomy.tets, desc.density));
@@ -92,7 +92,7 @@ Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy) {
     }
     return refined_anatomy(body, refined_mesh(body));
   } catch (const InputError& error) {
-    throw refusal(fmt::format("but its mesh can't be: {}", error.what()));
+    throw refusal(fmt::format("but its mesh does not allow it: {}", error.what()));
   }
 }
 

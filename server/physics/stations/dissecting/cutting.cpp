@@ -163,7 +163,7 @@ void report_cuts(const CutResult& figures, StepReport& report) {
   if (figures.slivers == 0) return;
   BodyReport& row = report.bodies.emplace_back();
   row.body = "cut";
-  row.note = fmt::format("{} of the tetrahedra made have dihedral angles below {} degrees, the least {:.1f}",
+  row.note = fmt::format("{} new tetrahedra have dihedral angles below {} degrees, the smallest {:.1f}",
                          figures.slivers, least_dihedral_deg, figures.least_dihedral_deg);
 }
 
@@ -190,7 +190,7 @@ void cut_soft_bodies(State& state, std::span<const BladeGrip> grips, StepReport&
             carry_through(state, first, marks[first], TopologyCause::cut, author, report)) {
       BodyReport& row = report.bodies.emplace_back();
       row.body = state.bodies.soft[first].solver->desc().name;
-      row.note = fmt::format("the cut was taken back: {}", failed.why());
+      row.note = fmt::format("the cut was undone: {}", failed.why());
     }
   if (log_length(state) > before) report_cuts(tick.figures, report);
 }
@@ -203,7 +203,7 @@ Refusal undo_last_cut(State& state, ParticipantId participant, StepReport& repor
       stroke = *newest;
       last = &organ;
     }
-  if (last == nullptr) return "there is no cut of yours to undo";
+  if (last == nullptr) return "you have no cut to undo";
   const Organ::Mark before = last->mark();
   if (Refusal refused = last->undo(participant)) return refused;
   return carry_through(state, last->pieces().front().body, before, TopologyCause::undo, participant, report);

@@ -16,8 +16,8 @@
 #include "server/physics/mechanics/organs/organ_geometry.h"
 #include "server/physics/mechanics/organs/tet_lineage.h"
 #include "server/physics/mechanics/soft/recovery_law.h"
-#include "server/physics/stations/dissecting/brought_back.h"
 #include "server/physics/stations/dissecting/piece_follow.h"
+#include "server/physics/stations/dissecting/undone_motion.h"
 #include "server/physics/stations/hands/holding.h"
 #include "server/physics/stations/touching/fit_tissue.h"
 
@@ -45,7 +45,7 @@ void make_anew(const Bodies& bodies, const Organ& organ, NewPiece& made) {
 
 /// Sets positions and velocities of the piece's nodes from the old bodies, after these were moved back.
 void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const OrganPiece> before,
-                  const BroughtBack& back, const OrganPiece& piece, NewPiece& made) {
+                  const UndoneMotion& back, const OrganPiece& piece, NewPiece& made) {
   std::vector<const PieceMesh*> meshes;
   for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
   const bool quadratic = bodies.soft[before.front().body].solver->desc().element == "tet10";
@@ -71,7 +71,7 @@ void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const Orga
 
 /// Builds the pieces after an organ's change. Modifies no state: all operations that can fail are here.
 std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, const Regrouped& changed,
-                                  const BroughtBack& back) {
+                                  const UndoneMotion& back) {
   const auto make = [&](std::size_t body, NewPiece& made) {
     const OrganPiece& piece = organ.piece(body);
     made.body = body;
@@ -141,7 +141,7 @@ void place_new(State& state, NewPiece piece, std::size_t first, TopologyCause ca
 }
 
 /// Conserves the momentum of cut or joined pieces. `masses`: of the pieces' nodes before the change.
-void keep_momentum_of(Bodies& bodies, const Organ& organ, const Regrouped& changed, BroughtBack& back,
+void keep_momentum_of(Bodies& bodies, const Organ& organ, const Regrouped& changed, UndoneMotion& back,
                       std::span<const VecX> masses, std::span<NewPiece> made) {
   std::vector<PieceMotion> before, now;
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -224,9 +224,9 @@ void remake(State& state, Organ& organ, TopologyCause cause, ParticipantId autho
   if (follow_cut(state, organ, cause, author, report)) return;
   const std::size_t first = organ.pieces().front().body;
   const Regrouped changed = organ.regroup(bodies.soft.size());
-  BroughtBack back = brought_back(bodies, organ, changed);
+  UndoneMotion back = undone_motion(bodies, organ, changed);
   std::vector<NewPiece> pieces = make_pieces(bodies, organ, changed, back);
-  leave_what_went_back(state, back, report);
+  release_moved_bodies(state, back, report);
   std::vector<VecX> masses;
   for (const OrganPiece& old : changed.before) masses.push_back(bodies.soft[old.body].solver->node_mass());
   follow_changes(bodies, pieces);

@@ -18,9 +18,10 @@ constexpr std::uint64_t settle_every = 10;  // ticks: interval of coarsening
 constexpr std::size_t bytes_a_tet = 8192, most_ahead = 96 << 20;
 
 /// Returns whether contacts with this side cause refinement: hands, and rigid bodies that move.
-bool is_followed(const ContactSide& other, std::span<const Drive> drives) {
+bool is_followed(const ContactSide& other, std::span<const KinematicTarget> kinematic_targets) {
   if (other.kind != ContactSide::Kind::fixed) return other.kind == ContactSide::Kind::rigid;
-  return std::any_of(drives.begin(), drives.end(), [&](const Drive& d) { return d.body == other.body; });
+  return std::any_of(kinematic_targets.begin(), kinematic_targets.end(),
+                     [&](const KinematicTarget& d) { return d.body == other.body; });
 }
 
 /// Appends the points where hands hold refinable bodies.
@@ -115,16 +116,16 @@ void make_refinable(State& state) {
     state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
     most += tissue.anatomy().tets.tets.size() + static_cast<std::size_t>(tissue.desc().refine_most);
   }
-  take_memory_ahead(std::min(bytes_a_tet * most, most_ahead));
+  prefault_memory(std::min(bytes_a_tet * most, most_ahead));
 }
 
 PlacesOfBodies pressed_places(const State& state, std::span<const Island> islands,
-                              std::span<const Drive> drives) {
+                              std::span<const KinematicTarget> kinematic_targets) {
   PlacesOfBodies out;
   for (const auto& [body, refined] : state.dissection.refined) out[body];
   if (out.empty()) return out;
   const auto add = [&](const ContactSide& side, const ContactSide& other) {
-    if (side.kind != ContactSide::Kind::soft || !is_followed(other, drives)) return;
+    if (side.kind != ContactSide::Kind::soft || !is_followed(other, kinematic_targets)) return;
     const auto points = out.find(side.body);
     if (points == out.end()) return;
     const VecX& rest = state.bodies.soft[side.body].solver->rest();

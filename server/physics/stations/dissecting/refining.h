@@ -21,7 +21,7 @@ using PlacesOfBodies = std::map<std::size_t, std::vector<Vec3>>;
 /// Returns the points where hands, and rigid bodies that move or are driven, pressed refinable bodies.
 /// `islands`: of the tick. Must be called before cuts, since the nodes are those of the tick's mesh.
 PlacesOfBodies pressed_places(const State& state, std::span<const Island> islands,
-                              std::span<const Drive> drives);
+                              std::span<const KinematicTarget> kinematic_targets);
 
 /// Refines bodies at the pressed `places` and where they are held, and coarsens them where contact ended long
 /// ago.

@@ -123,7 +123,7 @@ Mat3 grip_give(const Bodies& bodies, const Hand& hand, const Vec3& point) {
   return stiffness.inverse().topLeftCorner<3, 3>();
 }
 
-void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report) {
+void update_holds(State& state, std::span<const Island> islands, double h, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (Hand& hand : state.hands) {
     if (!hand.hold) continue;

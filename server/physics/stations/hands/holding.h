@@ -26,7 +26,7 @@ Mat3 grip_give(const Bodies& bodies, const Hand& hand, const Vec3& point);
 
 /// Releases, after a tick, bodies that were torn from hands or set down. `islands`: of that tick; `h`: s, of
 /// its last part.
-void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report);
+void update_holds(State& state, std::span<const Island> islands, double h, StepReport& report);
 
 /// Moves holds to the nearest vertices of these bodies (soft, ascending) after a cut changed them.
 void keep_holds(State& state, const std::vector<std::size_t>& pieces);

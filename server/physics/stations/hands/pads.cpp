@@ -134,8 +134,8 @@ void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const Ri
   }
 }
 
-void keep_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
-               std::vector<Hand>& hands) {
+void store_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
+                std::vector<Hand>& hands) {
   for (Hand& hand : hands) hand.pads.clear();
   for (const Pad& pad : pads) {
     const auto& contacts = islands[pad.island].contacts;

@@ -32,7 +32,7 @@ void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const Ri
                      std::size_t island, std::vector<Contact>& contacts, std::vector<Pad>& pads);
 
 /// Stores the pads' contacts in the hands after the islands are solved.
-void keep_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
-               std::vector<Hand>& hands);
+void store_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
+                std::vector<Hand>& hands);
 
 }  // namespace prosector

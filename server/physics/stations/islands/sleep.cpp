@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 
-#include "server/physics/mechanics/coupled/lingering.h"
 #include "server/physics/mechanics/coupled/recovery.h"
+#include "server/physics/mechanics/coupled/vibration.h"
 #include "server/physics/mechanics/soft/elements/relaxation.h"
-#include "server/physics/stations/islands/unfold_tangles.h"
+#include "server/physics/stations/islands/recover_tangled.h"
 
 namespace prosector {
 namespace {
@@ -31,10 +31,10 @@ bool is_left_alone(const Island& island, std::span<const Hand> hands) {
 }
 
 /// Watches a rigid body that may linger within `within` (m), and damps it after it has lingered for long.
-Unrest calm(std::size_t slot, double within, RigidWorld& world, Lingerers& lingerers) {
+VibrationState calm(std::size_t slot, double within, RigidWorld& world, Lingerers& lingerers) {
   const RigidMotion motion = world.motion(slot);
-  const Unrest unrest = lingerers.linger({static_cast<BodyId>(slot), points_of(motion.pose), within});
-  if (unrest == Unrest::calmed)
+  const VibrationState unrest = lingerers.linger({static_cast<BodyId>(slot), points_of(motion.pose), within});
+  if (unrest == VibrationState::calmed)
     world.set_velocity(slot, calming * motion.linear_velocity, calming * motion.angular_velocity);
   return unrest;
 }
@@ -46,13 +46,13 @@ bool rests(SoftMember& s, BodyId id, std::optional<double> may_linger_within, Li
     s.state->quiet_ticks = 0;
     return false;
   }
-  Unrest unrest = Unrest::moving;
+  VibrationState unrest = VibrationState::moving;
   if (may_linger_within) unrest = lingerers.linger({id, s.state->motion.x, *may_linger_within});
-  if (unrest == Unrest::calmed) {
+  if (unrest == VibrationState::calmed) {
     s.state->motion.v *= calming;
     s.state->motion.has_history = false;
   }
-  return s.state->quiet_ticks == quiet_ticks_to_sleep || unrest == Unrest::over;
+  return s.state->quiet_ticks == quiet_ticks_to_sleep || unrest == VibrationState::over;
 }
 
 /// Returns whether a rigid body in contact with tissue rests: it is quiet, or has rocked in place for long.
@@ -60,7 +60,8 @@ bool rests(const RigidMember& r, bool may_linger, RigidWorld& world, Lingerers& 
   const RigidMotion motion = world.motion(r.slot);
   const bool quiet =
       motion.linear_velocity.norm() < quiet_rigid_speed && motion.angular_velocity.norm() < quiet_rigid_spin;
-  return (may_linger && calm(r.slot, rigid_lingering_bound, world, lingerers) == Unrest::over) || quiet;
+  return (may_linger && calm(r.slot, rigid_lingering_bound, world, lingerers) == VibrationState::over) ||
+         quiet;
 }
 
 /// Damps rigid bodies outside these islands, and lets Bullet put those to sleep that rock in place. Triangle
@@ -71,14 +72,14 @@ void calm_rigid_bodies(RigidWorld& world, const std::vector<Island>& islands, Li
     for (const RigidMember& r : island.rigid) elsewhere[r.slot] = 1;
   for (std::size_t slot = 0; slot < world.slots(); ++slot) {
     if (elsewhere[slot] || !world.used(slot) || !world.dynamic(slot) || world.motion(slot).asleep) continue;
-    if (calm(slot, lone_lingering_bound, world, lingerers) == Unrest::over)
+    if (calm(slot, lone_lingering_bound, world, lingerers) == VibrationState::over)
       world.sleep(slot, RigidWorld::Sleep::with_neighbours);
   }
 }
 
 }  // namespace
 
-void fall_asleep(State& state, std::vector<Island>& islands, bool driven) {
+void update_sleep(State& state, std::vector<Island>& islands, bool driven) {
   Bodies& bodies = state.bodies;
   state.lingerers.begin_tick(state.time.tick);
   for (Island& island : islands) {

@@ -11,6 +11,6 @@ namespace prosector {
 /// Puts islands of the last tick to sleep if all their bodies have been quiet long enough, and keeps the
 /// others awake. Moves the surfaces of all their soft bodies to the current node positions. `driven`: whether
 /// kinematic bodies move and may move others.
-void fall_asleep(State& state, std::vector<Island>& islands, bool driven);
+void update_sleep(State& state, std::vector<Island>& islands, bool driven);
 
 }  // namespace prosector

@@ -25,15 +25,15 @@ BodyReport row_of(const SoftMember& s, const IslandReport& solved, const Bodies&
   row.note = s.note;
   if (touching.passed_through[s.index] > 0) {
     row.converged = false;
-    row.note =
-        fmt::format("{} pairs of its elements are through each other", touching.passed_through[s.index]);
+    row.note = fmt::format("{} pairs of its elements penetrate each other", touching.passed_through[s.index]);
   }
   if (touching.parted[s.index]) {
     row.converged = false;
-    row.note = fmt::format("in {}: led out of it", bodies.soft[*touching.parted[s.index]].desc().name);
+    row.note =
+        fmt::format("overlaps {}: being separated", bodies.soft[*touching.parted[s.index]].desc().name);
   }
   row.reset = !solved.finite;
-  if (row.reset) row.note = "not finite or out of the room: stopped at its last good state";
+  if (row.reset) row.note = "not finite or outside the room: stopped at its last valid state";
   return row;
 }
 
@@ -53,7 +53,7 @@ void solve_islands(std::vector<Island>& islands, IslandStepper& stepper, Bodies&
   }
 }
 
-void bounce_rigid(std::vector<Island>& islands, RigidWorld& world, double h) {
+void apply_restitution(std::vector<Island>& islands, RigidWorld& world, double h) {
   for (Island& island : islands)
     if (bounce(island, h)) take_velocities(island, world, h);
 }

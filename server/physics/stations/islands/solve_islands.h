@@ -17,6 +17,6 @@ void solve_islands(std::vector<Island>& islands, IslandStepper& stepper, Bodies&
                    const SoftContacts& touching, double h, StepReport& report);
 
 /// Applies restitution to rigid contacts after poses were integrated.
-void bounce_rigid(std::vector<Island>& islands, RigidWorld& world, double h);
+void apply_restitution(std::vector<Island>& islands, RigidWorld& world, double h);
 
 }  // namespace prosector

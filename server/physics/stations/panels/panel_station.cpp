@@ -70,7 +70,7 @@ void carry_out(State& state, const PanelAction& action, StepReport& report) {
       return;
     case PanelControl::stiffness:
       return tell(Kind::set_stiffness, action.body,
-                  std::clamp(stiffness_at(action.value), least_stiffness, most_stiffness));
+                  std::clamp(stiffness_at(action.value), min_stiffness, max_stiffness));
   }
 }
 
@@ -116,7 +116,7 @@ std::optional<BodyId> PanelStation::first() const {
   return std::nullopt;
 }
 
-void work_panels(State& state, std::span<const HandState> hand_states, StepReport& report) {
+void step_panels(State& state, std::span<const HandState> hand_states, StepReport& report) {
   if (!state.panels) return;
   const PanelStation subjects(state);
   for (const PanelAction& action : state.panels->step(panel_hands(state, hand_states), subjects))

@@ -27,6 +27,6 @@ class PanelStation final : public PanelSubjects {
 };
 
 /// Runs the panels after a tick. `hand_states`: parallel to the state's hands.
-void work_panels(State& state, std::span<const HandState> hand_states, StepReport& report);
+void step_panels(State& state, std::span<const HandState> hand_states, StepReport& report);
 
 }  // namespace prosector

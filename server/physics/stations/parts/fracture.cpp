@@ -48,10 +48,10 @@ void add_pieces(Model& model, std::size_t body,
     const CutSurface cut = cut_surface(surface, plane.point, plane.normal);
     if (cut.above.triangles.empty() || cut.below.triangles.empty()) {
       if (root != body) continue;  // of a piece: this plane cuts another piece
-      throw InputError(fmt::format("rigid '{}': fracture {} doesn't cut it", desc.name, k + 1));
+      throw InputError(fmt::format("rigid '{}': fracture {} does not intersect it", desc.name, k + 1));
     }
     if (pieces_of(model, root) + 2 > most_pieces)
-      throw InputError(fmt::format("rigid '{}': its fractures make more than {} pieces; give it fewer planes",
+      throw InputError(fmt::format("rigid '{}': its fractures create more than {} pieces; use fewer planes",
                                    model.rigid[root].name, most_pieces));
     RigidModel::Fracture fracture;
     fracture.point = to_center * plane.point;

@@ -69,28 +69,28 @@ Refusal obey(State& state, const PartEvent& event, StepReport& report) {
   using Kind = PartEvent::Kind;
   if (event.body >= bodies.parts.size()) return fmt::format("no body {}", event.body);
   if (!bodies.is_part(event.body))
-    return fmt::format("{} is no part of the anatomy", bodies.name_of(event.body));
+    return fmt::format("{} is not part of the anatomy", bodies.name_of(event.body));
   Part wanted = bodies.parts[event.body];
   switch (event.kind) {
     case Kind::detach:
       wanted.attached = false;
       break;
     case Kind::attach: {
-      if (wanted.inspected) return "it is being inspected: end that first";
+      if (wanted.inspected) return "it is being inspected: end the inspection first";
       const double away = wanted.attached ? 0 : distance_from_place(bodies, event.body);
       const double near_enough = bodies.is_soft(event.body)
                                      ? bodies.soft[bodies.soft_index(event.body)].solver->desc().snap
                                      : bodies.model.scene.rigid[event.body].snap;
       if (away > near_enough)
-        return fmt::format("{} is {:.1f} cm from its place: bring it within {:.1f} cm",
+        return fmt::format("{} is {:.1f} cm from its original position: bring it within {:.1f} cm",
                            bodies.name_of(event.body), 100 * away, 100 * near_enough);
       wanted.attached = true;
       break;
     }
     case Kind::inspect:
       if (!event.shape.A.allFinite() || !event.shape.p.allFinite() ||
-          event.shape.A.cwiseAbs().maxCoeff() > most_shape)
-        return "not a shape to show it in";
+          event.shape.A.cwiseAbs().maxCoeff() > max_shape_entry)
+        return "invalid pose or scale for inspection";
       wanted.inspected = true;
       wanted.shape = event.shape;
       break;
@@ -105,13 +105,13 @@ Refusal obey(State& state, const PartEvent& event, StepReport& report) {
       wanted.hidden = false;
       break;
     case Kind::set_opacity:
-      if (!(event.value >= 0 && event.value <= 1)) return "opacity is from 0 to 1";
+      if (!(event.value >= 0 && event.value <= 1)) return "opacity must be from 0 to 1";
       wanted.opacity = event.value;
       break;
     case Kind::set_stiffness:
       if (!bodies.is_soft(event.body)) return fmt::format("{} is rigid", bodies.name_of(event.body));
-      if (!(event.value >= least_stiffness && event.value <= most_stiffness))
-        return fmt::format("stiffness is from {} to {} times the scene's", least_stiffness, most_stiffness);
+      if (!(event.value >= min_stiffness && event.value <= max_stiffness))
+        return fmt::format("stiffness must be {} to {} times the scene's", min_stiffness, max_stiffness);
       wanted.stiffness = event.value;
       break;
     case Kind::light:

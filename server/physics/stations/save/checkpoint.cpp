@@ -74,7 +74,7 @@ RestoredState::RestoredState(State& state, std::span<const std::uint8_t> bytes)
   ByteReader in(bytes, "checkpoint");
   RecordReader io(in);
   read(io);
-  in.require(in.done(), "more than a checkpoint holds");
+  in.require(in.done(), "data after the end of the checkpoint");
 }
 
 void RestoredState::read(RecordReader& io) {
@@ -86,7 +86,7 @@ void RestoredState::read(RecordReader& io) {
   for (const std::uint8_t byte : model.hash) {
     std::uint8_t saved = 0;
     io.number(saved, "scene");
-    io.require(saved == byte, "made from another scene");
+    io.require(saved == byte, "from another scene");
   }
   io.number(time_.epoch, "epoch");
   io.number(time_.tick, "tick");

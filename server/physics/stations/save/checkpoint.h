@@ -1,6 +1,6 @@
 #pragma once
-// Checkpoints. Loading builds the rigid world anew from plain numbers, so whatever Bullet caches is a
-// function of them. A run that goes on after a checkpoint and one that restores it are equal.
+// Checkpoints. Loading rebuilds the rigid world from plain numbers, so that Bullet's caches depend on them
+// only. A run that continues after a checkpoint and one that restores it are equal.
 
 #include <cstdint>
 #include <map>

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/commands.h"
 #include "common/hand.h"
 #include "server/physics/base/record.h"
 #include "server/physics/mechanics/soft/base/effort.h"
@@ -44,7 +45,8 @@ void entry(Io& io, typename Io::template Entry<SoftBodyState>& state, const Soft
   io.flag(has_history, "has history");
   io.flag(asleep, "asleep");
   io.number(steps_down, "steps down");
-  io.require(steps_down >= 0 && steps_down <= static_cast<int>(max_steps_down), "stepped down too far");
+  io.require(steps_down >= 0 && steps_down <= static_cast<int>(max_steps_down),
+             "effort reduction out of range");
   io.number(quiet_ticks, "quiet ticks");
   io.number(tangled_ticks, "tangled ticks");
   io.vector(history, like.history.size(), "viscoelastic history");
@@ -75,7 +77,7 @@ void entry(Io& io, typename Io::template Entry<ContactMemories>& memories, std::
     io.flag(soft, "with a soft body");
     io.number(body, "other body");
     io.number(feature, "feature");
-    io.require(feature < features, "a contact of a surface that isn't there");
+    io.require(feature < features, "a contact of a nonexistent surface");
     io.number(met, "met feature");
     io.vector(grip, "grip");
     io.number(force, "force");
@@ -94,10 +96,10 @@ void entry(Io& io, typename Io::template Entry<PadMemory>& pad, std::size_t rigi
   io.vector(place, "position");
   io.number(force, "force");
   for (auto& point : grip) io.vector(point, "grip");
-  io.require(part >= 1 && part <= hand_joints && force > 0, "a pad that is none, or pulls");
+  io.require(part >= 1 && part <= hand_joints && force > 0, "an invalid pad, or one that pulls");
 }
 
-/// What a hand's record refers to.
+/// Bodies that a hand's record refers to.
 struct GraspableBodies {
   const Model& model;
   std::span<const SoftBody* const> tissues;
@@ -116,13 +118,13 @@ template <class Io>
 void entry(Io& io, typename Io::template Entry<Hold>& hold, const GraspableBodies& bodies) {
   auto& [body, points, lifted, resting_ticks] = hold;
   io.number(body, "held body");
-  io.require(bodies.can_be_held(body), "a hold on a body that isn't there, or is fixed");
+  io.require(bodies.can_be_held(body), "a hold on a nonexistent or fixed body");
   io.list(points, max_hold_points, "hold point", [&, &held = body](auto& point) {
     auto& [in_hand, in_body, vertex, stiffness, max_force] = point;
     io.vector(in_hand, "position in the hand");
     io.vector(in_body, "position in the body");
     io.number(vertex, "vertex");
-    io.require(bodies.has_vertex(held, vertex), "a hold on a vertex that isn't there");
+    io.require(bodies.has_vertex(held, vertex), "a hold on a nonexistent vertex");
     io.number(stiffness, "stiffness");
     io.number(max_force, "largest force");
     io.require(stiffness > 0 && max_force > 0, "a hold without force");
@@ -182,7 +184,7 @@ void entry(Io& io, typename Io::template Entry<Entanglements>& entangled, std::s
     io.vector(way, "direction");
     io.flag(whole, "whole");
     io.number(seconds, "seconds");
-    io.require(seconds >= 0, "bodies entangled for less than no time");
+    io.require(seconds >= 0, "bodies entangled for a negative time");
   });
 }
 
@@ -191,11 +193,11 @@ void entry(Io& io, typename Io::template Entry<Lingerers::Map>& watched, const G
   const std::size_t rigid = bodies.model.rigid.size(), count = rigid + bodies.tissues.size();
   io.map(watched, count, "lingering body", [&](auto& body, auto& how) {
     io.number(body, "body");
-    io.require(body < count, "a body that lingers and isn't there");
+    io.require(body < count, "a nonexistent lingering body");
     auto& [place, ticks] = how;
     io.vector(place, body < rigid ? pose_numbers : 3 * bodies.tissues[body - rigid]->nodes(), "positions");
     io.number(ticks, "ticks");
-    io.require(ticks >= 0, "a body that lingers for less than no time");
+    io.require(ticks >= 0, "a body that lingers for a negative time");
   });
 }
 
@@ -209,7 +211,7 @@ void entry(Io& io, typename Io::template Entry<Part>& part) {
   io.number(opacity, "opacity");
   io.require(opacity >= 0 && opacity <= 1, "an opacity beyond 0 to 1");
   io.number(stiffness, "stiffness");
-  io.require(stiffness >= least_stiffness && stiffness <= most_stiffness, "a stiffness out of range");
+  io.require(stiffness >= min_stiffness && stiffness <= max_stiffness, "a stiffness out of range");
   for (int k = 0; k < 9; ++k) io.number(shape.A(k % 3, k / 3), "shape");
   io.vector(shape.p, "shape's position");
 }
@@ -218,7 +220,7 @@ template <class Io>
 void entry(Io& io, typename Io::template Entry<std::map<BodyId, std::uint8_t>>& lost, std::size_t bodies) {
   io.map(lost, bodies, "lost body", [&](auto& body, auto& times) {
     io.number(body, "body");
-    io.require(body < bodies, "a lost body that isn't there");
+    io.require(body < bodies, "a nonexistent lost body");
     io.number(times, "times");
   });
 }

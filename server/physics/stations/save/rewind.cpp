@@ -15,13 +15,13 @@
 namespace prosector {
 namespace {
 
-/// What clients have of a soft body, to tell whether it becomes another, and what goes on as it was.
+/// Client-side state of a soft body before a rewind, to detect whether the rewind changes it.
 struct Shown {
   std::uint64_t content_hash = 0;
   Numbering numbering;
   std::uint32_t revision = 0;
   int steps_down = 0;
-  bool looks_like(std::uint64_t hash, const Numbering& other) const {
+  bool equals_topology(std::uint64_t hash, const Numbering& other) const {
     return content_hash == hash && numbering.nodes == other.nodes && numbering.vertices == other.vertices &&
            numbering.triangles == other.triangles;
   }
@@ -47,8 +47,8 @@ void keep_later_pieces(State& state, std::size_t count) {
   }
 }
 
-/// Tells which bodies clients have to take anew. `was`: before, by soft body.
-void tell_of_changes(State& state, std::span<const Shown> was, ParticipantId author, StepReport& report) {
+/// Reports the bodies that clients have to reload. `was`: previous client-side state, by soft body.
+void report_changes(State& state, std::span<const Shown> was, ParticipantId author, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (std::size_t i = 0; i < was.size(); ++i) {
     Tissue& tissue = bodies.soft[i];
@@ -58,7 +58,7 @@ void tell_of_changes(State& state, std::span<const Shown> was, ParticipantId aut
     });
     tissue.revision = was[i].revision;
     const std::uint64_t content_hash = topology_hash(state, i);
-    if (was[i].looks_like(content_hash, tissue.numbering)) continue;
+    if (was[i].equals_topology(content_hash, tissue.numbering)) continue;
     TopologyChange& change = report.topology.emplace_back();
     change.body = bodies.soft_id(i);
     change.revision = ++tissue.revision;
@@ -69,8 +69,8 @@ void tell_of_changes(State& state, std::span<const Shown> was, ParticipantId aut
 }
 
 /// Puts the hands that are there now in place of those that were there then.
-void bring_back_hands(State& state, std::span<const Hand> present, std::span<const RigidMotion> motions,
-                      StepReport& report) {
+void restore_hands(State& state, std::span<const Hand> present, std::span<const RigidMotion> motions,
+                   StepReport& report) {
   for (; !state.hands.empty(); state.hands.pop_back()) state.bodies.rigid.remove(state.hands.back().slot);
   for (std::size_t i = 0; i < present.size(); ++i) {
     Hand& hand = state.hands.emplace_back(present[i]);
@@ -81,14 +81,14 @@ void bring_back_hands(State& state, std::span<const Hand> present, std::span<con
   }
 }
 
-/// Returns why this run can't go back to that state: it isn't one of its own past.
-Refusal not_of_this_past(const State& state, const RestoredState& past) {
+/// Returns why this run can't rewind to the given state: it isn't one of the run's own past states.
+Refusal refuse_foreign_state(const State& state, const RestoredState& past) {
   if (past.soft_bodies() > state.bodies.soft.size())
-    return "cutting: a state to go back to has bodies that never were";
+    return "cutting: the saved state has bodies that never existed";
   const std::map<std::size_t, Organ>& cut = state.dissection.organs;
   for (const auto& [first, then] : past.cuts().organs())
     if (!cut.contains(first) || !cut.at(first).has_past(then))
-      return "cutting: a state to go back to has another past";
+      return "cutting: the saved state has another history";
   return {};
 }
 
@@ -121,8 +121,8 @@ void go_back(State& state, RestoredState& past, const CutEvent& event, StepRepor
   state.time = {left.epoch + 1, left.tick};
   report.time = state.time;
   keep_later_pieces(state, count);
-  tell_of_changes(state, shown, event.participant, report);
-  bring_back_hands(state, present, motions, report);
+  report_changes(state, shown, event.participant, report);
+  restore_hands(state, present, motions, report);
 }
 
 /// Reads the state to go back to. Refused: its bytes are none of this scene.
@@ -138,10 +138,10 @@ Refusal read_past(State& state, const CutEvent& event, std::optional<RestoredSta
 }  // namespace
 
 Refusal rewind(State& state, const CutEvent& event, StepReport& report) {
-  if (!event.state) return "that state was not kept";
+  if (!event.state) return "that state is not stored";
   std::optional<RestoredState> past;
   if (Refusal why = read_past(state, event, past)) return why;
-  if (Refusal why = not_of_this_past(state, *past)) return why;
+  if (Refusal why = refuse_foreign_state(state, *past)) return why;
   go_back(state, *past, event, report);
   return {};
 }

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Goes back, or returns why not; then nothing changed but caches, which are made anew.
+/// Rewinds the state, or returns the reason why not; then nothing has changed except rebuilt caches.
 Refusal rewind(State& state, const CutEvent& event, StepReport& report);
 
 }  // namespace prosector

@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t most_strokes = 1 << 20;  // of one blade at once
+constexpr std::size_t most_strokes = 1 << 20;  // maximum number of simultaneous strokes of one blade
 
 template <class Io>
 void entry(Io& io, typename Io::template Entry<Blade>& blade, const std::vector<BladeShape>& shapes) {

@@ -12,8 +12,8 @@ namespace prosector {
 
 void save_cuts(const State& state, RecordWriter& io);
 
-/// What a checkpoint says was cut, beside a state that may have been cut otherwise. Nothing of the
-/// state changes before take_effect().
+/// Cuts restored from a checkpoint, before they replace those of the state. The state doesn't change before
+/// take_effect().
 class RestoredCuts {
  public:
   /// Starts with nothing cut.

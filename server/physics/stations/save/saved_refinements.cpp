@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_refined_edges = 1 << 24;
 
-/// What is saved of one body's refinement.
+/// Saved refinement of one body.
 struct RefinementRecord {
   std::vector<RefinedEdge> edges;
   bool touched = false;

@@ -13,8 +13,8 @@ namespace prosector {
 
 void save_refined(const State& state, RecordWriter& io);
 
-/// What a checkpoint says is refined, beside a state in which other things may be. Nothing of the state
-/// changes before take_effect().
+/// Refinements restored from a checkpoint, before they replace those of the state. The state doesn't change
+/// before take_effect().
 class RestoredRefinements {
  public:
   /// Starts with nothing refined.

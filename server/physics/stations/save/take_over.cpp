@@ -12,7 +12,7 @@
 namespace prosector {
 
 Refusal cut_stays(const std::string& body) {
-  return fmt::format("{} was cut, and its cuts are of its mesh: it stays as it is modelled", body);
+  return fmt::format("{} was cut, and its cuts belong to its mesh: its model is unchanged", body);
 }
 
 namespace {
@@ -80,7 +80,7 @@ bool whole_alike(const State& from, const State& to, std::size_t i) {
          a.tets == b.tets;
 }
 
-/// What differs between two models of a scene.
+/// Bodies whose model differs between two states of a scene.
 struct Remodelled {
   std::vector<std::size_t> bodies;  // soft ones, ascending
   Refusal refusal;                  // of one that was cut

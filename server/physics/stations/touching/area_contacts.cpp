@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "server/physics/mechanics/contact/area_rule.h"
-#include "server/physics/mechanics/contact/facing.h"
+#include "server/physics/mechanics/contact/vertex_gap.h"
 #include "server/physics/stations/touching/rigid_soft_contacts.h"
 #include "server/physics/stations/touching/surface_point.h"
 

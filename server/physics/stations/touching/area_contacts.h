@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "server/physics/mechanics/contact/memory.h"
+#include "server/physics/mechanics/contact/contact_memory.h"
 #include "server/physics/mechanics/contact/surface_detector.h"
 #include "server/physics/world/tissue.h"
 

@@ -26,17 +26,17 @@ double proxy_stiffness(const Tissue& tissue) {
 /// Returns the body's rolling parameters; boxes don't roll.
 RollingSide rolling_side(const Tissue& tissue) {
   if (!rolls(tissue.collision.fidelity)) return {};
-  const RoughShape& shape = *tissue.surface.proxy();
+  const ProxyShape& shape = *tissue.surface.proxy();
   return {tissue.desc().rolling_resistance, (shape.box().lo + shape.box().hi) / 2,
-          shape.hanger().spin(tissue.state.motion.v)};
+          shape.shape_matching().spin(tissue.state.motion.v)};
 }
 
 /// Appends contacts of two proxies.
 void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
-  const RoughShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
+  const ProxyShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
   std::vector<ShapeTouch> touches;
   find_touches(shape_a.piece(), shape_b.piece(), margin, touches);
-  const Hanger &of_a = shape_a.hanger(), &of_b = shape_b.hanger();
+  const ShapeMatching &of_a = shape_a.shape_matching(), &of_b = shape_b.shape_matching();
   const std::size_t shares = std::max(of_a.shares(), of_b.shares());
   const double own = proxy_stiffness(a), other = proxy_stiffness(b);
   const RollingSide rolling_a = rolling_side(a), rolling_b = rolling_side(b);
@@ -53,7 +53,7 @@ void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vecto
 
 /// Appends contacts of the vertices of `a`, which has no proxy, with the proxy of `b`.
 void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
-  const RoughShape& shape = *b.surface.proxy();
+  const ProxyShape& shape = *b.surface.proxy();
   const double skin = a.half_thickness();
   const Aabb reach = shape.box().grown(margin + skin);
   const SurfaceDetector& vertices = a.surface.vertices();
@@ -64,7 +64,7 @@ void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std
     Contact& c = out.emplace_back(pair_contact(a, b, near->normal, near->gap));
     c.a = a.side(vertex);
     c.point = x;
-    shape.hanger().hang(x, near->normal, vertex % shape.hanger().shares(), c.b);
+    shape.shape_matching().hang(x, near->normal, vertex % shape.shape_matching().shares(), c.b);
     c.stiffness = pair_stiffness(a, b, vertex);
     c.feature = vertex;
     recall(find(a.memories, c.b, c.feature), c);
@@ -75,14 +75,14 @@ void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std
 
 bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double margin,
                         std::vector<Contact>& out) {
-  const RoughShape& own = *tissue.surface.proxy();
+  const ProxyShape& own = *tissue.surface.proxy();
   if (!own.box().grown(margin).overlaps({collider.lo, collider.hi}) || !collider.outline) return false;
   std::vector<CollisionPiece> pieces;
   collider.outline->place(collider.pose, collider.part_poses, pieces);
   std::vector<ShapeTouch> touches;
   for (const CollisionPiece& piece : pieces)
     if (own.box().grown(margin).overlaps(box_of(piece))) find_touches(own.piece(), piece, margin, touches);
-  const std::size_t shares = own.hanger().shares();
+  const std::size_t shares = own.shape_matching().shares();
   const double stiffness = proxy_stiffness(tissue) / static_cast<double>(touches.size() * shares);
   if (touches.empty()) return false;
   const RollingSide rolling = rolling_side(tissue);
@@ -91,7 +91,7 @@ bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double m
     const Vec3 at = touch.point + rolling_lead(rolling, other, touch.point, touch.normal);
     for (std::size_t share = 0; share < shares; ++share) {
       Contact c = rigid_contact(tissue, touch.point, {touch.gap, touch.normal}, collider);
-      c.point = own.hanger().hang(at, touch.normal, share, c.a);
+      c.point = own.shape_matching().hang(at, touch.normal, share, c.a);
       if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
       c.stiffness = stiffness;
       out.push_back(c);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "server/physics/mechanics/contact/area_rule.h"
-#include "server/physics/mechanics/contact/facing.h"
 #include "server/physics/mechanics/contact/margins.h"
+#include "server/physics/mechanics/contact/vertex_gap.h"
 #include "server/physics/stations/touching/area_contacts.h"
 #include "server/physics/stations/touching/proxy_contacts.h"
 

@@ -25,7 +25,7 @@ double thinnest(const Collider& collider) {
 /// Returns the collider after t s, relative to a body that moves at `drift` (m/s).
 Collider after(const Collider& collider, double t, const Vec3& drift) {
   Collider out = collider;
-  out.pose.q = turned_by(t * collider.angular) * collider.pose.q;
+  out.pose.q = rotated_by(t * collider.angular) * collider.pose.q;
   out.pose.p += t * (collider.linear - drift);
   return out;
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 void BroadPhase::add(Id id, const Aabb& box, const CollisionMask& mask, bool moves) {
+  PROSECTOR_ASSERT(!has(id));
   if (id >= entries_.size()) entries_.resize(id + 1);
   Entry& entry = entries_[id];
   entry = {box, mask, DynamicTree::nothing, moves, true};
@@ -12,18 +15,21 @@ void BroadPhase::add(Id id, const Aabb& box, const CollisionMask& mask, bool mov
 }
 
 void BroadPhase::remove(Id id) {
+  PROSECTOR_ASSERT(has(id));
   Entry& entry = entries_[id];
   tree(entry).remove(entry.leaf);
   entry = {};
 }
 
 void BroadPhase::update(Id id, const Aabb& box) {
+  PROSECTOR_ASSERT(has(id));
   Entry& entry = entries_[id];
   entry.box = box;
   tree(entry).move(entry.leaf, box);
 }
 
 void BroadPhase::set_moves(Id id, bool moves) {
+  PROSECTOR_ASSERT(has(id));
   Entry& entry = entries_[id];
   if (entry.moves == moves) return;
   tree(entry).remove(entry.leaf);

@@ -17,11 +17,11 @@ CollisionGroups::CollisionGroups() : names_{"default"} {}
 void CollisionGroups::add(std::string_view name) {
   if (name.empty()) throw InputError("collision group: the name is empty");
   if (std::find(names_.begin(), names_.end(), name) != names_.end())
-    throw InputError(fmt::format("collision group \"{}\" is there twice", name));
+    throw InputError(fmt::format("collision group \"{}\" is defined twice", name));
   if (names_.size() == most_groups)
-    throw InputError(
-        fmt::format("collision group \"{}\": there are {} already, \"default\" included; no more fit", name,
-                    most_groups));
+    throw InputError(fmt::format(
+        "collision group \"{}\": {} groups exist already, \"default\" included, which is the maximum", name,
+        most_groups));
   names_.emplace_back(name);
 }
 
@@ -35,7 +35,7 @@ std::uint32_t CollisionGroups::bit(std::string_view name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end())
     throw InputError(
-        fmt::format("collision group \"{}\" is not there; there are {}", name, fmt::join(names_, ", ")));
+        fmt::format("collision group \"{}\" does not exist; defined: {}", name, fmt::join(names_, ", ")));
   return 1u << (found - names_.begin());
 }
 

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -26,6 +28,7 @@ std::uint32_t DynamicTree::take_node() {
 }
 
 DynamicTree::Leaf DynamicTree::insert(const Aabb& box, std::uint32_t user) {
+  PROSECTOR_ASSERT(margin_ >= 0 && user != nothing);
   const Leaf leaf = take_node();
   nodes_[leaf].box = box.grown(margin_);
   nodes_[leaf].user = user;
@@ -35,6 +38,8 @@ DynamicTree::Leaf DynamicTree::insert(const Aabb& box, std::uint32_t user) {
 }
 
 void DynamicTree::remove(Leaf leaf) {
+  PROSECTOR_ASSERT(leaf < nodes_.size() && nodes_[leaf].leaf() && nodes_[leaf].user != nothing &&
+                   leaves_ > 0);
   unlink(leaf);
   nodes_[leaf] = {};
   nodes_[leaf].parent = free_;
@@ -43,6 +48,7 @@ void DynamicTree::remove(Leaf leaf) {
 }
 
 bool DynamicTree::move(Leaf leaf, const Aabb& box) {
+  PROSECTOR_ASSERT(leaf < nodes_.size() && nodes_[leaf].leaf() && nodes_[leaf].user != nothing);
   const Aabb fat = box.grown(margin_);
   // Keeps the fat box while it contains the new box, unless the fat box has become much too large.
   if (nodes_[leaf].box.contains(box) && fat.grown(4 * margin_).contains(nodes_[leaf].box)) return false;
@@ -53,6 +59,7 @@ bool DynamicTree::move(Leaf leaf, const Aabb& box) {
 }
 
 std::uint32_t DynamicTree::best_sibling(const Aabb& box) const {
+  PROSECTOR_ASSERT(root_ != nothing);
   std::uint32_t at = root_;
   while (!nodes_[at].leaf()) {
     const Node& node = nodes_[at];
@@ -109,6 +116,7 @@ void DynamicTree::unlink(Leaf leaf) {
 }
 
 void DynamicTree::refit(std::uint32_t i) {
+  PROSECTOR_ASSERT(!nodes_[i].leaf());
   Node& node = nodes_[i];
   node.box = around(nodes_[node.left].box, nodes_[node.right].box);
   node.height = 1 + std::max(nodes_[node.left].height, nodes_[node.right].height);

@@ -27,7 +27,7 @@ auto RigidOutline::fit(std::span<const Pose> part_poses, const Fit& fit) const {
 }
 
 RigidOutline::RigidOutline(std::vector<ShapePart> parts, Fidelity fidelity) : fidelity_(fidelity) {
-  if (parts.empty()) throw InputError("collision shape: no parts; it needs one at least");
+  if (parts.empty()) throw InputError("collision shape: no parts; at least one is needed");
   for (const ShapePart& part : parts) parts_.push_back(make_part(part));
   const std::vector<Pose> rest = rest_poses();
   if (fidelity == Fidelity::sphere) rest_sphere_ = fit(rest, enclosing_sphere);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "common/primitives.h"
+#include "common/scene/primitives.h"
 
 namespace prosector {
 namespace {
@@ -27,7 +27,7 @@ Aabb box_of(const std::vector<Vec3>& points) {
 
 /// Returns the points that may be corners of their convex hull.
 std::vector<Vec3> outer_points(const std::vector<Vec3>& points) {
-  if (points.empty()) throw InputError("collision hull: no points; it needs one at least");
+  if (points.empty()) throw InputError("collision hull: no points; at least one is needed");
   const Aabb box = box_of(points);
   const double near = hull_rounding * (box.hi - box.lo).maxCoeff();
   const TriangleMesh hull = convex_hull(points);

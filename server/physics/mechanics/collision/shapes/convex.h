@@ -55,7 +55,7 @@ class ConvexBall final : public Convex {
 class FacetedConvex : public Convex {
  public:
   /// Returns the faces. Round shapes are tessellated within `chord_error` or with 48 segments around
-  /// (common/primitives.h). Hulls of points are accurate to 1e-4 of their size.
+  /// (common/scene/primitives.h). Hulls of points are accurate to 1e-4 of their size.
   virtual std::shared_ptr<const TriangleSurface> faces() const = 0;
   /// Returns the part of the rounding that the faces do not include, m.
   virtual double faces_rounding() const { return 0; }

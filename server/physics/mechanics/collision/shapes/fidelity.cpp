@@ -12,7 +12,7 @@ namespace prosector {
 Fidelity fidelity_of(std::string_view name) {
   const auto found = std::find(fidelity_names.begin(), fidelity_names.end(), name);
   if (found == fidelity_names.end())
-    throw InputError(fmt::format("collision \"{}\" is none of {}", name, fmt::join(fidelity_names, ", ")));
+    throw InputError(fmt::format("collision is \"{}\"; allowed: {}", name, fmt::join(fidelity_names, ", ")));
   return static_cast<Fidelity>(found - fidelity_names.begin());
 }
 

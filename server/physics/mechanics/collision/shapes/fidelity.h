@@ -4,11 +4,11 @@
 #include <array>
 #include <string_view>
 
-#include "common/messages.h"
+#include "common/fidelity.h"
 
 namespace prosector {
 
-/// Indexed by Fidelity (common/messages.h), coarsest first. rigid_outline.h and rough_shape.h describe the
+/// Indexed by Fidelity (common/messages.h), coarsest first. rigid_outline.h and proxy_shape.h describe the
 /// shapes.
 inline constexpr std::array<std::string_view, 6> fidelity_names = {"none", "sphere", "aabb",
                                                                    "obb",  "hull",   "mesh"};

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -70,6 +72,7 @@ void SpaceOrder::sort() {
 }
 
 void SpaceOrder::follow(const ListEdit& edit, std::span<const Vec3> come) {
+  PROSECTOR_ASSERT(order_.size() == points_.size() && codes_.size() == order_.size());
   const bool may_shrink = std::any_of(edit.gone.begin(), edit.gone.end(),
                                       [&](std::uint32_t i) { return at_a_side(box_, points_[i]); });
   apply(edit, come, points_);
@@ -102,6 +105,7 @@ void SpaceOrder::follow(const ListEdit& edit, std::span<const Vec3> come) {
     add(staying);
   }
   for (; next != coming.end(); ++next) add(*next);
+  PROSECTOR_ASSERT(order.size() == points_.size());
   order_ = std::move(order);
   codes_ = std::move(codes);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 
 namespace prosector {
@@ -34,6 +35,7 @@ void descend_pairs(const SurfaceTree& a, const SurfaceTree& b, const Mat3& rotat
       leaf(p, q);
       continue;
     }
+    PROSECTOR_ASSERT(height + 2 <= stack.size());
     const bool split_a = q.leaf() || (!p.leaf() && p.box.half().squaredNorm() >= q.box.half().squaredNorm());
     Entry near = split_a ? entry(at.i + 1, at.j, at.box_b) : entry(at.i, at.j + 1, moved(at.j + 1));
     Entry far = split_a ? entry(p.right, at.j, at.box_b) : entry(at.i, q.right, moved(q.right));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -16,7 +17,7 @@ std::vector<Corners> checked(std::vector<Corners> triangles, std::size_t vertice
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Corners& c = triangles[t];
     if (std::max({c[0], c[1], c[2]}) >= vertices)
-      throw InputError(fmt::format("surface: triangle {} names vertex {}, there are {}", t,
+      throw InputError(fmt::format("surface: triangle {} refers to vertex {}; there are {}", t,
                                    std::max({c[0], c[1], c[2]}), vertices));
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
       throw InputError(fmt::format("surface: triangle {} has a vertex twice; its three must differ", t));
@@ -51,6 +52,8 @@ void SurfaceTopology::follow(const SurfaceEdit& edit) {
 }
 
 void SurfaceTopology::find_neighbours(std::uint32_t t) {
+  PROSECTOR_ASSERT(t < triangles_.size() && across_.size() == triangles_.size() &&
+                   open_.size() == triangles_.size());
   open_[t] = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t from = triangles_[t][k], to = triangles_[t][(k + 1) % 3];

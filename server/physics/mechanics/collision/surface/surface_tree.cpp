@@ -1,5 +1,7 @@
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 
+#include "common/assert.h"
+
 namespace prosector {
 
 SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions)
@@ -29,6 +31,7 @@ SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec
 SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions,
                          std::span<const std::uint32_t> order)
     : order_(order.begin(), order.end()) {
+  PROSECTOR_ASSERT(order_.size() == triangles.size());
   nodes_.reserve(order_.size());
   const auto as_it_is = [](std::uint32_t, std::uint32_t, std::uint32_t) {};
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()), as_it_is);
@@ -39,6 +42,7 @@ SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec
 /// `middle`.
 template <class F>
 std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end, const F& halve) {
+  PROSECTOR_ASSERT(begin < end && end <= order_.size());
   const auto at = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({{}, begin, end, 0});
   if (end - begin <= leaf_triangles) return at;
@@ -50,6 +54,7 @@ std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end, const F
 }
 
 void SurfaceTree::refit(std::span<const Corners> triangles, std::span<const Vec3> positions) {
+  PROSECTOR_ASSERT(order_.size() == triangles.size());
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     node.box = {};

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
 namespace prosector {
@@ -71,6 +72,7 @@ void SurfaceTree::visit(const Enter& enter, const Leaf& leaf) const {
       leaf(node);
       continue;
     }
+    PROSECTOR_ASSERT(height + 2 <= stack.size());
     stack[height++] = node.right;
     stack[height++] = i + 1;
   }
@@ -94,6 +96,7 @@ void SurfaceTree::descend(const Bound& bound, const Limit& limit, const Leaf& le
       leaf(node);
       continue;
     }
+    PROSECTOR_ASSERT(height + 2 <= stack.size());
     Entry left{at.node + 1, bound(nodes_[at.node + 1].box)}, right{node.right, bound(nodes_[node.right].box)};
     if (right.bound < left.bound) std::swap(left, right);
     stack[height++] = right;

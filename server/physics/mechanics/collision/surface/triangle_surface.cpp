@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -19,7 +20,7 @@ bool all_finite(std::span<const Vec3> positions) {
 }
 
 std::vector<Vec3> checked(const SurfaceTopology& topology, std::vector<Vec3> positions) {
-  if (topology.triangles().empty()) throw InputError("surface: no triangles; it needs one at least");
+  if (topology.triangles().empty()) throw InputError("surface: no triangles; at least one is needed");
   if (positions.size() != topology.vertices())
     throw InputError(
         fmt::format("surface: {} positions for {} vertices", positions.size(), topology.vertices()));
@@ -53,6 +54,8 @@ void TriangleSurface::follow(const SurfaceEdit& edit, const TriangleMesh& mesh,
   auto topology = std::make_shared<SurfaceTopology>(*topology_);  // other surfaces may share the old topology
   topology->follow(edit);
   topology_ = std::move(topology);
+  PROSECTOR_ASSERT(mesh.positions.size() == topology_->vertices() &&
+                   mesh.triangles.size() == topology_->triangles().size());
   positions_ = mesh.positions;
   tree_ = SurfaceTree(topology_->triangles(), positions_, order);
 }
@@ -96,6 +99,7 @@ Vec3 TriangleSurface::face_normal(std::uint32_t t) const {
 }
 
 Vec3 TriangleSurface::normal_at(std::uint32_t t, const Vec3& weights) const {
+  PROSECTOR_ASSERT(t < topology_->triangles().size());
   const int zeros = (weights.array() == 0).cast<int>().sum();
   if (zeros == 0) return face_normal(t);
   if (zeros == 1) {

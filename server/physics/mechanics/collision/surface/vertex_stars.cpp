@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 VertexStars::VertexStars(std::span<const Corners> triangles, std::size_t vertices) : begin_(vertices + 1, 0) {
@@ -16,6 +18,8 @@ VertexStars::VertexStars(std::span<const Corners> triangles, std::size_t vertice
 }
 
 void VertexStars::follow(const SurfaceEdit& edit) {
+  PROSECTOR_ASSERT(edit.corners.size() == edit.triangles.come.size() &&
+                   edit.vertices.now.size() == vertices());
   struct Coming {
     std::uint32_t vertex, triangle;
     auto operator<=>(const Coming&) const = default;
@@ -44,6 +48,7 @@ void VertexStars::follow(const SurfaceEdit& edit) {
       std::inplace_merge(stars.begin() + begin[vertex], stars.begin() + middle, stars.end());
     begin[vertex + 1] = static_cast<std::uint32_t>(stars.size());
   }
+  PROSECTOR_ASSERT(coming == come.end() && begin.back() == stars.size());
   begin_ = std::move(begin);
   triangles_ = std::move(stars);
 }

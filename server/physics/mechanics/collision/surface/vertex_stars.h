@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/assert.h"
 #include "server/physics/base/surface_edit.h"
 
 namespace prosector {
@@ -21,6 +22,7 @@ class VertexStars {
   std::size_t vertices() const { return begin_.size() - 1; }
   /// Returns the triangles at a vertex, ascending.
   std::span<const std::uint32_t> operator[](std::uint32_t vertex) const {
+    PROSECTOR_ASSERT(vertex < vertices());
     return {triangles_.data() + begin_[vertex], triangles_.data() + begin_[vertex + 1]};
   }
   /// Returns the triangles at these vertices without duplicates, ascending.

@@ -78,7 +78,7 @@ std::span<const Mat3> BatchedModel::warped_stiffness(const double* x) {
   return stiffness();
 }
 
-void BatchedModel::linearise(const double* x, double share, TurnedElements& out) {
+void BatchedModel::linearise(const double* x, double share, CorotatedElements& out) {
   reserve(out);
   const bool there = take(x);
   for_chunks([&](const ElementChunk& chunk) {

@@ -34,14 +34,14 @@ class ChunkedElements {
   /// Computes the tangent or the warped stiffness.
   virtual void find_stiffness(const ElementChunk& chunk, bool warped) = 0;
   /// Writes the chunk's rotated elements, see ElasticModel::linearise().
-  virtual void turn(const ElementChunk& chunk, double share, TurnedElements& out) const = 0;
+  virtual void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const = 0;
 
   // ---- All elements
   virtual std::span<const Vec3> forces() const = 0;     // N, by corner
   virtual std::span<const Mat3> stiffness() const = 0;  // N/m, by block
   /// Allocates the stiffness when first needed; models with rotated elements seldom need it.
   virtual void reserve_stiffness() = 0;
-  virtual void reserve(TurnedElements& out) const = 0;
+  virtual void reserve(CorotatedElements& out) const = 0;
 };
 
 /// Caches the positions of the elements and the results there, and processes the elements in chunks.
@@ -55,7 +55,7 @@ class BatchedModel : public ElasticModel, protected ChunkedElements {
   std::span<const Mat3> tangent(const double* x) final;
   std::span<const Mat3> warped_stiffness(const double* x) final;
   bool turns() const final { return batches_->turns(); }
-  void linearise(const double* x, double share, TurnedElements& out) final;
+  void linearise(const double* x, double share, CorotatedElements& out) final;
 
   std::size_t history_size() const final { return relaxing_ ? relaxing_->history_size() : 0; }
   void begin_step(double h, const double* x, const double* history) final;

@@ -37,7 +37,7 @@ class CorotationalBatches final : public ElementBatches {
     lane_warped_stiffness(rest_[batch], strain_[batch].R, K);
   }
   bool turns() const override { return true; }
-  void turn(std::size_t batch, double share, std::span<TurnedVector> gradients,
+  void turn(std::size_t batch, double share, std::span<CorotatedVector> gradients,
             std::span<Twist> twists) const override {
     lane_turned_elements(rest_[batch], strain_[batch], share, gradients, twists);
   }

@@ -17,11 +17,11 @@ using Blocks = Tet4Elements::Stiffness;
 constexpr std::size_t stiffness_entries = sizeof(Blocks) / sizeof(double);
 
 /// Rotated shape function gradients r_0 … r_3.
-struct Turned {
+struct Corotated {
   Vector r[4];
 };
-HWY_INLINE Turned turned_gradients(const Matrix& R, const Matrix& B) {
-  Turned t;
+HWY_INLINE Corotated corotated_gradients(const Matrix& R, const Matrix& B) {
+  Corotated t;
   t.r[1] = R * B.a;
   t.r[2] = R * B.b;
   t.r[3] = R * B.c;
@@ -128,7 +128,7 @@ void dilatations(const LaneStrain& strain, std::span<double> theta) {
 void turned(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G) {
   const D d;
   for (std::size_t i = 0; i < G.size(); i += hn::Lanes(d)) {
-    const Turned t = turned_gradients(load(R, i), load(rest.gradients, i));
+    const Corotated t = corotated_gradients(load(R, i), load(rest.gradients, i));
     const V V0 = hn::Load(d, rest.volume + i);
     write_forces({V0 * t.r[1], V0 * t.r[2], V0 * t.r[3]}, i, G);
   }
@@ -143,7 +143,7 @@ void stiffness(const LaneRest& rest, const LaneStrain& strain, std::span<Blocks>
             m = number(2) * hn::Load(d, rest.mu + i), lambda = l * V0, two_mu = m * V0;
     const Matrix C = half_twists(l, m, hn::Load(d, strain.pressure + i), least_corotational_pair, 1e-20,
                                  load(strain.F, i), R);
-    const Turned t = turned_gradients(R, load(rest.gradients, i));
+    const Corotated t = corotated_gradients(R, load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       // Rows of V [r_a]ₓ ½C.
       const Vector va = V0 * t.r[a];
@@ -169,7 +169,7 @@ void warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Block
   for (std::size_t i = 0; i < K.size(); i += hn::Lanes(d)) {
     const V V0 = hn::Load(d, rest.volume + i), lambda = hn::Load(d, rest.lambda + i) * V0,
             mu = hn::Load(d, rest.mu + i) * V0;
-    const Turned t = turned_gradients(load(R, i), load(rest.gradients, i));
+    const Corotated t = corotated_gradients(load(R, i), load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       const Vector la = lambda * t.r[a], ma = mu * t.r[a];
       for (int b = a + 1; b < 4; ++b) {
@@ -201,15 +201,15 @@ struct FloatBuffer {
   }
 };
 
-void turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
-                     std::span<TurnedVector> gradients, std::span<Twist> twists) {
+void corotated_elements(const LaneRest& rest, const LaneStrain& strain, double share,
+                        std::span<CorotatedVector> gradients, std::span<Twist> twists) {
   const D d;
   FloatBuffer buffer;
   for (std::size_t i = 0; i < twists.size(); i += hn::Lanes(d)) {
     const std::size_t count = std::min(hn::Lanes(d), twists.size() - i);
     const Matrix R = load(strain.R, i);
     const V mu = hn::Load(d, rest.mu + i), lambda = hn::Load(d, rest.lambda + i);
-    const Turned t = turned_gradients(R, load(rest.gradients, i));
+    const Corotated t = corotated_gradients(R, load(rest.gradients, i));
     const V size = hn::Sqrt(hn::Load(d, rest.volume + i) * mu);
     for (std::size_t a = 0; a < 4; ++a)
       buffer.scatter(single(size * t.r[a]), gradients[4 * i + a].at, 16, count);
@@ -243,7 +243,7 @@ HWY_EXPORT(dilatations);
 HWY_EXPORT(turned);
 HWY_EXPORT(stiffness);
 HWY_EXPORT(warped_stiffness);
-HWY_EXPORT(turned_elements);
+HWY_EXPORT(corotated_elements);
 
 void lane_gradients(const LaneRest& rest, const LaneMatrix& edges, LaneMatrix& F) {
   HWY_DYNAMIC_DISPATCH(gradients)(rest, edges, F);
@@ -272,8 +272,8 @@ void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<
   HWY_DYNAMIC_DISPATCH(warped_stiffness)(rest, R, K);
 }
 void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
-                          std::span<TurnedVector> gradients, std::span<Twist> twists) {
-  HWY_DYNAMIC_DISPATCH(turned_elements)(rest, strain, share, gradients, twists);
+                          std::span<CorotatedVector> gradients, std::span<Twist> twists) {
+  HWY_DYNAMIC_DISPATCH(corotated_elements)(rest, strain, share, gradients, twists);
 }
 
 }  // namespace prosector

@@ -9,8 +9,8 @@
 
 #include <span>
 
+#include "server/physics/mechanics/soft/elements/corotated_elements.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
-#include "server/physics/mechanics/soft/elements/turned_elements.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
 namespace prosector {
@@ -36,8 +36,9 @@ void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
 /// every objective law at F = R.
 void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K);
 
-/// Computes the first twists.size() elements in the form of turned_elements.h, see ElasticModel::linearise.
+/// Computes the first twists.size() elements in the form of corotated_elements.h, see
+/// ElasticModel::linearise.
 void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
-                          std::span<TurnedVector> gradients, std::span<Twist> twists);
+                          std::span<CorotatedVector> gradients, std::span<Twist> twists);
 
 }  // namespace prosector

@@ -9,7 +9,7 @@
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 #include "server/physics/mechanics/soft/base/connectivity.h"
-#include "server/physics/mechanics/soft/elements/turned_elements.h"
+#include "server/physics/mechanics/soft/elements/corotated_elements.h"
 
 namespace prosector {
 
@@ -54,7 +54,7 @@ class ElasticModel {
   virtual bool turns() const { return false; }
   /// Computes the rotated elements at x, with twists for `share` = 1/(s + 1). The same pass computes the data
   /// that energy and gradient need at x. Allocates memory at the first call for `out`.
-  virtual void linearise(const double* /*x*/, double /*share*/, TurnedElements& /*out*/) {}
+  virtual void linearise(const double* /*x*/, double /*share*/, CorotatedElements& /*out*/) {}
 
   // ---- Updates after a cut or an undone cut
   /// Returns whether follow() can apply the edit: the elements are all tetrahedra of the edited mesh, and

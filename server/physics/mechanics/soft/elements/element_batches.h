@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "server/physics/mechanics/soft/elements/corotated_elements.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
-#include "server/physics/mechanics/soft/elements/turned_elements.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
@@ -51,7 +51,7 @@ class ElementBatches {
   /// Returns whether turn() is implemented.
   virtual bool turns() const { return false; }
   /// Computes the batch's rotated elements: 4 gradients and a twist each, see ElasticModel::linearise.
-  virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<TurnedVector> /*gradients*/,
+  virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<CorotatedVector> /*gradients*/,
                     std::span<Twist> /*twists*/) const {}
 
   /// Returns the trace of the warped stiffness of all batches at rest, N/m.

@@ -206,11 +206,11 @@ void Tet10Elements::gather(const Tet4Elements::Stiffness* points, Mat3* K) {
   }
 }
 
-void Tet10Elements::spread(const TurnedVector* corners, TurnedVector* r) {
+void Tet10Elements::spread(const CorotatedVector* corners, CorotatedVector* r) {
   for (std::size_t q = 0; q < points_per_element; ++q, corners += 4)
     for (std::size_t n = 0; n < nodes_per_element; ++n, ++r) {
       const Share& s = shares[q][n];
-      const TurnedVector &a = corners[s.corner[0]], &b = corners[s.corner[1]];
+      const CorotatedVector &a = corners[s.corner[0]], &b = corners[s.corner[1]];
       const auto wa = static_cast<float>(s.weight[0]), wb = static_cast<float>(s.weight[1]);
       for (std::size_t k = 0; k < 4; ++k) r->at[k] = wa * a.at[k] + wb * b.at[k];
     }

@@ -12,9 +12,9 @@
 
 #include "common/mesh.h"
 #include "server/physics/mechanics/soft/base/connectivity.h"
+#include "server/physics/mechanics/soft/elements/corotated_elements.h"
 #include "server/physics/mechanics/soft/elements/edge_nodes.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
-#include "server/physics/mechanics/soft/elements/turned_elements.h"
 
 namespace prosector {
 
@@ -75,7 +75,7 @@ class Tet10Elements {
   static const double squares_of_points, squares_of_sums;
   /// Computes the gradients of the nodes' shape functions from those of the points' corners (transposes of
   /// D): r[40].
-  static void spread(const TurnedVector* corners, TurnedVector* r);
+  static void spread(const CorotatedVector* corners, CorotatedVector* r);
 
  private:
   Tet4Elements corners_;

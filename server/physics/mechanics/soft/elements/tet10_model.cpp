@@ -159,7 +159,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
 
   /// Computes to = share·(the sum of the points' gradients).
-  static void average(double share, const TurnedVector* points, TurnedVector* to) {
+  static void average(double share, const CorotatedVector* points, CorotatedVector* to) {
     for (std::size_t n = 0; n < nodes; ++n)
       for (std::size_t k = 0; k < 4; ++k) {
         float sum = 0;
@@ -181,18 +181,18 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
     batches().set_pressures(chunk.batch, of_points);
   }
 
-  void reserve(TurnedElements& out) const override {
+  void reserve(CorotatedElements& out) const override {
     fit_scratch(out.gradient, nodes * points.size());
     fit_scratch(out.twist, points.size());
     if (!mean_share_.empty()) fit_scratch(out.mean, nodes * elements.size());
   }
-  void turn(const ElementChunk& chunk, double share, TurnedElements& out) const override {
-    std::array<TurnedVector, 4 * elements_per_batch> corner{};
+  void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const override {
+    std::array<CorotatedVector, 4 * elements_per_batch> corner{};
     const std::size_t begin = per_element * chunk.first, count = per_element * chunk.size();
     batches().turn(chunk.batch, share, std::span(corner.data(), 4 * count),
                    std::span(out.twist).subspan(begin, count));
     for (std::size_t e = chunk.first; e < chunk.last; ++e) {
-      TurnedVector* own = &out.gradient[per_element * nodes * e];
+      CorotatedVector* own = &out.gradient[per_element * nodes * e];
       Tet10Elements::spread(&corner[4 * per_element * (e - chunk.first)], own);
       if (!mean_share_.empty()) average(mean_share_[e], own, &out.mean[nodes * e]);
     }
@@ -200,7 +200,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
 
   std::vector<double> mean_, mu_;  // by material: λ'', Pa, empty if no material has one; μ, Pa
   std::vector<double> mean_modulus_, mean_dilatation_;  // by element: λ'' (Pa) and θ̄; empty: none
-  std::vector<double> mean_share_;                      // √(λ''/4μ), see turned_elements.h
+  std::vector<double> mean_share_;                      // √(λ''/4μ), see corotated_elements.h
   std::vector<double> corners_;                         // 12 per point: its D_c
   std::vector<Tet4Elements::Forces> point_forces_;
   std::vector<Tet4Elements::Stiffness> point_stiffness_;

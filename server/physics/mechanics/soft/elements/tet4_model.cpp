@@ -71,11 +71,11 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   }
   std::span<const Mat3> stiffness() const override { return flat(stiffness_); }
 
-  void reserve(TurnedElements& out) const override {
+  void reserve(CorotatedElements& out) const override {
     fit_scratch(out.gradient, 4 * elements.size());
     fit_scratch(out.twist, elements.size());
   }
-  void turn(const ElementChunk& chunk, double share, TurnedElements& out) const override {
+  void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const override {
     batches().turn(chunk.batch, share, std::span(out.gradient).subspan(4 * chunk.first, 4 * chunk.size()),
                    std::span(out.twist).subspan(chunk.first, chunk.size()));
   }

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
+#include "server/physics/mechanics/soft/laws/flattened_matrix.h"
 #include "server/physics/mechanics/soft/laws/polar.h"
 #include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
-#include "server/physics/mechanics/soft/laws/vec9.h"
 
 namespace prosector {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
-#include "server/physics/mechanics/soft/laws/vec9.h"
+#include "server/physics/mechanics/soft/laws/flattened_matrix.h"
 
 namespace prosector {
 namespace {

@@ -4,7 +4,7 @@
 
 // Must follow foreach_target.h, which includes these headers again.
 #include "server/physics/mechanics/soft/matrices/symmetric_product.h"
-#include "server/physics/mechanics/soft/simd/four.h"
+#include "server/physics/mechanics/soft/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace prosector::HWY_NAMESPACE {

@@ -7,9 +7,12 @@ namespace prosector {
 
 const std::vector<SolverRow>& solvers() {
   static const std::vector<SolverRow> rows = {
-      {"cg", "conjugate gradients, block Jacobi: little work for little accuracy", make_cg},
-      {"multigrid", "conjugate gradients, multigrid: few iterations, however fine the mesh", make_multigrid},
-      {"direct", "sparse Cholesky, refined over contacts: stiff, nearly incompressible or slender bodies",
+      {"cg", "conjugate gradients with block Jacobi preconditioner: low cost at low accuracy", make_cg},
+      {"multigrid",
+       "conjugate gradients with multigrid preconditioner: few iterations at any mesh resolution",
+       make_multigrid},
+      {"direct",
+       "sparse Cholesky with refinement over contacts: for stiff, nearly incompressible or slender bodies",
        make_direct},
   };
   return rows;

@@ -3,7 +3,7 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep; compiles this file once per instruction set
 
 // Must follow foreach_target.h, which includes these headers again.
-#include "server/physics/mechanics/soft/simd/four.h"
+#include "server/physics/mechanics/soft/simd/four_lanes.h"
 #include "server/physics/mechanics/soft/solvers/node_covariance.h"
 
 HWY_BEFORE_NAMESPACE();

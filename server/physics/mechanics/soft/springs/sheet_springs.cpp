@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/anatomy/fabric.h"
+#include "common/anatomy/sheets_and_ropes.h"
 #include "common/error.h"
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"

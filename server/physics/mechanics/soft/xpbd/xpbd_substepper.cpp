@@ -61,7 +61,7 @@ class XpbdSubstepper final : public Substepper {
   }
   int allowed() const override { return std::max(body_.desc.substeps, body_.desc.max_substeps); }
   bool has_limit() const override { return false; }
-  const char* remark() const override { return bounded_ ? "; poisson_ratio counts as 0.499" : ""; }
+  const char* remark() const override { return bounded_ ? "; poisson_ratio is limited to 0.499" : ""; }
   double most_gain(double) const override { return 1.002; }
   double most_pushed(double) const override { return 2; }  // work of the push, and strain energy from it
   void begin(const SoftBodyState&) override {}

@@ -1,0 +1,21 @@
+#pragma once
+// Selects the device of a command, by its address or by its table in the configuration.
+
+#include <filesystem>
+#include <string>
+
+#include "drivers/config/device_config.h"
+
+namespace prosector {
+
+struct ConfiguredDevice {
+  std::string address;  // DRIVER:PATH
+  DeviceConfig device;  // settings from the configuration, else the defaults
+};
+
+/// Returns the device given by `wanted`: an address, or "tracker", "glove.right" or "glove.left" of the
+/// configuration. If `wanted` is empty: the first of these in the configuration. `config` is empty for none.
+/// Throws InputError if the configuration can't be read or has no such device.
+ConfiguredDevice configured_device(const std::string& wanted, const std::filesystem::path& config);
+
+}  // namespace prosector

@@ -1,0 +1,33 @@
+#pragma once
+// Eye tracking for a screen that acts as a window into the room: reads a device and computes the view.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/view/eased_eye_position.h"
+#include "client/view/window_view.h"
+#include "drivers/config/client_config.h"
+
+namespace prosector {
+
+class EyeWindow {
+ public:
+  /// Opens the eye-tracking device. Throws InputError if its settings are unusable.
+  explicit EyeWindow(const WindowSettings& settings);
+
+  /// Reads the device. Returns the user's eye position and the screen size. `fov`: vertical field of view of
+  /// the view without a window, rad.
+  WindowLook look(std::int64_t now_ns, double fov);
+  /// Returns the device's status line if it changed since the last call; else an empty string.
+  std::string take_news();
+
+ private:
+  const WindowSettings settings_;
+  std::unique_ptr<Device> device_;
+  std::vector<DeviceSample> samples_;
+  EasedEyePosition eye_;
+  std::string told_;  // last reported status line
+};
+
+}  // namespace prosector

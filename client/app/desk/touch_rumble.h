@@ -1,0 +1,28 @@
+#pragma once
+// Gamepad rumble of a desk user, driven by the contact force on their hand.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "drivers/gamepad/rumble.h"
+
+namespace prosector {
+
+class TouchRumble {
+ public:
+  using Open = std::function<std::unique_ptr<RumbleMotors>()>;
+  explicit TouchRumble(Open open = open_rumble) : open_(std::move(open)) {}
+
+  /// Updates the rumble with the force on the hand, N, at a time, ns. Without a gamepad nothing is opened.
+  /// After a failed attempt to open the motors it retries every 3 s, because the gamepad may be another one
+  /// by then.
+  void follow(bool has_gamepad, double force, std::int64_t now_ns);
+
+ private:
+  Open open_;
+  std::optional<Rumble> rumble_;
+  std::optional<std::int64_t> asked_ns_, last_ns_;
+};
+
+}  // namespace prosector

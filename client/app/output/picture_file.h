@@ -1,0 +1,21 @@
+#pragma once
+// Folder and file names of screenshots taken with a key.
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace prosector {
+
+/// Returns the user's picture folder according to the desktop (XDG), else ~/Pictures, else the current
+/// folder. `variable` returns an environment variable; empty: not set.
+std::filesystem::path pictures_folder(const std::function<std::string(const char*)>& variable);
+
+/// Returns an unused file name in the folder: "prosector-2026-11-25-162031-tick-742.png", with a number if
+/// that exists. `now` is written in local time.
+std::filesystem::path free_picture_file(const std::filesystem::path& folder,
+                                        std::chrono::system_clock::time_point now, std::uint64_t tick);
+
+}  // namespace prosector

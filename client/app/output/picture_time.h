@@ -1,0 +1,15 @@
+#pragma once
+// Measures the rendering time on this machine.
+
+#include <filesystem>
+
+#include "client/render/gl_context.h"
+
+namespace prosector {
+
+/// Renders a scene seven times at medium quality, 800 × 600, and returns the median time of a frame, s.
+/// Throws InputError if the scene can't be read or OpenGL fails.
+double picture_time(GlContext& context, const std::filesystem::path& shaders,
+                    const std::filesystem::path& scene);
+
+}  // namespace prosector

@@ -1,0 +1,12 @@
+#pragma once
+// Set-up window: shows pages until the user enters a session, runs the session as a separate process, and
+// shows the pages again.
+
+#include "client/app/run/options.h"
+
+namespace prosector {
+
+/// Runs the set-up window and returns the exit code. Throws InputError if no window can be opened.
+int run_setup(const SetupOptions& options);
+
+}  // namespace prosector

@@ -1,0 +1,35 @@
+#pragma once
+// Detects that the server no longer receives this client's inputs.
+
+#include <atomic>
+#include <cstdint>
+
+namespace prosector {
+
+/// Detects when a running server no longer consumes a client's inputs although they are sent. A single
+/// damaged datagram with a sequence number far ahead can cause this. The server's DDS reader then drops all
+/// following samples of the same writer as outdated. sent() may be called on another thread than the other
+/// functions.
+class InputLossDetector {
+ public:
+  /// Notes that an input was sent.
+  void sent() { sent_.fetch_add(1, std::memory_order_relaxed); }
+  /// Sets HandInput::sequence of the last input that the server consumed.
+  void take_consumed(std::uint64_t sequence);
+  /// Processes a status of the server received at this time of a monotonic clock, ns. `time_goes`: simulated
+  /// time advances, so the server should consume inputs. Returns whether inputs were sent but none was
+  /// consumed for the timeout. The count then restarts with a longer timeout.
+  bool take_status(std::int64_t now_ns, bool time_goes);
+
+  static constexpr std::int64_t patience_ns = 5'000'000'000, longest_patience_ns = 300'000'000'000;
+  static constexpr std::int64_t pause_ns = 2'000'000'000;  // longer gaps between statuses restart the count
+
+ private:
+  std::atomic<std::uint64_t> sent_ = 0;
+  std::uint64_t sent_before_ = 0, consumed_ = 0;
+  std::int64_t since_ns_ = 0, status_ns_ = 0;
+  std::int64_t patience_ = patience_ns;
+  bool has_consumed_ = true;
+};
+
+}  // namespace prosector

@@ -1,0 +1,30 @@
+#pragma once
+// Passes a headset user's poses from the headset thread to the sending thread.
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "client/xr/tracked_user.h"
+
+namespace prosector {
+
+class HeadsetUser {
+ public:
+  /// Sets the user's latest poses.
+  void put(const TrackedUser& user) {
+    std::lock_guard lock(mutex_);
+    newest_ = user;
+  }
+  /// Returns the latest poses; nullopt: no update since the last call.
+  std::optional<TrackedUser> take() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(newest_, std::nullopt);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<TrackedUser> newest_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,25 @@
+#pragma once
+// Validity time of a tracked pose.
+
+#include <cstdint>
+
+namespace prosector {
+
+/// Time and rate of the measurements of one tracked object. Times are in ns of the monotonic clock.
+class PoseValidity {
+ public:
+  /// Records a measurement at `time_ns` that was received at `now_ns`.
+  void see(std::int64_t time_ns, std::int64_t now_ns);
+  /// Reports whether the last pose is too old to use. It is valid until the next one is due, which is later
+  /// for slow cameras or slow evaluation; at least 0.25 s and at most 1 s.
+  bool is_over(std::int64_t now_ns) const { return now_ns - seen_ns_ > validity_ns(); }
+  /// Returns the time of the last measurement; 0: never.
+  std::int64_t seen_ns() const { return seen_ns_; }
+
+ private:
+  std::int64_t validity_ns() const;
+
+  std::int64_t seen_ns_ = 0, delay_ns_ = 0, last_gap_ns_ = 0, gap_before_ns_ = 0;
+};
+
+}  // namespace prosector

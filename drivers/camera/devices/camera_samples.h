@@ -1,0 +1,42 @@
+#pragma once
+// Samples that a camera thread detects in images, for a poller on another thread, and the camera's status.
+
+#include <deque>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/camera/capture/camera_thread.h"
+#include "drivers/device/device.h"
+#include "drivers/device/health_monitor.h"
+
+namespace prosector {
+
+class CameraSamples {
+ public:
+  /// Stores the samples detected in the image captured at `time_ns`. `counts`: the image counts as a record
+  /// of the device.
+  void put(std::int64_t time_ns, bool counts, std::span<const DeviceSample> found);
+  /// Sets whether the lens parameters are guessed.
+  void set_guessed(bool guessed);
+
+  /// Appends the stored samples in order and updates the camera's health. Only one thread calls poll() and
+  /// status().
+  void poll(const CameraState& camera, std::vector<DeviceSample>& out);
+  /// Returns the camera's status. `problem`: why this or another camera is not open; `unseen`: message when
+  /// nothing was detected for a second.
+  DeviceStatus status(const std::string& problem, const char* unseen) const;
+
+ private:
+  mutable std::mutex mutex_;  // guards the members below
+  std::deque<DeviceSample> found_;
+  std::vector<std::int64_t> frames_ns_;  // capture times of images since the last poll
+  std::int64_t seen_ns_ = 0;             // capture time of the last image with a detection
+  bool is_guessed_ = false;
+
+  HealthMonitor health_;  // used by the polling thread only, as is opened_
+  std::uint64_t opened_ = 0;
+};
+
+}  // namespace prosector

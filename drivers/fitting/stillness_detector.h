@@ -1,0 +1,47 @@
+#pragma once
+// Detects whether a receiver is held still, and averages its pose.
+
+#include <cstdint>
+#include <deque>
+
+#include "common/math.h"
+#include "drivers/fitting/pose_errors.h"
+
+namespace prosector {
+
+struct StillnessLimits {
+  double seconds = 0.5;    // s, least time at rest
+  double motion = 1e-3;    // m: between the means of both halves; reading noise isn't motion
+  double turn = 0.01;      // rad, between the mean orientations of both halves
+  std::size_t least = 20;  // readings; a camera needs longer to collect them
+};
+
+/// The newest readings of a pose, over the limits' time or until there are enough. Noise averages out in the
+/// means of the window's two halves; motion doesn't.
+class StillnessDetector {
+ public:
+  explicit StillnessDetector(const StillnessLimits& limits = {}) : limits_(limits) {}
+  void take(std::int64_t time_ns, const Pose& pose);
+  void clear() { readings_.clear(); }
+  bool still() const { return still_; }
+  /// Returns how far the window is filled, 0 to 1.
+  double filled() const;
+  /// Returns the mean pose of the window: arithmetic mean of positions, quaternion mean of orientations.
+  Pose mean() const;
+  /// Returns the expected error of the mean, half the difference between the means of the window's halves.
+  const PoseErrors& mean_error() const { return mean_error_; }
+
+ private:
+  struct Reading {
+    std::int64_t time_ns;
+    Pose pose;
+  };
+  Pose mean_of(std::size_t first, std::size_t end) const;
+
+  StillnessLimits limits_;
+  std::deque<Reading> readings_;
+  PoseErrors mean_error_;
+  bool still_ = false;
+};
+
+}  // namespace prosector

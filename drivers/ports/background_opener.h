@@ -1,0 +1,69 @@
+#pragma once
+// Opens a slow resource, such as a device behind a vendor library, on a separate thread, so that the poller
+// never waits. Retries twice a second until it succeeds.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+
+template <class T>
+class BackgroundOpener {
+ public:
+  static constexpr std::int64_t retry_ns = 500'000'000;
+
+  /// Takes the function that opens the resource; it throws InputError with the reason on failure. `how`:
+  /// deferred opens synchronously in poll(), for tests with simulated time.
+  BackgroundOpener(std::function<std::unique_ptr<T>()> make, std::launch how)
+      : make_(std::move(make)), how_(how) {}
+
+  /// Returns the open resource, starting an attempt if one is due. Returns nullptr if nothing is open;
+  /// problem() gives the reason.
+  T* poll(std::int64_t now_ns) {
+    if (open_) return open_.get();
+    if (!attempt_.valid()) {
+      if (now_ns < next_ns_) return nullptr;
+      attempt_ = std::async(how_, [this, old = std::exchange(old_, nullptr)]() mutable {
+        old.reset();
+        return make_();
+      });
+    }
+    if (attempt_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return nullptr;
+    try {
+      open_ = attempt_.get();
+      opened_ns_ = now_ns;
+      problem_.clear();
+    } catch (const InputError& error) {
+      problem_ = error.what();
+      next_ns_ = now_ns + retry_ns;
+    }
+    return open_.get();
+  }
+  /// Gives up the open resource for the reason `why`. The next attempt to open closes it first.
+  void lose(std::string why, std::int64_t now_ns) {
+    old_ = std::move(open_);
+    problem_ = std::move(why);
+    next_ns_ = now_ns + retry_ns;
+  }
+  bool is_trying() const { return attempt_.valid(); }
+  T* get() const { return open_.get(); }
+  std::int64_t opened_ns() const { return opened_ns_; }
+  const std::string& problem() const { return problem_; }
+
+ private:
+  std::function<std::unique_ptr<T>()> make_;
+  std::launch how_;
+  std::unique_ptr<T> open_, old_;
+  std::int64_t next_ns_ = 0, opened_ns_ = 0;
+  std::string problem_;
+  std::future<std::unique_ptr<T>> attempt_;  // last member: its destructor waits for a running attempt
+};
+
+}  // namespace prosector

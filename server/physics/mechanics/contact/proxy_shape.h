@@ -1,0 +1,47 @@
+#pragma once
+// Proxy shape of a soft body for contact: sphere, box or hull.
+
+#include <memory>
+
+#include "server/physics/mechanics/collision/narrow/collision_piece.h"
+#include "server/physics/mechanics/collision/outlines/bounding.h"
+#include "server/physics/mechanics/collision/shapes/fidelity.h"
+#include "server/physics/mechanics/contact/shape_matching.h"
+
+namespace prosector {
+
+/// The proxy shape with which a body collides, refitted to the moved surface in each tick:
+///   aabb    a box that is aligned to the room's axes at rest
+///   obb     a box along the principal axes at rest
+///   sphere  around the centre of the aabb, out to the farthest vertex
+///   hull    convex hull of the vertices
+///
+/// Boxes rotate with the mean rotation of the body, so a rotation makes no box grow into its neighbours. For
+/// a sheet or rope, each shape is enlarged by half the thickness. Contact forces move the body as a whole,
+/// and squeeze and shear it evenly (hanger.h): they make no dents.
+class ProxyShape {
+ public:
+  /// Builds the shape at rest. Accepts every fidelity except none and mesh. hull requires a surface with
+  /// triangles.
+  ProxyShape(const Anatomy& anatomy, Fidelity fidelity);
+  /// Fits the shape to the node positions x (3n, m) and the surface positions (m).
+  void fit(const VecX& x, std::span<const Vec3> surface);
+
+  const CollisionPiece& piece() const { return piece_; }
+  const Aabb& box() const { return box_; }
+  const ShapeMatching& shape_matching() const { return shape_matching_; }
+
+ private:
+  Quat rotated_axes(std::span<const Vec3> surface) const;
+
+  Fidelity fidelity_;
+  double rounding_;  // m
+  ShapeMatching shape_matching_;
+  std::vector<Vec3> rest_;                    // m, vertices at rest relative to their mean
+  Quat rest_axes_ = Quat::Identity();         // axes of the box at rest
+  std::shared_ptr<TriangleSurface> surface_;  // for hull
+  CollisionPiece piece_;
+  Aabb box_;
+};
+
+}  // namespace prosector

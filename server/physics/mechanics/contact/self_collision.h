@@ -1,0 +1,68 @@
+#pragma once
+// Contact of a solid's surface with itself.
+
+#include <utility>
+#include <vector>
+
+#include "server/physics/mechanics/contact/soft_meeting.h"
+
+namespace prosector {
+
+/// Finds contacts of a solid's surface with itself. The rest shape determines which parts may touch: distant
+/// parts, except the two sides of a wall, and parts that face each other across a gap. Near pairs are stored
+/// in a list with a spare distance, which is reused until the surface may have moved by that distance (Verlet
+/// 1967, "Computer 'experiments' on classical fluids"). So a search without near parts costs almost nothing.
+/// The result does not depend on when, or in how many updates, the list was built.
+class SelfCollision {
+ public:
+  /// Initialises from a solid, whose surface is closed; `anatomy` outlives this. `cell`: m, from mean_edge().
+  SelfCollision(const Anatomy& anatomy, double cell);
+  /// Updates after an edit that `anatomy` and `vertices` have taken in. From then on find() returns what a
+  /// new object would. Unchanged pairs are at most moved or renumbered, and stay in the list.
+  void follow(const SurfaceEdit& edit, const SurfaceDetector& vertices);
+
+  /// Appends the vertices, ascending, whose gap to another part of the surface is at most `margin`, with
+  /// their nearest points. The margin is limited to two cells. Vertices inside are found to a depth of one
+  /// cell or half a wall thickness.
+  void find(const SoftSkin& own, double margin, std::vector<VertexMeeting>& out);
+
+ private:
+  struct Face {      // of a triangle, at rest
+    Vec3 middle;     // m
+    Vec3 normal;     // unit
+    double area;     // m²
+    double pyramid;  // m³: signed volume of the pyramid from the triangle to the origin
+  };
+  Face face(const std::array<std::uint32_t, 3>& corners) const;
+  Vec3 outward(std::uint32_t vertex, const SurfaceDetector& vertices) const;
+  void find_depth();
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // vertex, triangle
+  bool may_meet(std::uint32_t vertex, std::uint32_t triangle) const;
+  bool share_nodes(std::uint32_t vertex, std::uint32_t triangle) const;
+  void place_new_ones(std::span<const Vec3> positions);
+  /// Returns an upper bound (m) of how much any two points have approached each other since the list was
+  /// built.
+  double neared(std::span<const Vec3> positions) const;
+  void list(const SoftSkin& own, double reach);
+  void list_vertex(const SoftSkin& own, std::uint32_t vertex, double reach, Pairs& out) const;
+  void list_changed(const SoftSkin& own, double reach);
+  void update_list(const SoftSkin& own, double reach);
+  void forget_list();
+
+  const Anatomy* anatomy_;
+  double cell_;
+  double deepest_ = 0;         // m: search depth inside
+  std::vector<Vec3> outward_;  // by vertex, unit, at rest
+  std::vector<Face> faces_;
+  Pairs near_;                   // candidate pairs, ascending
+  std::vector<Vec3> listed_at_;  // m, by vertex: positions when the list was built; empty: no list
+  double reach_ = 0;             // m: all pairs nearer than this are in the list
+  /// The last edit's new vertices, and changed vertices and faces that are not yet in the list. Ascending;
+  /// cleared by the next search.
+  std::vector<std::uint32_t> new_vertices_, changed_vertices_, changed_faces_;
+};
+
+/// Returns the mean edge length (m) of a surface at rest.
+double mean_edge(const TriangleMesh& surface);
+
+}  // namespace prosector

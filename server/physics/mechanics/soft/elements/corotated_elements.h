@@ -1,0 +1,33 @@
+#pragma once
+// Rotated elements: the data from which matrices of the corotational law are assembled. At an integration
+// point of volume V let r_a = √(Vμ)·R·∇N_a. The warped stiffness (linear elastic stiffness rotated with the
+// element, Müller & Gross 2004) has the blocks
+//   K_ab = (λ/μ) r_a r_bᵀ + r_b r_aᵀ + (r_a·r_b) I = (λ/μ) r_a r_bᵀ + 2 (r_a·r_b) I − [r_a]ₓ[r_b]ₓᵀ
+// and the tangent, see corotational_kernel.h,
+//   H_ab = (λ/μ) r_a r_bᵀ + 2 (r_a·r_b) I + [r_a]ₓ T [r_b]ₓᵀ,   T = C/(2μ).
+// The sum s·K + H, as used for Rayleigh damping, is (s + 1) times H with T = (C/(2μ) + I)/(s + 1) − I. An
+// element's mean dilatation (mean_dilatation.h) adds m_a m_bᵀ, m_a = √(λ''/(4μ)) Σ_points r_a.
+
+#include <cstddef>
+#include <vector>
+
+namespace prosector {
+
+/// Vector x, y, z with padding, so that one load reads it; gradients are in √(N/m).
+struct alignas(16) CorotatedVector {
+  float at[4];
+};
+
+/// Columns of T; the fourth float of the first column is λ/μ.
+struct Twist {
+  CorotatedVector column[3];
+};
+
+/// Ordered by element, then point, then corner.
+struct CorotatedElements {
+  std::vector<CorotatedVector> gradient;
+  std::vector<Twist> twist;           // by point
+  std::vector<CorotatedVector> mean;  // by corner: m; empty: no element has a mean dilatation
+};
+
+}  // namespace prosector

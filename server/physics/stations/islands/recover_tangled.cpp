@@ -1,0 +1,271 @@
+#include "server/physics/stations/islands/recover_tangled.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "server/physics/mechanics/contact/parting.h"
+#include "server/physics/mechanics/coupled/recovery.h"
+#include "server/physics/mechanics/soft/unfold.h"
+
+namespace prosector {
+namespace {
+
+constexpr int tangle_check_ticks = 8;
+constexpr double left_inside = 0.1;  // cells: contacts alone resolve overlaps up to this depth
+constexpr int most_moves = 100;
+constexpr double squeezing = 3;  // times the body's weight
+// s: time for which bodies are led apart before they are separated.
+constexpr double entangled_seconds = 0.75;
+
+/// Returns the height of the lowest node along `up`, m.
+double height_of_lowest(const VecX& x, const Vec3& up) {
+  return (up.transpose() * x.reshaped(3, x.size() / 3)).minCoeff();
+}
+
+}  // namespace
+
+bool is_being_led(const Entanglements& entangled, std::size_t body) {
+  return std::any_of(entangled.begin(), entangled.end(), [&](const auto& entry) {
+    return (entry.first.first == body || entry.first.second == body) &&
+           entry.second.seconds < 2 * entangled_seconds;
+  });
+}
+
+namespace {
+
+bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t body) {
+  return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
+}
+
+/// Returns whether the body is between a hand and other tissue, or between held tissue and anything. The hand
+/// then leaves no room for its rest shape.
+bool is_jammed(const State& state, const SoftContacts& touching, std::size_t body) {
+  const bool in_hand = is_in_a_hand(state, touching, body);
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+    return (pair.a == body || pair.b == body) && pair.a != pair.b &&
+           (in_hand || is_in_a_hand(state, touching, pair.a + pair.b - body));
+  });
+}
+
+/// Returns whether rigid bodies press the body against each other or its attachments, with more force than
+/// its weight and other tissue. It then has no room for its rest shape. Pressing tissue leaves room, since it
+/// yields.
+bool is_squeezed(const Bodies& bodies, std::size_t body) {
+  double by_rigid = 0, by_tissue = 0;
+  // N: resultant of the rigid bodies' forces, which tissue and gravity balance.
+  Vec3 unbalanced = Vec3::Zero();
+  for (const ContactMemory& m : bodies.soft[body].memories) {
+    (m.soft ? by_tissue : by_rigid) += m.force;
+    if (!m.soft) unbalanced += m.force * m.normal;
+  }
+  const double between = bodies.soft[body].solver->attached() ? by_rigid : by_rigid - unbalanced.norm();
+  const double weight = bodies.soft[body].solver->total_mass() * bodies.model.scene.gravity.norm();
+  return between > std::max(squeezing * weight, by_tissue);
+}
+
+/// Returns whether the body is deep in other tissue but can't be led out, because its inverted elements don't
+/// define a direction.
+bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
+  if (state.bodies.soft[body].inside_out().empty() || is_in_a_hand(state, touching, body)) return false;
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+    if ((pair.a != body && pair.b != body) || pair.a == pair.b || state.entangled.contains({pair.a, pair.b}))
+      return false;
+    const SoftSkin a = state.bodies.soft[pair.a].skin(), b = state.bodies.soft[pair.b].skin();
+    if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 ||
+        is_in_a_hand(state, touching, pair.a + pair.b - body))
+      return false;
+    return is_deep(find_immersion(a, b, {}, {}), find_immersion(b, a, {}, {}), std::min(a.cell, b.cell));
+  });
+}
+
+/// Returns the obstacles to the body's rest shape: a hand, held tissue, squeezing bodies or, without
+/// attachments, a rigid body. Other tissue yields, and is led out.
+Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
+  const std::vector<Contact>& touches = touching.with_rigid[body];
+  const bool borne = std::any_of(touches.begin(), touches.end(),
+                                 [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
+  const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
+                               [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
+  const bool jammed = is_jammed(state, touching, body);
+  const bool crushed = jammed || is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
+  return {.jammed = jammed,
+          .crushed = crushed,
+          .blind = is_blind(state, touching, body),
+          .company = crushed || (borne && !state.bodies.soft[body].solver->attached()),
+          .touched = met || !touches.empty()};
+}
+
+void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
+void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
+void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+                   std::vector<std::size_t>& unfolded, StepReport& report);
+void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report);
+
+}  // namespace
+
+void recover_tangled_bodies(State& state, std::vector<Island>& islands, const SoftContacts& touching,
+                            double h, StepReport& report) {
+  if (state.time.tick % tangle_check_ticks != 0) return;
+  std::vector<std::size_t> unfolded;
+  for (Island& island : islands)
+    for (SoftMember& s : island.soft) {
+      const double lowest =
+          height_of_lowest(s.state->motion.x, -state.bodies.model.scene.gravity.normalized());
+      if (!unfold_if_tangled(s, surroundings_of(state, touching, s.index),
+                             state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
+        continue;
+      place_unfolded(state.bodies, s.index, lowest);
+      tell_reset(state.bodies, s.index, s.note, report);
+      unfolded.push_back(s.index);
+    }
+  for (std::size_t k = 0; k < unfolded.size(); ++k)
+    make_room_for(state, touching, unfolded[k], unfolded, report);
+  for (const auto& [pair, how] : state.entangled)
+    if (how.seconds > entangled_seconds && !is_in_a_hand(state, touching, pair.first) &&
+        !is_in_a_hand(state, touching, pair.second))
+      disentangle(state.bodies, pair.first, pair.second, report);
+}
+
+namespace {
+
+/// Overlap of two bodies: the vertices of each inside the other.
+struct Overlap {
+  Immersion own, other;
+  double deepest() const { return std::max(own.deepest, other.deepest); }
+};
+
+std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other);
+bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b);
+bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report);
+void put_beside(Bodies& bodies, std::size_t body, std::size_t other);
+
+void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
+  BodyReport& row = report.bodies.emplace_back();
+  row.body = bodies.soft[body].desc().name;
+  row.reset = true;
+  row.note = why;
+}
+
+/// Moves an unfolded body to its equilibrium, if it has attachments. Otherwise raises it so that its lowest
+/// node is no lower than before.
+void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
+  VecX& x = bodies.soft[body].state.motion.x;
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  if (bodies.soft[body].solver->attached())
+    x = bodies.soft[body].equilibrium;
+  else
+    x += (std::max(0.0, lowest - height_of_lowest(x, up)) * up).replicate(x.size() / 3, 1);
+  bodies.soft[body].follow_nodes();
+}
+
+bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
+  return bodies.may_meet(a, b) && bodies.soft[a].outer_box().overlaps(bodies.soft[b].outer_box());
+}
+
+/// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
+/// again. Attached tissue that was pushed to the body's rest position would crush it, too. That tissue is
+/// reset to its own rest position and added to `unfolded`, unless a hand touches or jams it.
+void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+                   std::vector<std::size_t>& unfolded, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
+    if (other == body || !may_overlap(bodies, body, other) || part_at_once(bodies, body, other) ||
+        !overlap_of(bodies, body, other) || is_jammed(state, touching, other) ||
+        is_in_a_hand(state, touching, other))
+      continue;
+    if (reset_to_rest(bodies, other, body, report)) unfolded.push_back(other);
+  }
+}
+
+/// Moves one body next to the other, as a whole: a free one, the lighter of two free ones. Returns false if
+/// neither is free.
+bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b) {
+  const auto ease = [&](std::size_t body) {
+    return bodies.soft[body].solver->attached() ? 0 : 1 / bodies.soft[body].solver->total_mass();
+  };
+  if (ease(a) == 0 && ease(b) == 0) return false;
+  if (ease(a) < ease(b)) std::swap(a, b);
+  put_beside(bodies, a, b);
+  return true;
+}
+
+/// Separates bodies that were not separated by being led.
+void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report) {
+  if (part_at_once(bodies, a, b)) {
+    tell_reset(bodies, a,
+               fmt::format("remained overlapping with {}: the two bodies were moved apart",
+                           bodies.soft[b].desc().name),
+               report);
+    return;
+  }
+  reset_to_rest(bodies, a, b, report);
+  reset_to_rest(bodies, b, a, report);
+}
+
+/// Resets a body that can't leave the other one to its rest position and shape, and reports it. Returns false
+/// if the body has hardly moved from there, because then the bodies overlap in the scene itself.
+bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report) {
+  const double moved =
+      (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
+  if (moved < bodies.soft[body].desc().surface_cell) return false;
+  unfold(*bodies.soft[body].solver, bodies.soft[body].state);
+  place_unfolded(bodies, body, 0);
+  tell_reset(
+      bodies, body,
+      fmt::format("remained overlapping with {}: moved to its rest position", bodies.soft[other].desc().name),
+      report);
+  return true;
+}
+
+/// Returns how two closed solids overlap; nullopt for other bodies, and for overlaps that contacts alone
+/// remove.
+std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other) {
+  const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
+  if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return std::nullopt;
+  const auto &ruined = bodies.soft[body].inside_out(), &other_ruined = bodies.soft[other].inside_out();
+  const Overlap overlap = {find_immersion(own, others, ruined, other_ruined),
+                           find_immersion(others, own, other_ruined, ruined)};
+  const double cell = std::min(bodies.soft[body].desc().surface_cell, bodies.soft[other].desc().surface_cell);
+  return overlap.deepest() < left_inside * cell ? std::nullopt : std::optional(overlap);
+}
+
+/// Returns the depth of the deepest overlap of the body with other tissue, m.
+double deepest_in_tissue(Bodies& bodies, std::size_t body) {
+  double deepest = 0;
+  for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
+    if (other == body || !may_overlap(bodies, body, other)) continue;
+    if (const auto overlap = overlap_of(bodies, body, other)) deepest = std::max(deepest, overlap->deepest());
+  }
+  return deepest;
+}
+
+/// Returns the direction in which the body leaves the other one, a unit vector. It never points down, because
+/// the body rests on something.
+Vec3 exit_direction(const Bodies& bodies, std::size_t body, std::size_t other, const Overlap& overlap) {
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  Vec3 way = way_apart(overlap.own, overlap.other, bodies.soft[body].middle() - bodies.soft[other].middle());
+  way -= std::min(0.0, way.dot(up)) * up;
+  return way.norm() > 0 ? Vec3(way.normalized()) : up;
+}
+
+/// Moves a solid out of another, and on in that direction until it overlaps no tissue. Otherwise the next
+/// piece of a heap would crush it again.
+void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
+  const auto overlap = overlap_of(bodies, body, other);
+  if (!overlap) return;
+  const Vec3 direction = exit_direction(bodies, body, other, *overlap);
+  for (int moves = 0; moves < most_moves; ++moves) {
+    const double deepest = deepest_in_tissue(bodies, body);
+    if (deepest == 0) return;
+    bodies.soft[body].state.motion.x += (deepest * direction).replicate(bodies.soft[body].solver->nodes(), 1);
+    bodies.soft[body].state.motion.has_history = false;
+    bodies.soft[body].state.asleep = false;
+    bodies.soft[body].follow_nodes();
+  }
+}
+
+}  // namespace
+
+}  // namespace prosector

@@ -1,0 +1,58 @@
+#pragma once
+// Converts participants' messages to the inputs of panels in a tick. Commands become events, movements of
+// heads become head places. A panel closes when its owner may no longer use it.
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/commands.h"
+#include "server/physics/simulation.h"
+
+namespace prosector {
+
+class PanelInputs {
+ public:
+  /// Sets for each body whether it is a part of the anatomy. `held_timeout`: ticks without an update after
+  /// which a held object counts as lost.
+  PanelInputs(std::vector<bool> parts, std::uint64_t held_timeout)
+      : parts_(std::move(parts)), held_timeout_(held_timeout) {}
+
+  /// Adds the next body.
+  void add_body(bool is_part) { parts_.push_back(is_part); }
+
+  /// Processes a panel command of a participant that may touch. Returns the reason if it is refused.
+  Refusal take(ParticipantId who, const OpenPanel& command);
+  Refusal take(ParticipantId who, const ClosePanel& command);
+  Refusal take(ParticipantId who, const SetControl& command);
+  /// Processes a participant's newest input. `has_hands`: one of its hands is in the room.
+  void see(ParticipantId who, const HandInput& input, bool has_hands);
+
+  /// Appends the inputs of this tick. `may_touch(who)`: the participant is in the session, and no observer.
+  template <class MayTouch>
+  void consume(const MayTouch& may_touch, TickInput& out) {
+    for (const ParticipantId who : open_)
+      if (!may_touch(who)) out.panels.push_back({.kind = PanelEvent::Kind::close, .participant = who});
+    for (auto& [held, unseen] : held_)
+      if (!may_touch(held.first)) unseen = held_timeout_;
+    move_into(out);
+  }
+  /// Updates, after the step, the list of participants with an open panel.
+  void finish_tick(std::span<const Panel> panels);
+
+ private:
+  std::vector<bool> parts_;
+  std::vector<ParticipantId> open_;
+  std::vector<PanelEvent> asked_;
+  std::map<ParticipantId, HeadPlace> told_;  // head places that the simulation has
+  std::vector<HeadPlace> heads_;
+  std::uint64_t held_timeout_;
+  std::map<std::pair<ParticipantId, HeldObject>, std::uint64_t> held_;  // ticks since the last update of each
+  std::vector<HeldPlace> moved_;
+
+  Refusal ask_of_open(const PanelEvent& event);
+  void move_into(TickInput& out);
+};
+
+}  // namespace prosector

@@ -1,0 +1,45 @@
+#pragma once
+// The topology of a recorded session as sent to clients. The recording may jump back and forth, but revisions
+// that clients follow only rise. So a body that changed, forwards or backwards, gets a new revision. A piece
+// that does not exist at the present time is sent as empty.
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "server/session/recording/recording_index.h"
+#include "server/session/sending/simulated_shapes.h"
+
+namespace prosector {
+
+class PublishedTopology {
+ public:
+  /// Starts with the content that was announced, which describes the simulation as it is now. All arguments
+  /// outlive this.
+  PublishedTopology(const SceneContent& content, const Simulation& simulation, const RecordingIndex& index);
+
+  /// Follows a tick that was run; `people`: the recorded participants. Appends the messages, in order.
+  void follow(std::span<const TopologyChange> changes, SimTime time, const Roster& people,
+              std::vector<Outgoing>& out);
+  /// Follows a jump to another time of the recording. Appends the messages, in order.
+  void jump(SimTime time, const Roster& people, std::vector<Outgoing>& out);
+
+  TopologyLog& log() { return log_; }
+  const TopologyLog& log() const { return log_; }
+
+ private:
+  struct Told {
+    std::uint32_t revision = 0;  // revision in the recording
+    std::uint64_t content_hash = 0;
+    bool operator==(const Told&) const = default;
+  };
+  const Simulation& simulation_;
+  const RecordingIndex& index_;
+  TopologyLog log_;
+  std::map<BodyId, Told> told_;  // of soft bodies that clients know; a piece that does not exist: `Told{}`
+
+  Told now(BodyId body) const;
+  TopologyChange beginning_of(BodyId piece) const;
+};
+
+}  // namespace prosector

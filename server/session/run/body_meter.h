@@ -1,0 +1,73 @@
+#pragma once
+// Collects how each deformable is stepped and how accurate it is, for BodyStatus: tick by tick, reported
+// twice a simulated second.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/error_estimate.h"
+#include "common/ids.h"
+#include "common/status_messages.h"
+#include "server/accuracy/live_estimates.h"
+#include "server/calibration/choose_rung.h"
+#include "server/calibration/rung_table.h"
+#include "server/physics/simulation.h"
+
+namespace prosector {
+
+/// Returns the expected error and cost of bodies that were chosen by need, by name.
+std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choices);
+
+/// A press by hands, and the error of its force.
+struct MeteredPress {
+  double force = 0;   // N
+  double error = -1;  // relative
+};
+
+class BodyMeter {
+ public:
+  /// Starts with the `expected` errors and costs, by body name. Bodies without an entry were not chosen by
+  /// need.
+  BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected);
+
+  /// Adds a soft body, for instance one that a cut made. `expected`: null when it wasn't chosen by need.
+  void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
+  /// Sets the errors and costs that a body can have. They are sent with its next status.
+  void set_prices(BodyId body, std::vector<Price> prices);
+  /// Adds a tick, and continues the error estimates.
+  void add(const Simulation& simulation, const StepReport& report);
+  /// Returns the statuses that are due after the tick added last; in the first call, those of all bodies. A
+  /// body that falls asleep is reported immediately. Other bodies are reported at 2 Hz if they were awake
+  /// since their last report, or have a new estimate.
+  std::vector<BodyStatus> take(const Simulation& simulation);
+  /// Returns the newest status of each body, sent or not.
+  const std::map<BodyId, BodyStatus>& newest() const { return newest_; }
+  /// Returns the largest error that is known of a body; below 0: none is known.
+  double worst_error() const;
+  /// Returns the strongest press on each body whose error is known.
+  const std::map<BodyId, MeteredPress>& presses() const { return presses_; }
+
+ private:
+  struct Sum {
+    BodyStatus status;  // of the ticks since the last report
+    std::uint32_t ticks = 0;
+    double newton_iterations = 0, solver_iterations = 0;
+    bool was_asleep = false;
+    bool told = false;
+    std::uint64_t reported_estimate = 0;  // tick of the estimate that was reported last
+  };
+  double tick_seconds_;
+  std::uint64_t period_;  // ticks
+  std::map<std::string, BodyId> id_of_;
+  std::map<BodyId, Sum> sums_;
+  std::map<BodyId, BodyStatus> newest_;
+  std::map<BodyId, MeteredPress> presses_;
+  LiveEstimates estimates_;
+
+  bool news_of_rest(BodyId body, const Sum& sum) const;
+  BodyStatus close(Sum& sum, const Simulation& simulation) const;
+};
+
+}  // namespace prosector

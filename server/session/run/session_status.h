@@ -1,0 +1,13 @@
+#pragma once
+// The status that every server reports, of a live session or a recording.
+
+#include "idl/bus.h"
+#include "server/session/people/session.h"
+#include "server/session/run/step_meter.h"
+
+namespace prosector {
+
+/// Returns the status without the time, the state's hash, the error and what is degraded.
+ServerStatus status_of(const StepMeter& meter, const Session& session, const Bus& bus);
+
+}  // namespace prosector

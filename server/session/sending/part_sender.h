@@ -1,0 +1,25 @@
+#pragma once
+// Sends PartState, what users made of each body and which hands hold it, whenever that changes.
+
+#include <vector>
+
+#include "server/physics/simulation.h"
+#include "server/session/people/session.h"
+
+namespace prosector {
+
+class PartSender {
+ public:
+  /// Returns the states that changed since the last call. A body that was never changed or held has none.
+  std::vector<Outgoing> take(const Simulation& simulation);
+
+ private:
+  struct Told {
+    Part part;
+    std::vector<HandRef> holders;
+    bool operator==(const Told&) const = default;
+  };
+  std::vector<Told> told_;  // by body; clients without a PartState assume `Told{}`
+};
+
+}  // namespace prosector

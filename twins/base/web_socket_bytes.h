@@ -1,0 +1,19 @@
+#pragma once
+// Server side of a WebSocket as bytes, for twins that send texts and ignore received ones.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prosector {
+
+/// Returns the response to a client's WebSocket handshake request. Returns nothing while the request is
+/// incomplete or invalid.
+std::optional<std::string> web_socket_answer(std::string_view request);
+
+/// Appends a text as one WebSocket frame.
+void put_web_socket_text(std::vector<std::uint8_t>& out, std::string_view text);
+
+}  // namespace prosector

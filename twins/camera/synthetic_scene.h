@@ -1,0 +1,109 @@
+#pragma once
+// Scene of a synthetic camera: a scene file with moving objects and the camera's pose and lens. The true
+// poses are known for each image.
+//
+// The room's frame has y up; m.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/ids.h"
+#include "drivers/camera/base/frame.h"
+#include "drivers/camera/base/lens.h"
+#include "drivers/camera/tags/board.h"
+#include "drivers/recordings/motion_script.h"
+#include "twins/camera/face_mesh.h"
+#include "twins/camera/hand_layer.h"
+#include "twins/camera/quad_renderer.h"
+#include "twins/camera/sensor.h"
+
+namespace prosector {
+
+/// A frame that is fixed, or that follows a station of a motion script.
+struct Carrier {
+  std::string name;
+  Pose pose;  // in the room, used without a motion
+  std::optional<MotionScript> motion;
+  std::size_t station = 0;
+  bool loop = false;
+  Pose offset;  // pose in the moving frame; the identity unless the script moves another frame
+
+  Pose at(double seconds) const { return motion ? motion->pose(station, seconds, loop) * offset : pose; }
+};
+
+/// A hand model whose carrier is the wrist; bends come from the carrier's motion.
+struct SyntheticHand {
+  std::size_t carrier = 0;
+  std::size_t hand = right_hand;
+  double size = 1;  // scale of the hand model
+};
+
+/// A face whose carrier is the point between the eyes: x to the user's right, y up, −z forward.
+struct SyntheticFace {
+  std::size_t carrier = 0;
+  std::shared_ptr<const FaceMesh> mesh;
+};
+
+/// Simulated faults of a camera.
+enum class CameraFault : std::uint8_t { torn, black, resized, upside_down, slow, unplugged };
+struct CameraFaultSpan {
+  CameraFault fault;
+  double from = 0, to = 0;  // s
+};
+
+/// True poses for an image.
+struct SyntheticTruth {
+  double seconds = 0;             // s, mid-exposure in scene time
+  Pose room_camera;               // pose of OpenCV's camera frame in the room
+  std::vector<Pose> room_things;  // poses of the carriers in the room
+};
+
+struct SyntheticScene {
+  Lens lens;
+  double rate = 30;                      // images per second
+  double exposure = 0.008, readout = 0;  // s
+  double delay = 0.02;                   // s from the end of an exposure to the image's delivery
+  int rays = 3;                          // rays per pixel side
+  bool clock = false;                    // true: each image shows its time (painted_clock.h)
+  Sensor sensor;
+  Carrier camera;  // its pose is that of the camera frame with x right, y up, −z forward
+  Vec3 to_lamp = Vec3(0.3, 0.9, 0.3).normalized();  // unit vector to the lamp, room frame
+  double ambient = 0.6;
+  std::vector<Carrier> carriers;
+  std::vector<TexturedQuad> things;
+  std::vector<SyntheticHand> hands;
+  std::vector<SyntheticFace> faces;
+  std::vector<Board> boards;                // all boards of the scene, for callers that compare poses
+  std::vector<std::size_t> board_carriers;  // carrier of each board
+  std::vector<CameraFaultSpan> faults;
+
+  /// Reads a scene file. Throws InputError with file, line, key and the allowed values.
+  static SyntheticScene load(const std::filesystem::path& file);
+
+  /// Adds a board and its paper. Returns the board's carrier.
+  std::size_t add_board(const Board& board, Carrier carrier);
+
+  double seconds_of(std::uint64_t number) const { return (static_cast<double>(number) + 0.5) / rate; }
+  SyntheticTruth truth(double seconds) const;
+};
+
+/// Draws a scene's images. An image is determined by its scene, time and number.
+class SceneRenderer {
+ public:
+  explicit SceneRenderer(SyntheticScene scene);
+  const SyntheticScene& scene() const { return scene_; }
+  /// Draws the image with this number, with the scene's faults; mid-exposure is at seconds_of(number).
+  Image paint(std::uint64_t number) const;
+  Image paint_at(double seconds, std::uint64_t number) const;
+
+ private:
+  std::optional<MeshDepthBuffer> solids(const SyntheticTruth& truth, const Lamp& lamp) const;
+
+  SyntheticScene scene_;
+  RayGrid grid_;
+  std::optional<HandRenderer> hands_;  // only if the scene has hands
+};
+
+}  // namespace prosector
