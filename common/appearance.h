@@ -13,7 +13,7 @@ namespace prosector {
 
 inline constexpr std::size_t max_lights = 16;
 
-/// Visual material class of a surface. The last three are used for the client's own room only.
+/// Visual material class of a surface. `floor`, `wall` and `ceiling` are used for the client's own room only.
 enum class Surface : std::uint8_t {
   plain,
   tissue,
@@ -32,7 +32,8 @@ inline constexpr Surface last_body_surface = Surface::emissive, last_surface = S
 inline constexpr double min_refractive_index = 1, max_refractive_index = 4;
 inline constexpr double min_abbe_number = 10, max_abbe_number = 1000;
 
-/// Visual appearance of a body; a renderer selects its material from it.
+/// Visual appearance of a body: its colour, surface class and optical properties, from which a renderer makes
+/// its material.
 struct Appearance {
   Vec3 color = {0.7, 0.7, 0.7};
   double roughness = 0.6;  // 0 mirror … 1 matt
@@ -77,7 +78,8 @@ struct PatientFrame {
 };
 inline constexpr double min_patient_angle = 1.55;  // rad between `right` and `head`
 
-/// Returns whether the two directions are finite, non-zero, and perpendicular within rounding.
+/// Returns whether the patient's `right` and `head` directions are finite, non-zero, and perpendicular within
+/// rounding.
 inline bool is_valid_patient_frame(const PatientFrame& frame) {
   const double area = frame.head.cross(frame.right).norm(), lengths = frame.head.norm() * frame.right.norm();
   return std::isfinite(lengths) && lengths > 0 && area >= std::sin(min_patient_angle) * lengths;

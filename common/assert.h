@@ -7,10 +7,10 @@
 
 namespace prosector {
 
-/// Throws InternalError that names the file, the line and the condition.
+/// Reports a violated assertion: throws InternalError that names the file, the line and the condition.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
-/// Returns whether each value is greater than the one before it (strictly ascending).
+/// Returns whether each value of the range is greater than the one before it (strictly ascending).
 template <class Range>
 bool is_ascending(const Range& range) {
   return std::ranges::adjacent_find(range, std::greater_equal<>()) == std::ranges::end(range);

@@ -33,7 +33,8 @@ std::vector<Vec3> get_positions(ByteReader& in) {
   for (Vec3& x : positions)
     for (int k = 0; k < 3; ++k) {
       const auto value = in.bits<float>();
-      if (!(std::abs(value) <= max_position)) throw InputError("asset: position out of range");
+      if (!(std::abs(value) <= max_position))
+        throw InputError("asset: a coordinate of a vertex position is out of range");
       x[k] = static_cast<double>(value);
     }
   return positions;
@@ -45,8 +46,9 @@ Asset encode(const TriangleMesh& mesh) {
   ByteWriter out;
   const bool cut = !mesh.inner.empty();
   if (cut && mesh.inner.size() != mesh.triangles.size())
-    throw InternalError(fmt::format("mesh: {} flags of inner triangles for {} triangles", mesh.inner.size(),
-                                    mesh.triangles.size()));
+    throw InternalError(fmt::format(
+        "mesh: {} flags mark inner triangles, but there are {} triangles; the numbers must be equal",
+        mesh.inner.size(), mesh.triangles.size()));
   out.reserve(12 + mesh.positions.size() * 12 + mesh.triangles.size() * 12 + mesh.inner.size());
   out.add(cut ? cut_mesh_magic : mesh_magic);
   put_positions(out, mesh.positions);
@@ -74,7 +76,9 @@ TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
     mesh.inner.resize(mesh.triangles.size());
     for (auto& flag : mesh.inner) {
       flag = in.bits<std::uint8_t>();
-      if (flag > 1) throw InputError(fmt::format("asset: {} is not a flag of an inner triangle", flag));
+      if (flag > 1)
+        throw InputError(
+            fmt::format("asset: the flag that marks an inner triangle is {}; allowed: 0 or 1", flag));
     }
   }
   in.end();
@@ -103,15 +107,16 @@ StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes) {
   for (SparseMap::Row& row : surface.map.rows) {
     for (auto& node : row.node) {
       node = in.bits<std::uint32_t>();
-      if (node >= surface.rest.size()) throw InputError("asset: point index out of range");
+      if (node >= surface.rest.size())
+        throw InputError("asset: a vertex refers to a point that does not exist");
     }
     double sum = 0;
     for (double& weight : row.weight) {
       weight = static_cast<double>(in.bits<float>());
-      if (!(std::abs(weight) <= 16)) throw InputError("asset: weight out of range");
+      if (!(std::abs(weight) <= 16)) throw InputError("asset: a weight of a vertex is out of range");
       sum += weight;
     }
-    if (!(std::abs(sum - 1) < 1e-4)) throw InputError("asset: weights do not sum to 1");
+    if (!(std::abs(sum - 1) < 1e-4)) throw InputError("asset: the sum of a vertex's weights is not 1");
   }
   in.end();
   return surface;

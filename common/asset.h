@@ -17,8 +17,8 @@ struct Asset {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Rest positions of a deformable's streamed points, and the embedding map from them to its surface.
-/// SoftState positions are relative to these rest positions.
+/// Rest positions of a soft body's streamed points, and the map from these points to the vertices of its
+/// drawn surface. Positions in SoftState messages are relative to these rest positions.
 struct StreamedSurface {
   std::vector<Vec3> rest;  // metres, world frame; float32 when encoded
   SparseMap map;           // surface vertex ← streamed points
@@ -27,7 +27,8 @@ struct StreamedSurface {
 Asset encode(const TriangleMesh& mesh);
 Asset encode(const StreamedSurface& surface);
 
-/// Decodes the output of encode(). Throws InputError when the bytes are not a valid asset of that type.
+/// Decodes a mesh or a streamed surface from the bytes that encode() made of it. Throws InputError if the
+/// bytes are not a valid asset of that type.
 TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes);
 StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes);
 

@@ -14,7 +14,8 @@ namespace prosector {
 
 inline constexpr std::size_t max_streamed_points = 1024 * 1024;  // of one soft body
 
-/// server → all, best effort, keyed by body. Sent for moving bodies only.
+/// Message from the server to all clients: the pose and velocities of a rigid body. Best effort, keyed by
+/// body. It is sent for moving bodies only.
 struct RigidState {
   BodyId body = 0;
   SimTime time;
@@ -28,8 +29,10 @@ inline constexpr std::size_t max_chunk_points = 256;
 inline constexpr double max_tube_diameter = 10;        // m: largest diameter that a scene may specify
 inline constexpr std::size_t soft_chunk_points = 112;  // used by the server: fits one datagram, ≤ 1,200 bytes
 
-/// server → all, best effort, keyed (body, chunk): some streamed points. Each chunk is decodable alone, so a
-/// lost datagram costs one chunk only. Quantised on the wire within the chunk's bounding box; decoded here.
+/// Message from the server to all clients: positions and velocities of one chunk (fixed part) of a soft
+/// body's streamed points. Best effort, keyed by (body, chunk). Each chunk is decodable alone, so a lost
+/// datagram costs one chunk only. Values are quantised on the wire within the chunk's bounding box; here they
+/// are decoded.
 struct SoftState {
   BodyId body = 0;
   std::uint32_t chunk = 0;
@@ -40,8 +43,9 @@ struct SoftState {
   std::vector<Vec3> velocities;  // m/s, coarse: for Hermite interpolation
 };
 
-/// server → all, reliable, transient-local, keyed by body: final shape of a body that fell asleep, in full
-/// precision. It corrects a lost last chunk and gives late joiners the shape at rest.
+/// Message from the server to all clients: the final shape of a soft body that fell asleep, in full
+/// precision. Reliable, transient-local, keyed by body. It corrects a lost last chunk and gives late joiners
+/// the shape at rest.
 struct Settled {
   BodyId body = 0;
   SimTime time;
@@ -50,10 +54,10 @@ struct Settled {
   std::vector<Eigen::Vector3f> positions;  // all streamed points, metres, world frame
 };
 
-/// server → all, reliable, transient-local, keyed by (body, revision): ordered log of topology changes. A
-/// soft body's first revision is that of the compiled scene, or of the cut that created the body; later ones
-/// chain to it. A client can start at a revision with a keyframe; the revisions before it are then no longer
-/// stored.
+/// Message from the server to all clients: one entry of the ordered log of a soft body's topology changes.
+/// Reliable, transient-local, keyed by (body, revision). A body's first revision is that of the compiled
+/// scene, or of the cut that created the body; later ones chain to it. A client can start at a revision with
+/// a keyframe (the whole surface); the revisions before it are then no longer stored.
 struct TopologyRevision {
   BodyId body = 0;
   std::uint32_t revision = 0;

@@ -35,8 +35,8 @@ class ByteWriter {
     raw(v.data(), sizeof(double) * static_cast<std::size_t>(v.size()));
   }
   void add(const std::string& s) { add_all(s); }
-  /// Adds the number of values (u64), then the values of a vector or string as they are in memory. The value
-  /// type must be plain data.
+  /// Appends the number of values (u64), then the values of a vector or string as they are in memory. The
+  /// value type must be plain data.
   template <class Values>
   void add_all(const Values& values) {
     add(static_cast<std::uint64_t>(values.size()));
@@ -60,7 +60,7 @@ class ByteReader {
  public:
   ByteReader(std::span<const std::uint8_t> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}
 
-  /// Returns the next bits unchecked, NaN included.
+  /// Returns the next value of type T from its bytes, without checks: a floating-point number may be NaN.
   template <class T>
   T bits() {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -68,7 +68,8 @@ class ByteReader {
     raw(&value, sizeof value);
     return value;
   }
-  /// Returns the next number. Throws InputError if it is not finite.
+  /// Returns the next number of type T. Throws InputError if it is a floating-point number that is not
+  /// finite.
   template <class T>
   T number() {
     const T value = bits<T>();
@@ -101,27 +102,27 @@ class ByteReader {
     require(v.allFinite(), "a vector is not finite");
     return v;
   }
-  /// Returns a count (u64), at most `limit`.
+  /// Returns the next count (u64). Throws InputError if it exceeds `limit`.
   std::size_t count(std::size_t limit) {
     const auto n = number<std::uint64_t>();
     require(n <= limit, "a count beyond its limit");
     return static_cast<std::size_t>(n);
   }
-  /// Returns a count (u32) of records of at least `size` bytes each. Throws InputError if they exceed the
-  /// remaining bytes, so that a false count can't cause a large allocation.
+  /// Returns the next count (u32), that of records of at least `size` bytes each. Throws InputError if they
+  /// exceed the remaining bytes, so that a false count can't cause a large allocation.
   std::uint32_t records(std::size_t size) {
     const auto n = bits<std::uint32_t>();
     require(n <= left() / size, "more records than fit");
     return n;
   }
-  /// Returns the next bytes.
+  /// Returns the next `size` bytes. Throws InputError if fewer are left.
   std::span<const std::uint8_t> block(std::size_t size) {
     require(left() >= size, "truncated");
     const auto out = bytes_.subspan(at_, size);
     at_ += size;
     return out;
   }
-  /// Reads what ByteWriter::add_all() wrote.
+  /// Reads a vector or string that ByteWriter::add_all() wrote: the number of values (u64), then the values.
   template <class Values>
   void read_all(Values& values) {
     using T = typename Values::value_type;

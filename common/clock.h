@@ -5,7 +5,8 @@
 
 namespace prosector {
 
-/// Returns nanoseconds since an arbitrary start, which is the same for all processes of this machine.
+/// Returns the time in nanoseconds since an arbitrary start, which is the same for all processes of this
+/// machine.
 std::int64_t monotonic_ns();
 
 /// Returns the time in seconds from `t`, a value of monotonic_ns(), until now.

@@ -13,7 +13,8 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-/// Returns the text of the embedded file with that name, or nullopt.
+/// Returns the text of the file in `files` (embedded in the executable) with that name, or nullopt if there
+/// is none.
 inline std::optional<std::string_view> find_embedded(std::span<const EmbeddedFile> files,
                                                      std::string_view name) {
   const auto found =

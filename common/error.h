@@ -6,16 +6,17 @@
 
 namespace prosector {
 
-/// Error in input from a user or a file. `what()` names the error, its position (file, line, field) and the
-/// allowed values. Thrown only while loading or starting; a running session counts and reports bad input
-/// instead.
+/// Exception for an error in input from a user or a file. Its `what()` names the error, its position (file,
+/// line, field) and the allowed values. It is thrown only while loading or starting; a running session counts
+/// and reports bad input instead.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Error in the program: an internal assumption is violated, whatever the input was. `what()` describes it
-/// for developers. It never steers control flow, and no handler of InputError catches it.
+/// Exception for an error in the program: an internal assumption is violated, whatever the input was. Its
+/// `what()` describes it for developers. It never steers control flow, and no handler of InputError catches
+/// it.
 class InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Components of a body's error, as fractions. Where the direction is known it has a sign: positive if the
-/// body is stiffer than real tissue.
+/// Components of a soft body's estimated error, as fractions. Where the direction is known, a component has a
+/// sign: positive if the body is stiffer than real tissue.
 struct ErrorParts {
   double discretisation = 0;  // error of mesh and elements
   double model = 0;           // error of the constitutive law, compared with tissue at the occurring strains
@@ -23,8 +23,8 @@ inline constexpr std::size_t max_error_map_side = 10;  // values
 inline constexpr std::size_t max_error_map_values =
     max_error_map_side * max_error_map_side * max_error_map_side;
 
-/// Spatial distribution of a body's error: values on a grid over its rest shape, interpolated trilinearly.
-/// The mean over the body's volume is the body's error.
+/// Spatial distribution of a soft body's estimated error: values on a grid over its rest shape, interpolated
+/// trilinearly. The mean over the body's volume is the body's error.
 struct ErrorMap {
   Vec3 corner = Vec3::Zero();             // m, world frame: position of the first value
   double cell = 0;                        // m: grid spacing
@@ -32,7 +32,7 @@ struct ErrorMap {
   std::vector<std::uint8_t> levels = {};  // x fastest; error_of() in common/error_map.h decodes them
 };
 
-/// Error and cost of one model configuration, tried on the body itself.
+/// Error and cost of one model configuration of a soft body, from which the host can choose.
 struct Price {
   double error = 0;  // of displacements or indentations, fraction
   double ms = 0;     // CPU time per frame of 1/60 s

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Endings of the medical volumes that Prosector reads.
+/// File name endings of the medical volume formats that Prosector reads.
 inline constexpr std::array<std::string_view, 4> volume_endings = {".inr", ".inr.gz", ".nii", ".nii.gz"};
 
 /// Returns whether the file's name ends with one of `endings` (lower case), ignoring ASCII case.

@@ -16,7 +16,7 @@ namespace prosector {
 inline constexpr std::size_t hand_joints =
     14;  // thumb MCP, IP; then MCP, PIP, DIP of index, middle, ring, little
 
-/// One bone segment: a capsule from its joint along its local −z axis.
+/// One bone segment of the hand model: a capsule that extends from its joint along its local −z axis.
 struct HandSegment {
   std::size_t joint;  // the joint that moves it
   int parent;         // index of the parent segment; −1: the palm
@@ -26,24 +26,26 @@ struct HandSegment {
   double radius;      // m
 };
 
-/// Returns joint angles in radians from the five flexions (values outside [0, 1] are clamped).
+/// Returns the angles (rad) of the hand's joints from the flexions of the five fingers (0 open … 1 closed
+/// fist; other values are clamped).
 std::array<double, hand_joints> joint_angles(const std::array<double, fingers>& flexion);
 
-/// Returns the segments of the right (1) or left (0) hand in joint order. The left hand mirrors the right in
-/// x.
+/// Returns the bone segments of the right (1) or left (0) hand in joint order. The left hand mirrors the
+/// right in x.
 const std::array<HandSegment, hand_joints>& hand_segments(std::size_t hand);
 
-/// The palm as a box: centre in the wrist frame and half extents, m.
+/// The palm of the hand model as a box: centre in the wrist frame and half extents, m.
 struct Palm {
   Vec3 center;
   Vec3 half_extents;
 };
 Palm hand_palm(std::size_t hand);
 
-/// Returns the pose of each segment's frame in the wrist frame, in joint order.
+/// Returns the pose of each bone segment's frame in the wrist frame, in joint order, for the given finger
+/// flexions.
 std::array<Pose, hand_joints> hand_pose(std::size_t hand, const std::array<double, fingers>& flexion);
 
-/// Returns the tip of the middle finger, m, wrist frame.
+/// Returns the position of the tip of the middle finger (m, wrist frame) for the given finger flexions.
 Vec3 middle_fingertip(std::size_t hand, const std::array<double, fingers>& flexion);
 
 }  // namespace prosector

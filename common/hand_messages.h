@@ -16,7 +16,8 @@ namespace prosector {
 
 inline constexpr std::size_t max_holders = 64;  // hands listed as holding one body
 
-/// participant → server, best effort, 120 Hz. An observer's input has no effect.
+/// Message from a participant to the server: tracked poses of head, hands and held objects. Best effort, 120
+/// Hz. An observer's input has no effect.
 struct HandInput {
   ParticipantId participant = 0;
   std::uint64_t sequence =
@@ -28,7 +29,8 @@ struct HandInput {
   std::array<HeldPose, held_things> held{};  // in the order of HeldObject
 };
 
-/// server → all, best effort: simulated head and hand poses of one participant.
+/// Message from the server to all clients: the head pose and the simulated hand poses of one participant.
+/// Best effort.
 struct UserState {
   ParticipantId participant = 0;
   SimTime time;
@@ -39,8 +41,8 @@ struct UserState {
       hands{};  // pose of the physical hand, which contacts may keep from its tracked target
 };
 
-/// server → all, best effort, keyed by (participant, hand): the strongest contact of a hand, or the one that
-/// it is about to make first.
+/// Message from the server to all clients: the strongest contact of a hand, or the one that it is about to
+/// make first. Best effort, keyed by (participant, hand).
 struct ContactSample {
   ParticipantId participant = 0;
   std::uint8_t hand = right_hand;
@@ -56,9 +58,9 @@ struct ContactSample {
   double impact = -1;  // s from the tick's start until contact; 0: already in contact; < 0: no contact
 };
 
-/// server → participants with a haptic arm, best effort, keyed by (participant, hand), each tick: contact
-/// planes of the hand. An empty list means no force. It is sent too, so that a gap in the messages means a
-/// lost connection.
+/// Message from the server to participants with a haptic arm: contact planes (local models of the contact
+/// force) of a hand, each tick. Best effort, keyed by (participant, hand). An empty list means no force. It
+/// is sent too, so that a gap in the messages means a lost connection.
 struct FeltPlanes {
   ParticipantId participant = 0;
   std::uint8_t hand = right_hand;
@@ -69,8 +71,8 @@ struct FeltPlanes {
   double given = 0;                  // … and energy that bodies gave to the hand; neither decreases
 };
 
-/// participant → server, best effort, keyed by (participant, hand), with each HandInput: force and energy of
-/// the haptic arm.
+/// Message from a participant to the server: force and energy of the haptic arm that drives a hand, sent with
+/// each HandInput. Best effort, keyed by (participant, hand).
 struct ArmForce {
   ParticipantId participant = 0;
   std::uint8_t hand = right_hand;

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Journals and peers store these numbers: append new gestures at the end.
+/// Gesture of a hand, as a glove reports it. Journals and peers store these numbers: append new gestures at
+/// the end.
 enum class Gesture : std::uint8_t {
   none,
   fist,
@@ -28,8 +29,8 @@ enum class Gesture : std::uint8_t {
 
 inline constexpr std::size_t fingers = 5;  // thumb, index, middle, ring, little
 
-/// Bit of HandPose::buttons: the hand cuts by drawing, from the button press until its blade is out of the
-/// tissue. The lower bits are device buttons.
+/// Bit of HandPose::buttons that means: the hand cuts by drawing, from the button press until its blade is
+/// out of the tissue. The lower bits are device buttons.
 inline constexpr std::uint32_t draws_cut = 1u << 31;
 
 struct HandPose {
@@ -40,7 +41,7 @@ struct HandPose {
   std::uint32_t buttons = 0;  // one bit per button, and draws_cut
 };
 
-/// Tracked objects in a user's hand, in addition to the hands.
+/// Tracked object that a user holds in a hand: a tablet or a stylus.
 enum class HeldObject : std::uint8_t {
   tablet,  // the user's panel; pose at the board's centre: +x right, +y up, +z towards the reader
   stylus   // pose at the tip, +z along the shaft

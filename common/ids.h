@@ -21,15 +21,15 @@ inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, re
 
 inline constexpr double max_coordinate = 1000.0;  // metres: positions beyond it are refused
 
-/// Simulated time. A rewind starts a new epoch, so (epoch, tick) never repeats.
+/// Simulated time: the number of the tick (time step), and of the epoch. A rewind starts a new epoch, so
+/// (epoch, tick) never repeats.
 struct SimTime {
   std::uint32_t epoch = 0;
   std::uint64_t tick = 0;
   auto operator<=>(const SimTime&) const = default;
 };
 
-/// server → all, reliable, transient-local, keyed by body: user-made changes of a body. Sent when they
-/// change; never sent for an unchanged body.
+/// One hand of a participant, left or right, for instance as the holder of a body.
 struct HandRef {
   ParticipantId participant = 0;
   std::uint8_t hand = right_hand;

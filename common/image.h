@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// An 8-bit sRGB image, rows from the top.
+/// An 8-bit sRGB image in memory: three bytes per pixel, rows from the top.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;

@@ -11,7 +11,8 @@ using Mat3 = Eigen::Matrix3d;
 using VecX = Eigen::VectorXd;
 using Quat = Eigen::Quaterniond;  // in files and on the wire: w, x, y, z
 
-/// A rigid transform. As a frame `pose_a_b` it maps points of frame b into frame a: x_a = q * x_b + p.
+/// A rigid transform (position and orientation). As a frame `pose_a_b` it maps points of frame b into frame
+/// a: x_a = q * x_b + p.
 struct Pose {
   Vec3 p = Vec3::Zero();      // metres
   Quat q = Quat::Identity();  // unit

@@ -10,17 +10,17 @@
 
 namespace prosector {
 
-/// Default bound on the distance between a curved surface and its triangles.
+/// Default bound (m) on the distance between a curved surface and the triangles that approximate it.
 inline constexpr double chord_error = 0.25e-3;  // m
 
-/// A triangle surface; triangles are counter-clockwise seen from outside.
+/// A triangle surface: vertex positions and triangles, which are counter-clockwise seen from outside.
 struct TriangleMesh {
   std::vector<Vec3> positions;                          // metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
   std::vector<std::uint8_t> inner = {};                 // per triangle: 1 if a cut exposed it; empty: none
 };
 
-/// Appends the other mesh's vertices and triangles without merging any.
+/// Appends the vertices and triangles of `mesh` to those of `all`, without merging any vertices.
 inline void append(TriangleMesh& all, const TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(all.positions.size());
   all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -29,7 +29,8 @@ inline void append(TriangleMesh& all, const TriangleMesh& mesh) {
 
 class RestStretch;
 
-/// A volume of linear tetrahedra; det(x1−x0, x2−x0, x3−x0) > 0.
+/// A volume mesh of linear tetrahedra, whose corners x0 … x3 are ordered so that det(x1−x0, x2−x0, x3−x0) >
+/// 0.
 struct TetMesh {
   std::vector<Vec3> positions;                      // metres
   std::vector<std::array<std::uint32_t, 4>> tets;   // into positions
@@ -54,7 +55,7 @@ struct SparseMap {
   }
 };
 
-/// Geometry of a deformable: the simulation mesh and its embedded surface, which is drawn and used for
+/// Geometry of a soft body: the simulation mesh and its embedded surface, which is drawn and used for
 /// contact. The simulation mesh has tetrahedra, cells of a sheet, or segments of a rope; tets.positions are
 /// its nodes.
 struct Anatomy {
@@ -69,7 +70,7 @@ struct Anatomy {
   std::vector<double> node_volume = {};  // m³, of a sheet with cuts; empty: lumped from the elements
 };
 
-/// Returns the rope's diameter in metres; 0 if the body is not a rope.
+/// Returns the diameter (m) of the rope; 0 if the soft body is not a rope.
 inline double tube_diameter(const Anatomy& anatomy) {
   return anatomy.segments.empty() ? 0 : anatomy.thickness;
 }

@@ -18,7 +18,7 @@ namespace prosector {
 inline constexpr double panel_width = 0.30, panel_height = 0.26, panel_thickness = 0.008;  // of the board
 inline constexpr double panel_margin = 0.012;  // from the board's edge to its contents
 
-/// Area of the part's name and description.
+/// Area on a control panel for the anatomical part's name and description: its bounds in the panel frame, m.
 struct PanelBox {
   double left, right, bottom, top;
 };
@@ -47,7 +47,8 @@ struct ControlDesc {
 inline constexpr double button_travel = 0.007, button_height = 0.010, knob_height = 0.016;
 inline constexpr double slider_y = -0.096;
 
-/// The panel's controls, in the order of PanelControl.
+/// Layout of a control panel's buttons and slider: position, size, labels and travel of each, in the order of
+/// PanelControl.
 inline constexpr std::array<ControlDesc, panel_control_count> panel_controls = {{
     {PanelControl::attach, ControlKind::button, "attach", "detach", -0.071, 0.028, 0.067, 0.016,
      button_height, button_travel},
@@ -67,15 +68,16 @@ constexpr const ControlDesc& describe(PanelControl control) {
   return panel_controls[static_cast<std::size_t>(control)];
 }
 
-/// Returns the centre of the cap's face in the panel frame for a control position of 0 … 1.
+/// Returns the centre of the outer face of a control's cap (m, panel frame) for a position of 0 … 1. For a
+/// button 0 is at rest and 1 fully pressed; for a slider they are the ends of its travel.
 inline Vec3 control_face(const ControlDesc& control, double position) {
   if (control.kind == ControlKind::slider)
     return {control.x + (position - 0.5) * control.travel, control.y, control.height};
   return {control.x, control.y, control.height - position * control.travel};
 }
 
-/// Maps the slider position (0 … 1) to a stiffness factor, and back. The factor is ¼ … 4 on a logarithmic
-/// scale, so position ½ is 1.
+/// Returns the stiffness factor of a body for a position (0 … 1) of the panel's slider.
+/// position_of_stiffness() is the inverse. The factor is ¼ … 4 on a logarithmic scale, so position ½ is 1.
 inline double stiffness_at(double position) {
   return min_stiffness * std::pow(max_stiffness / min_stiffness, position);
 }

@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// Controls of a part's panel, in the order of the table in common/panel.h.
+/// Buttons and slider of an anatomical part's control panel, in the order of the table in common/panel.h.
 enum class PanelControl : std::uint8_t {
   attach,        // button: in its place, or free
   hide_others,   // button
@@ -19,7 +19,7 @@ inline constexpr std::size_t panel_control_count = 6;
 
 inline constexpr double min_stiffness = 0.25, max_stiffness = 4;
 
-/// State of one control of a panel.
+/// State of one button or slider of a control panel.
 struct ControlState {
   double position = 0;   // button: 0 at rest … 1 fully pressed; slider: 0 … 1
   bool on = false;       // button: switched on

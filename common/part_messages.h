@@ -10,6 +10,9 @@
 
 namespace prosector {
 
+/// Message from the server to all clients: the changes that participants made to a body, and the hands that
+/// hold it. Reliable, transient-local, keyed by body. It is sent when they change, and never for an unchanged
+/// body.
 struct PartState {
   BodyId body = 0;
   SimTime time;
@@ -25,8 +28,8 @@ struct PartState {
 
 inline constexpr double max_shape_entry = 100;  // largest entry of an inspected part's linear map
 
-/// server → all, reliable, transient-local, keyed by the participant that opened it: the panel of one part,
-/// identical for all participants.
+/// Message from the server to all clients: the control panel of an anatomical part, which is the same for all
+/// participants. Reliable, transient-local, keyed by the participant that opened the panel.
 struct Panel {
   ParticipantId participant = 0;
   SimTime time;
@@ -36,7 +39,8 @@ struct Panel {
   std::array<ControlState, panel_control_count> controls{};
 };
 
-/// server → all, reliable, transient-local: state of the room shared by all participants.
+/// Message from the server to all clients: the room's lights and the pace of simulated time, which all
+/// participants share. Reliable, transient-local.
 struct RoomState {
   SimTime time;
   double lights = 1;  // brightness of all lights except lamps that bodies carry, 0 … 1

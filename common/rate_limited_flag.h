@@ -7,14 +7,15 @@
 
 namespace prosector {
 
-/// Reports when a condition begins and when it ends, each at most once per `interval` seconds. If the
-/// condition flickers, its state at the end of the interval is reported.
+/// Filter for reports of an on/off condition: it reports when the condition begins and when it ends, each at
+/// most once per `interval` seconds. If the condition flickers, its state at the end of the interval is
+/// reported.
 class RateLimitedFlag {
  public:
   explicit RateLimitedFlag(double interval) : interval_(interval) {}
 
-  /// Updates the condition: `holds` is its current state, `now` is in seconds on a monotonic clock. Returns
-  /// the state to report, or nullopt.
+  /// Updates the on/off condition with its current state `holds` at the time `now` (seconds on a monotonic
+  /// clock). Returns the state to report now, or nullopt if there is nothing to report.
   std::optional<bool> look(bool holds, double now) {
     double& last = last_[holds ? 1 : 0];
     if (holds == reported_ || now - last < interval_) return std::nullopt;

@@ -10,8 +10,9 @@
 
 namespace prosector {
 
-/// Reason why an operation was refused, as text for users. Converts to true if refused; a default-constructed
-/// one means success. Not for bad files (InputError) nor for errors in the program (InternalError).
+/// Reason why an operation was refused, as text for users. It converts to true if the operation was refused;
+/// a default-constructed one means success. It is not used for bad files (InputError) nor for errors in the
+/// program (InternalError).
 class [[nodiscard]] Refusal {
  public:
   Refusal() = default;
@@ -20,7 +21,7 @@ class [[nodiscard]] Refusal {
   Refusal(std::nullptr_t) = delete;
 
   explicit operator bool() const { return why_.has_value(); }
-  /// Returns the reason; empty if the operation was not refused.
+  /// Returns the reason why the operation was refused; empty if it was not.
   std::string why() const { return why_.value_or(std::string()); }
   bool operator==(const Refusal&) const = default;
 

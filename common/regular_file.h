@@ -7,12 +7,12 @@
 
 namespace prosector {
 
-/// Reads all bytes of `file`. Throws InputError that names the file if it can't be opened, is a directory,
+/// Returns all bytes of `file`. Throws InputError that names the file if it can't be opened, is a directory,
 /// pipe, device or socket, or exceeds `max_bytes`. Never waits for a writer.
 std::string read_regular_file(const std::filesystem::path& file, std::size_t max_bytes);
 
-/// Throws InputError that names the file and its kind if it exists but is a directory, pipe, device or
-/// socket.
+/// Checks that a path does not refer to a special file. Throws InputError that names the file and its kind if
+/// it exists but is a directory, pipe, device or socket.
 void require_regular_file(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -5,7 +5,8 @@
 
 namespace prosector {
 
-/// Returns the shortest rotation vector from orientation a to orientation b, world frame.
+/// Returns the shortest rotation vector (axis times angle, rad) that rotates orientation a to orientation b,
+/// in the world frame.
 inline Vec3 turn(const Quat& a, const Quat& b) {
   Quat q = b * a.conjugate();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
@@ -13,7 +14,8 @@ inline Vec3 turn(const Quat& a, const Quat& b) {
   return rotation.angle() * rotation.axis();
 }
 
-/// Returns the rotation of a rotation vector (exponential map).
+/// Returns the rotation that corresponds to a rotation vector (axis times angle, rad), by the exponential
+/// map.
 inline Quat rotated_by(const Vec3& vector) {
   const double angle = vector.norm();
   return angle > 0 ? Quat(Eigen::AngleAxisd(angle, vector / angle)) : Quat::Identity();

@@ -44,7 +44,8 @@ struct SceneBody {
   std::string term;              // entry of Terminologia Anatomica (1998): "A05.8.01.001"; empty: none
 };
 
-/// server → all, reliable, transient-local: the scene graph. Meshes are sent separately as Assets.
+/// Message from the server to all clients: the scene graph, that is, the bodies, lights, camera and patient.
+/// Reliable, transient-local. Meshes are sent separately as Assets.
 struct SceneInfo {
   std::string name;
   std::string description;
@@ -57,8 +58,8 @@ struct SceneInfo {
 inline constexpr std::size_t asset_chunk_bytes = 256 * 1024;
 inline constexpr std::size_t max_asset_bytes = 256u * 1024 * 1024;
 
-/// server → all, reliable, transient-local, keyed (hash, chunk). Clients receive all meshes this way and need
-/// no files.
+/// Message from the server to all clients: one chunk of an asset (a mesh or an embedding). Reliable,
+/// transient-local, keyed by (hash, chunk). Clients receive all meshes this way and need no files.
 struct AssetChunk {
   ContentHash hash{};
   std::uint32_t chunk = 0;

@@ -13,14 +13,17 @@ namespace prosector {
 
 inline constexpr std::uint32_t first_reign = 1, last_reign = (1U << 12) - 1;
 
-/// Makes the number from its fields. A reign above last_reign is clamped to it.
+/// Returns the number that identifies a server run, composed of three fields: the reign, the start time and a
+/// random number. The reign is 1 plus the number of times that the session's journal was continued. A reign
+/// above last_reign is clamped to it.
 std::uint64_t make_server_run(std::uint32_t reign, std::chrono::system_clock::time_point started,
                               std::uint32_t random);
-/// Makes the number of a run that starts now.
+/// Returns the number that identifies a server run that starts now. `reign` is 1 plus the number of times
+/// that the session's journal was continued.
 std::uint64_t make_server_run(std::uint32_t reign);
 
-/// Returns whether run `a` takes precedence over run `b` as host of the session: the one with the later
-/// reign, else the one that started earlier.
+/// Returns whether server run `a` takes precedence over run `b` as host of their session. The run with the
+/// later reign (more continuations of the journal) does, or else the one that started earlier.
 bool precedes(std::uint64_t a, std::uint64_t b);
 
 }  // namespace prosector

@@ -13,8 +13,8 @@ namespace prosector {
 
 inline constexpr std::size_t max_language_length = 35;  // bytes: a language tag (RFC 5646, 4.4.1)
 
-/// server → all. The first message that a client reads; it suffices to refuse an incompatible session with a
-/// clear error.
+/// Message from the server to all clients: the description of the session. It is the first message that a
+/// client reads, and suffices to refuse an incompatible session with a clear error.
 struct SessionInfo {
   std::uint32_t version = protocol_version;
   std::string session;           // also the DDS partition
@@ -25,8 +25,9 @@ struct SessionInfo {
   std::uint64_t server_run = 0;  // differs from run to run: a client that sees it change starts over
 };
 
-/// participant → server; written once, liveliness 1 s. The participant leaves when it disposes the sample or
-/// loses liveliness.
+/// Message from a client to the server: the participant's identity, requested role and devices. Written once,
+/// with a liveliness lease of 1 s. The participant leaves when its client disposes of the sample or loses
+/// liveliness.
 struct Presence {
   ParticipantId participant = 0;
   std::uint32_t version = protocol_version;
@@ -36,7 +37,8 @@ struct Presence {
   std::uint8_t arms = 0;       // hands driven by a haptic arm: bit 0 left, bit 1 right
 };
 
-/// server → all; one per participant, disposed when the participant leaves.
+/// Message from the server to all clients: a participant of the session with its assigned role and colour.
+/// There is one per participant, which is disposed of when the participant leaves.
 struct RosterEntry {
   ParticipantId participant = 0;
   std::string name;

@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// server → all, 10 Hz.
+/// Message from the server to all clients at 10 Hz: the server's speed, load and numbers of participants.
 struct ServerStatus {
   SimTime time;
   double real_time_factor = 0;
@@ -28,9 +28,9 @@ struct ServerStatus {
   double error = -1;                  // largest current error estimate of all deformables; < 0: unknown
 };
 
-/// server → all, about 2 Hz while the body is awake, keyed by body: solver statistics and error estimates of
-/// one deformable. All errors are estimates for its current state. `residual` is measured in the solves of
-/// the last second (docs/understand/soft-tissue.md).
+/// Message from the server to all clients: solver statistics and error estimates of one soft body, for its
+/// current state. Keyed by body; sent at about 2 Hz while the body is awake. `residual` is measured in the
+/// solves of the last second (docs/understand/soft-tissue.md).
 struct BodyStatus {
   BodyId body = 0;
   SimTime time;

@@ -10,16 +10,16 @@
 
 namespace prosector {
 
-/// Cause of a topology revision.
+/// Cause of a change (revision) of a soft body's topology.
 enum class TopologyCause : std::uint8_t { compiled, cut, undo, rewind };
 
 inline constexpr std::size_t max_surface_vertices = 1024 * 1024;       // slots of one soft body
 inline constexpr std::size_t max_surface_triangles = 2 * 1024 * 1024;  // slots of one soft body
 
-/// Change of the drawn surface by one revision. Streamed points, vertices and triangles are stored in slots,
-/// whose numbers are never reused. A change sets some slots and appends others. Removed elements stay as
-/// unused slots; a removed triangle has three equal corners. Numbers are floats, so that all ends store the
-/// same bits.
+/// Change of a soft body's drawn surface by one revision of its topology. Streamed points, vertices and
+/// triangles are stored in slots, whose numbers are never reused. A change sets some slots and appends
+/// others. Removed elements stay as unused slots; a removed triangle has three equal corners. Numbers are
+/// floats, so that server and clients store the same bits.
 struct SurfacePatch {
   struct Point {                                     // appended, in order
     Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, world frame: reference for SoftState's positions

@@ -71,15 +71,21 @@ void check(const SurfacePatch& patch, const DrawnSurface& surface) {
   const std::size_t triangles = count_after(surface.rest.triangles.size(), patch.triangles, "triangle");
   if (points > max_streamed_points || vertices > max_surface_vertices || triangles > max_surface_triangles)
     throw InputError(fmt::format(
-        "surface patch: {} points, {} vertices and {} triangles are more than {}, {} and {}", points,
-        vertices, triangles, max_streamed_points, max_surface_vertices, max_surface_triangles));
+        "surface patch: the surface would have {} points, {} vertices and {} triangles; allowed: at most {}, "
+        "{} and {}",
+        points, vertices, triangles, max_streamed_points, max_surface_vertices, max_surface_triangles));
   for (const auto& vertex : patch.vertices)
     for (const std::uint32_t point : vertex.point)
-      if (point >= points) throw InputError(fmt::format("surface patch: point {} of {}", point, points));
+      if (point >= points)
+        throw InputError(fmt::format(
+            "surface patch: a vertex refers to point {}, but there are {} points, numbered from 0", point,
+            points));
   for (const auto& triangle : patch.triangles)
     for (const std::uint32_t corner : triangle.corners)
       if (corner >= vertices)
-        throw InputError(fmt::format("surface patch: corner {} of {} vertices", corner, vertices));
+        throw InputError(fmt::format(
+            "surface patch: a triangle refers to vertex {}, but there are {} vertices, numbered from 0",
+            corner, vertices));
 }
 
 }  // namespace
@@ -107,14 +113,18 @@ SurfacePatch difference(const DrawnSurface& before, const DrawnSurface& after) {
                     triangles = before.rest.triangles.size();
   if (after.streamed.rest.size() < points || after.rest.positions.size() < vertices ||
       after.rest.triangles.size() < triangles)
-    throw InternalError("surface patch: slots are only appended");
+    throw InternalError(
+        "surface patch: the new surface has fewer points, vertices or triangles than the old one; they may "
+        "only be added");
   SurfacePatch out;
   for (std::size_t i = 0; i < after.streamed.rest.size(); ++i) {
     const Eigen::Vector3f rest = after.streamed.rest[i].cast<float>();
     if (i >= points)
       out.points.push_back({rest, rest});
     else if (rest != before.streamed.rest[i].cast<float>())
-      throw InternalError(fmt::format("surface patch: point {} has another rest position", i));
+      throw InternalError(fmt::format(
+          "surface patch: the rest position of point {} differs between the surfaces; it must not change",
+          i));
   }
   for (std::size_t v = 0; v < after.rest.positions.size(); ++v) {
     const VertexBits now = bits_of(after, v);

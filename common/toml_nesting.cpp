@@ -41,7 +41,7 @@ class NestingScan {
         if (brackets_ > 0) --brackets_;
         break;
       case '.':
-        limit(++dots_ + 1, "a key has too many parts");
+        limit(++dots_ + 1, "a dotted key has too many parts");
         break;
       case '\n':
         ++line_;
@@ -97,7 +97,8 @@ class NestingScan {
     const bool is_bare =
         (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     if (!is_bare && c != '"' && c != '\'' && c != ']' && (is_doubled || c != '['))
-      throw InputError(fmt::format("{}:{}: a table name must follow the bracket", file_, line_));
+      throw InputError(
+          fmt::format("{}:{}: the name of a table must follow the opening bracket", file_, line_));
   }
 
   void limit(int levels, const char* what) const {

@@ -8,12 +8,13 @@
 
 namespace prosector {
 
-/// Maximum nesting depth of tables and arrays in a file; the deepest field of a scene is at depth five.
+/// Maximum nesting depth of tables and arrays in a TOML file; the deepest field of a scene is at depth five.
 inline constexpr int max_toml_nesting = 32;
 
-/// Throws InputError with `file` and the line of the first violation. Violations are keys with more parts, or
-/// brackets nested deeper, than `max_toml_nesting`, table headers without a name, and non-ASCII characters
-/// outside strings and comments. Interprets only brackets, keys, strings and comments.
+/// Checks a TOML text before it is parsed. Throws InputError with `file` and the line of the first violation.
+/// Violations are keys with more parts, or brackets nested deeper, than `max_toml_nesting`, table headers
+/// without a name, and non-ASCII characters outside strings and comments. Interprets only brackets, keys,
+/// strings and comments.
 void check_nesting(std::string_view toml, const std::string& file);
 
 }  // namespace prosector

@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// Returns the output of `--version`: "prosector-server 0.2.0".
+/// Returns the line that a program prints for `--version`, such as "prosector-server 0.2.0".
 std::string version_line(std::string_view program);
 
 }  // namespace prosector

@@ -15,7 +15,7 @@ import re
 import sys
 
 MOST_WORDS = 30
-MOST_OF_README, MOST_OF_UNDERSTAND, MOST_OF_ALL = 1100, 2500, 90000  # words
+MOST_OF_README, MOST_OF_UNDERSTAND, MOST_OF_ALL = 950, 2400, 81000  # words; a bar of a table is none
 SOURCES = ("client", "common", "deploy", "drivers", "idl", "server", "shaders", "tests", "twins")
 PATH = re.compile(r"`((?:[\w.-]+/)+[\w-]+\.(?:h|cpp|idl|glsl|frag|vert|py|sh|toml|txt|xml|csv))`")
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
@@ -144,7 +144,7 @@ def dead_mentions(root):
 
 
 def length(page):
-    return len(page.read_text().split())
+    return len(words_of(page.read_text()))
 
 
 def too_long(root, docs, pages):

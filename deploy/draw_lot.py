@@ -38,13 +38,14 @@ def comments(checker):
 
 
 def messages():
-    """(place, text, "") of each string literal of at least five words, adjacent literals joined."""
+    """(place, text, "") of each string literal of at least five words, adjacent literals joined; without SQL statements."""
+    sql = re.compile(r"\s*(?:CREATE|SELECT|INSERT|UPDATE|DELETE|REPLACE|ALTER|PRAGMA|BEGIN) ")
     literal = re.compile(r'"((?:\\.|[^"\\\n])*)"')
     for name in tracked(["*.cpp"]):
         text = re.sub(r"^\s*(//|#).*$", "", (ROOT / name).read_text(), flags=re.M)
         for found in re.finditer(r'(?:"(?:\\.|[^"\\\n])*"\s*)+', text):
             joined = "".join(part[1] for part in literal.finditer(found[0]))
-            if len(re.findall(r"[A-Za-z]{2,}", joined)) >= 5:
+            if len(re.findall(r"[A-Za-z]{2,}", joined)) >= 5 and not sql.match(joined):
                 yield f"{name}:{text[: found.start()].count(chr(10)) + 1}", joined, ""
 
 

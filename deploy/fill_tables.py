@@ -97,9 +97,9 @@ def goal_line(what, goal, peers, figure, rows, allowed, error):
     if not rows:
         return None
     if not pair:
-        return [what, goal, peers, "nothing that was run", DASH, DASH, DASH]
+        return [what, goal, peers, "no run", DASH, DASH, DASH]
     one, most = pair
-    off = percent(most[error]) + (f"; in motion {percent(most['error_dynamic'])}" if "error_dynamic" in most else "")
+    off = percent(most[error]) + (f"; dynamic {percent(most['error_dynamic'])}" if "error_dynamic" in most else "")
     told = [f"{number(row[figure])} with {row['threads']}" for row in ([one] if one is most else [one, most])]
     return [what, goal, peers, rung(most) + f", {count(most['tets'])} tets", "; ".join(told),
             number(most["cpu_ms_per_frame"]), off]
@@ -113,15 +113,15 @@ def sofa_goals(reports):
                         lambda row: row["error_mesh"] <= 0.01, "error_mesh")
 
 def press_goals(reports):
-    yield goal_line("organ pressed by a ball, within 1 % of its mesh's path", "≥ 60 steps/s", DASH, "steps_per_s",
+    yield goal_line("organ pressed by a ball, within 1 % of the converged path", "≥ 60 steps/s", DASH, "steps_per_s",
                     reports.rows("press"), lambda row: row["error_mesh"] <= 0.01, "error_mesh")
 
 def beam_goals(reports):
     for model, peers in (("fem_corotational", "74.5"), ("fem_neo_hookean_polynomial", "80.1")):
         rows = reports.rows("beam", model=model)
-        yield goal_line("peers' beam, within 0.1 % of the same mesh's settled answer", "≤ 15 ms", peers, "ms_per_frame",
+        yield goal_line("peers' beam, within 0.1 % of the same mesh's static solution", "≤ 15 ms", peers, "ms_per_frame",
                         [row for row in rows if row["tets"] == 31944], lambda row: row["error_mesh"] <= 0.001, "error_mesh")
-        yield goal_line("peers' beam, within 1 % of the continuum's settled answer", "≤ 8 ms", DASH, "ms_per_frame",
+        yield goal_line("peers' beam, within 1 % of the continuum's static solution", "≤ 8 ms", DASH, "ms_per_frame",
                         rows, lambda row: row["error_continuum"] <= 0.01, "error_continuum")
 
 def goals(reports, before):
@@ -131,7 +131,7 @@ def goals(reports, before):
     lines = []
     for bench, (fill, what) in sections.items():
         lines += [line for line in fill(reports) if line] if bench in reports.all else kept(before, what)
-    return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"], lines)
+    return table(["Test", "goal", "best peer, one thread", "configuration", "measured, by threads", "CPU ms per step", "error"], lines)
 
 # Other codes' beams and the press, row by row.
 
@@ -157,12 +157,12 @@ def effort_in(row):
     return f"{row['solver']} {row['newton_iterations']} × {row['solver_iterations']} to {row['solver_tolerance']:.0e}"
 
 def beam101k(reports):
-    rows = [{**row, "where": "with it" if row["ground"] else "without"} for row in reports.rows("beam101k")]
-    return side_by_side(rows, ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
+    rows = [{**row, "where": "with" if row["ground"] else "without"} for row in reports.rows("beam101k")]
+    return side_by_side(rows, ("steps_per_s", "steps/s"), {"error_mesh": "path error"},
                         where="ground", solver="solver")
 
 def press(reports):
-    return side_by_side(reports.rows("press"), ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
+    return side_by_side(reports.rows("press"), ("steps_per_s", "steps/s"), {"error_mesh": "path error"},
                         tets="tets", solver="solver")
 
 def ours(rows):
@@ -179,7 +179,7 @@ def bullet_here(reports):
         if there:
             here = row["cpu_ms_per_frame"]
             lines.append([f"`{row['model']}`", count(row["tets"]), number(there), number(here), number(here / there)])
-    return table(["Bullet on that beam", "tets", "CPU ms there", "here", "ratio"], lines)
+    return table(["Bullet on this beam", "tets", "CPU ms, other machine", "this machine", "ratio"], lines)
 
 def beam(reports):
     quickest = []
@@ -187,7 +187,7 @@ def beam(reports):
         pair = cheapest(same, lambda row: row["error_mesh"] <= 0.001)
         quickest += [] if not pair else [pair[1]] if pair[0] is pair[1] else list(pair)
     return side_by_side(quickest, ("ms_per_frame", "ms"),
-                        {"error_mesh": "off its mesh", "error_continuum": "off the continuum", "error_dynamic": "in motion"},
+                        {"error_mesh": "error, same mesh", "error_continuum": "error, continuum", "error_dynamic": "dynamic error"},
                         model="model", element="element", tets="tets", solver="solver")
 
 # The trade.
@@ -195,9 +195,9 @@ def beam(reports):
 ERROR_KEYS = {"bend": "error_material", "bend_incompressible": "error_material", "swing": "error_dynamic",
               "free": "angular_momentum_drift",
               **dict.fromkeys(("heavy", "cube", "slab", "hang", "press", "organ"), "error_material")}
-MORE = {"error_frequency": ("frequency", percent), "amplitude_lost_per_period": ("amplitude lost a period", percent),
-        "energy_drift": ("energy", percent), "momentum_drift": ("momentum", percent),
-        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent), "force_N": ("force, N", number)}
+MORE = {"error_frequency": ("frequency error", percent), "amplitude_lost_per_period": ("amplitude loss per period", percent),
+        "energy_drift": ("energy drift", percent), "momentum_drift": ("momentum drift", percent),
+        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume loss", percent), "force_N": ("force, N", number)}
 
 def measured(rows, key):
     return [row for row in rows if row.get(key) is not None and row.get("ms_per_simulated_s")]
@@ -231,7 +231,7 @@ def trade_case(case):
         rows = measured(rows, key)
         told = [row for row in thinned(front(rows, key), key) if abs(row[key]) <= 1]
         more = [name for name in MORE if name != "largest_stable_step_s" and any(row.get(name) is not None for row in rows)]
-        return table(["Rung", "tets", "step, ms", "ms a frame", "error", *(MORE[name][0] for name in more)],
+        return table(["Configuration", "tets", "step, ms", "ms per frame", "error", *(MORE[name][0] for name in more)],
                      [[rung(row), count(row["tets"]), number(row["dt_ms"]), number(row["ms_per_frame"]),
                        percent(abs(row[key])), *(MORE[name][1](row.get(name)) for name in more)] for row in told])
 
@@ -242,7 +242,7 @@ def refine(body):
         rows = reports.rows("refine", body=body)
         if not rows:
             raise Missing(f"refine, body {body}")
-        return table(["Elements", "cell, mm", "where touched, mm", "tetrahedra at most", "force held, mN", "off", "drawn along: off its trend", "from tick to tick", "CPU ms a tick, held", "drawn along", "mesh changes, at most"],
+        return table(["Elements", "cell, mm", "refined cell, mm", "max. tetrahedra", "static force, mN", "error", "sliding: deviation from trend", "largest change per tick", "CPU ms per tick, static", "sliding", "max. at mesh changes"],
                      [["quadratic" if row["element"] == "tet10" else "linear", number(row["cell_mm"]), number(row["refine_cell_mm"]) if row["refine_cell_mm"] else DASH,
                        count(row["tets_at_most"]), number(row["force_mN"]), percent(row["error_continuum"]),
                        percent(row["off_trend"]), percent(row["from_tick_to_tick"]), number(row["cpu_ms_held"]), number(row["cpu_ms_drawn"]),
@@ -256,7 +256,7 @@ def references(reports):
     rows = []
     for same in grouped(reports.rows("references"), "case").values():
         rows += same[-2:-1] if same[-1]["mesh"] == "extrapolated" else same
-    return table(["Case", "quadratic mesh", "off what is stored", "stored to within", "force, N"],
+    return table(["Case", "quadratic mesh", "difference from stored", "error of stored", "force, N"],
                  [[row["case"], row["mesh"], percent(abs(row["off"])), percent(row["unsettled"]), number(row["force_N"]) if row.get("force_N") else DASH]
                   for row in rows])
 
@@ -295,7 +295,7 @@ def bend_sizes(reports):
             there = [row for row in same if row["tets"] == tets and row.get("ms_per_frame")]
             cells.append(cost_and_error(there, ERROR_KEYS["bend"]) if there else DASH)
         lines.append([f"`{model}`, {element}", *cells])
-    return table(["A beam bends, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
+    return table(["Bending beam, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
 
 # For docs/look-up/soft-tissue-figures.md.
 
@@ -321,7 +321,7 @@ def rungs(reports):
         kind = {"model": model, "element": element}
         lines.append([f"`{model}`, {element}", place(reports, "bend_incompressible", 1536, **kind), place(reports, "heavy", 384, **kind),
                       verdicts(reports, **kind)])
-    return table(["Rung", "beam, ν = 0.45", "cube under load, ν = 0.49",
+    return table(["Configuration", "beam, ν = 0.45", "cube under load, ν = 0.49",
                   "extremes: survives / degrades / refuses / fails"], lines)
 
 EXPLICIT = ("explicit_euler", "symplectic_euler", "rk2", "rk4", "verlet")
@@ -339,7 +339,7 @@ def extremes(reports):
         late = sum(not row["met_deadline"] for row in run)
         lines.append([kind, len(cells), *(told.count(name) for name in ("survives", "degrades", "refuses", "fails")),
                       told.count(None), f"{late} of {len(run)}"])
-    return table(["Methods", "cells", "survive", "degrade", "refuse", "fail", "not run", "missed their frames"], lines)
+    return table(["Methods", "cells", "survive", "degrade", "refuse", "fail", "not run", "missed deadlines"], lines)
 
 def integrators(reports):
     key = ERROR_KEYS["swing"]
@@ -357,7 +357,7 @@ def integrators(reports):
             continue
         lines.append([f"`{name}`", element, number(dt_ms), number(run["ms_per_simulated_s"]), percent(run[key]),
                       *(shown(run.get(figure)) for figure, (_, shown) in MORE.items() if figure in INTEGRATOR_FIGURES)])
-    return table(["Integrator", "element", "step, ms", "CPU ms a simulated s", "path",
+    return table(["Integrator", "element", "step, ms", "CPU ms per simulated s", "path error",
                   *(MORE[figure][0] for figure in MORE if figure in INTEGRATOR_FIGURES)], lines)
 
 INTEGRATOR_FIGURES = ("error_frequency", "amplitude_lost_per_period", "energy_drift", "largest_stable_step_s")
@@ -387,12 +387,12 @@ def scaling(reports):
         lines.append([f"`{one['model']}`, {one['element']}", one["solver"], count(one["tets"]),
                       number(one["cpu_ms_per_frame"]), number(one["cpu_us_per_tet"]), number(one["bytes_per_tet"]),
                       number(one["residual"])])
-    return table(["Rung", "solver", "tets", "CPU ms a frame", "CPU µs a tet", "bytes a tet",
+    return table(["Configuration", "solver", "tets", "CPU ms per frame", "CPU µs per tet", "bytes per tet",
                   "residual"], lines)
 
 # Collision.
 
-ERRORS = ["false hits", "missed hits", "depth off", "normal off, °"]
+ERRORS = ["false hits", "missed hits", "depth error", "normal error, °"]
 
 def per_fidelity(rows, columns):
     """A line for each fidelity: the median over shapes, then the greatest value with its shape."""
@@ -414,7 +414,7 @@ PAIR = {"us_per_pair": number, "false_hits": percent, "missed_hits": percent, "d
 def collision_shapes(reports):
     """A line for each fidelity of rigid bodies."""
     lines = per_fidelity(reports.rows("collision", case="pairs"), {**PAIR, "bytes_per_object": lambda n: count(round(n))})
-    return table(["Fidelity", "CPU µs a pair", *ERRORS, "bytes"], lines)
+    return table(["Fidelity", "CPU µs per pair", *ERRORS, "bytes"], lines)
 
 def collision_scale(reports):
     """A line for each shape: what rigid bodies miss at fidelity hull, the larger they are."""
@@ -424,12 +424,12 @@ def collision_scale(reports):
     for life in reports.rows("collision", case="pairs", fidelity="hull"):
         by_scale = {row["scale"]: row for row in rows if row["shape"] == life["shape"]}
         lines.append([life["shape"], percent(life["missed_hits"]), *(percent(by_scale[scale]["missed_hits"]) for scale in scales)])
-    return table(["Shape", "missed hits in life size", *(f"{scale:g} times as large" for scale in scales)], lines)
+    return table(["Shape", "missed hits at original size", *(f"{scale:g} times as large" for scale in scales)], lines)
 
 def collision_organs(reports):
     """A line for each fidelity of an organ."""
     rows = reports.rows("collision", case="organ_rigid") + reports.rows("collision", case="two_organs")
-    return table(["Organ's fidelity", "CPU µs a pair", *ERRORS], per_fidelity(rows, PAIR))
+    return table(["Organ's fidelity", "CPU µs per pair", *ERRORS], per_fidelity(rows, PAIR))
 
 def collision_bodies(reports):
     """A line for each size of scene, a column for each fidelity."""
@@ -446,23 +446,23 @@ def collision_surfaces(reports):
     keys = ["ms_build", "ms_refit", "ms_apart", "ms_crossing", "ms_list", "ms_self"]
     lines = [[count(row["triangles"]), *(number(row[key]) for key in keys), count(round(row["bytes_per_triangle"]))]
              for row in reports.rows("collision", case="surface")]
-    return table(["Triangles of each", "made", "moved", "meetings, nearly touching", "meetings, a tenth deep", "itself, listed anew", "itself, later",
-                  "bytes a triangle"], lines)
+    return table(["Triangles per surface", "build", "refit", "contacts, nearly touching", "contacts, 10 % overlap", "self-collision, list built", "self-collision, later ticks",
+                  "bytes per triangle"], lines)
 
 def collision_layers(reports):
     lines = [[count(row["cells"]), number(row["ms_refit"]), number(row["ms_layers"]), count(row["meetings"])]
              for row in reports.rows("collision", case="layers")]
-    return table(["Cells of each", "moved", "found", "meetings"], lines)
+    return table(["Cells per sheet", "refit", "search", "contacts"], lines)
 
 def collision_soft_sessions(reports):
     lines = [[count(row["bodies"]), count(row["all_pairs"]), number(row["ms_narrow"])] for row in reports.rows("collision", case="soft_session")]
-    return table(["Soft bodies", "pairs of them", "ms"], lines)
+    return table(["Soft bodies", "pairs", "ms"], lines)
 
 def contact(reports, before):
     """A line for each figure of a case: the setting nearest to its tolerance; besides it, those that failed.
     Lines of cases that were not run stay."""
     def shown(row, of):
-        tolerance = "told only" if row["tolerance"] is None else f"± {number(row['tolerance'])}"
+        tolerance = "none" if row["tolerance"] is None else f"± {number(row['tolerance'])}"
         return [row["case"], row["figure"], row["setting"], of, f"{number(row['measured'])} {row['unit'].strip('1')}".strip(),
                 number(row["reference"]), tolerance, number(row["ms_per_tick"]), row.get("verdict", DASH)]
 
@@ -478,7 +478,7 @@ def contact(reports, before):
         nearest = max(same, key=nearness)
         cases[case] += [shown(row, len(same)) for row in same if row is nearest or row.get("verdict", "survives") != "survives"]
     lines = [line for same in cases.values() for line in same]
-    return table(["case", "figure", "setting nearest to its tolerance", "settings", "measured", "reference", "within", "CPU ms a tick", "verdict"], lines)
+    return table(["case", "figure", "setting nearest to its tolerance", "settings", "measured", "reference", "tolerance", "CPU ms per tick", "verdict"], lines)
 
 USUAL = "2 cores", "avx512", "24 GiB", "g++ 12.2.0", "Release"  # named above the table
 
@@ -504,14 +504,14 @@ def machine(reports, before):
     for line in kept(before, "`"):
         others = [bench for bench in line[0].split(", ") if bench.strip("`") not in reports.all]
         lines += [[", ".join(others), *line[1:]]] if others else []
-    return table(["Bench", "run on", "commit", "load average at its end", "machine"], sorted(lines))
+    return table(["Bench", "date", "commit", "load average at the end", "machine"], sorted(lines))
 
 # Cameras.
 
-HAND_TRIALS = {"first": "first sight", "followed": "followed"}  # the report's other rows are gestures
+HAND_TRIALS = {"first": "single image", "followed": "followed"}  # the report's other rows are gestures
 
 def hands(reports):
-    return table(["Networks", "trial", "cameras", "seen", "points right", "side right", "points off", "lateral mm", "depth mm", "turned °", "bends",
+    return table(["Networks", "trial", "cameras", "seen", "points correct", "side correct", "point error", "lateral mm", "depth mm", "rotation °", "flexion error",
                   "find ms", "fit ms"],
                  [[row["nets"], HAND_TRIALS[row["trial"]], row["cameras"], *(f"{100 * row[key]:.1f} %" for key in
                    ("seen", "right_points", "right_side", "points_median")), f"{row['lateral_mm']:.1f}", f"{row['depth_mm']:.1f}",
@@ -530,7 +530,7 @@ def hand_gestures(reports):
     def mean(nets):
         return f"**{100 * sum(rows[nets, name]['right_gesture'] for name in names) / len(names):.1f} %**"
 
-    return table(["Made", "full: right", "taken for", "lite: right", "taken for"],
+    return table(["Gesture", "full: correct", "confused with", "lite: correct", "confused with"],
                  [[f"`{name}`", *told("full", name), *told("lite", name)] for name in names] + [["mean", mean("full"), "", mean("lite"), ""]])
 
 KEEPING = {"machine": machine, "goals": goals, "advice": advice, "contact": contact}  # lines of what was not run stay

@@ -14,16 +14,16 @@
 
 namespace prosector {
 
-/// Role of this end in the star topology. It determines the topics that are written and read, so a client
-/// never receives another client's Presence. Permissions are checked by the session, since roles change while
-/// it runs.
+/// Role of this process on the network, in which clients communicate with the server only. It determines the
+/// topics that are written and read, so a client never receives another client's Presence. Permissions are
+/// checked by the session, since roles change while it runs.
 enum class BusEnd : std::uint8_t { server, dissector, observer };
 
 enum class Liveness : std::uint8_t { alive, gone };  // gone: disposed, or its writer left or died
 
-/// A sample that passed all wire checks, or the notification that its instance is gone (then only the key
-/// fields are set). The notification is sent once, and only if it comes from the process that published the
-/// instance (idl/instance_owners.h).
+/// A sample that passed all wire checks, or the notification that its instance is gone (then only the
+/// message's key fields are set). The notification is sent once, and only if it comes from the process that
+/// published the instance (idl/instance_owners.h).
 struct Received {
   Message message;
   Liveness liveness = Liveness::alive;
@@ -32,8 +32,8 @@ struct Received {
   std::int64_t arrival_ns = 0;  // monotonic_ns() when it reached this process
 };
 
-/// Counters of a Bus: samples dropped by the wire checks, by reason ("HandInput: pose not finite"), and
-/// samples passed.
+/// Counters of a Bus: samples that the wire checks dropped, by reason (such as "HandInput: pose not finite"),
+/// samples received and sent, and bytes.
 struct BusCounters {
   std::map<std::string, std::uint64_t> dropped;
   std::uint64_t dropped_total = 0;
@@ -41,22 +41,24 @@ struct BusCounters {
   std::uint64_t bytes_out = 0, bytes_in = 0;  // serialised payload, without protocol overhead
 };
 
-/// Abstract message bus. Thread safe: one thread may publish while another waits and takes.
+/// Abstract interface that publishes and receives messages. Thread safe: one thread may publish while another
+/// waits and takes.
 class Bus {
  public:
   virtual ~Bus() = default;
 
-  /// Sends one sample. Best-effort topics never block. Reliable ones may block up to their blocking time, so
-  /// they are called from the publisher thread, not from the simulation step. Returns false if the sample
+  /// Sends one message. Best-effort topics never block. Reliable ones may block up to their blocking time, so
+  /// they are called from the publisher thread, not from the simulation step. Returns false if the message
   /// could not be sent, and counts it.
   virtual bool publish(const Message& message) = 0;
-  /// Ends a keyed instance that this end wrote, such as the Presence or RosterEntry of a leaving participant.
-  /// Readers receive Liveness::gone.
+  /// Ends a keyed DDS instance that this process wrote, such as the Presence or RosterEntry of a leaving
+  /// participant. Only the message's key fields are used. Readers receive Liveness::gone.
   virtual void dispose(const Message& message) = 0;
-  /// Moves all samples that arrived since the last call to `out` (cleared first), in order per topic
-  /// instance.
+  /// Moves all samples that were received since the last call to `out` (cleared first). Samples of one topic
+  /// instance are in order.
   virtual void take(std::vector<Received>& out) = 0;
-  /// Blocks until a sample is available or the timeout expires. Returns whether a sample is available.
+  /// Blocks until a received sample is available or the timeout expires. Returns whether a sample is
+  /// available.
   virtual bool wait(std::chrono::milliseconds timeout) = 0;
   virtual BusCounters counters() const = 0;
 };

@@ -13,18 +13,19 @@ namespace prosector {
 
 class HostConflictMonitor {
  public:
-  /// Starts a thread that listens for servers of config.session. Throws InputError if the network can't be
-  /// opened as configured.
+  /// Starts a thread that listens for servers that host the session config.session. Throws InputError if the
+  /// network can't be opened as configured.
   explicit HostConflictMonitor(const BusConfig& config);
   ~HostConflictMonitor();
   HostConflictMonitor(const HostConflictMonitor&) = delete;
   HostConflictMonitor& operator=(const HostConflictMonitor&) = delete;
 
-  /// Returns another server of the session as soon as one is known, or nullopt after the watch has listened
-  /// for `time` in total.
+  /// Returns another server of the session as soon as one is known. Returns nullopt once the monitor has
+  /// listened for `time` in total without finding one.
   std::optional<SessionInfo> other(std::chrono::milliseconds time) const;
-  /// Watches for `time` from now. Calls `yield` once, on the watch's thread, if a server with precedence over
-  /// the run `own` is found (common/server_run.h), and then ends.
+  /// Continues to listen for other servers of the session for `time` from now. Calls `yield` once, on the
+  /// monitor's thread, if a server is found whose run has precedence over the run `own`
+  /// (common/server_run.h). It then stops listening.
   void guard(std::uint64_t own, std::chrono::milliseconds time,
              std::function<void(const SessionInfo& other)> yield);
 

@@ -17,7 +17,7 @@ namespace prosector {
 
 using InstanceKey = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
-/// Returns the index of a message's topic, which is its index in the Message variant.
+/// Returns the index of the topic of message type M, which is also M's index in the Message variant.
 template <class M, std::size_t i = 0>
 constexpr std::size_t topic_of() {
   static_assert(i < std::variant_size_v<Message>, "no message that a Bus carries");
@@ -27,14 +27,15 @@ constexpr std::size_t topic_of() {
     return topic_of<M, i + 1>();
 }
 
-/// Functions that identify the instances of one topic.
+/// Functions that identify the DDS instances of one topic by the key fields of its messages.
 struct InstanceRules {
   std::size_t message;                  // index of the topic whose messages `key` and `key_only` take
   InstanceKey (*key)(const Message&);   // see instance_key()
   Message (*key_only)(const Message&);  // see key_only()
 };
 
-/// Packs key fields into an InstanceKey. Strings are hashed.
+/// Accumulator that packs the key fields of a message, in order, into an InstanceKey of three numbers.
+/// Strings are hashed.
 class KeyWords {
  public:
   void add(std::uint64_t word) { words_.at(count_++) = word; }
@@ -77,8 +78,8 @@ Message only_key_of(const Message& message) {
   return key;
 }
 
-/// Rules for messages of type M: messages with equal `fields` belong to the same instance; without fields
-/// there is only one instance.
+/// Rules that identify DDS instances for messages of type M: messages with equal `fields` belong to the same
+/// instance. Without fields there is only one instance.
 template <class M, auto... fields>
 inline constexpr InstanceRules keyed{topic_of<M>(), key_of<M, fields...>, only_key_of<M, fields...>};
 

@@ -17,16 +17,18 @@ namespace prosector {
 
 class InstanceOwners {
  public:
-  /// Records that a process (Received::writer) published this instance. Returns false if the process has too
-  /// many instances.
+  /// Records that the process `writer` (Received::writer) published the message's instance. Returns false if
+  /// the process has too many instances.
   bool said(std::uint64_t writer, const Message& message);
-  /// Records that a process ended the instance. Returns false if it had not published it, or has ended it
-  /// before.
+  /// Records that the process `writer` ended the message's instance. Returns false if that process had not
+  /// published it, or has ended it before.
   bool ended(std::uint64_t writer, const Message& message);
 
-  /// Returns the processes that published instances of `topic` and aren't in `present`.
+  /// Returns the processes that published instances of `topic` and are not listed in `present`, the processes
+  /// that are still connected.
   std::vector<std::uint64_t> absent(std::size_t topic, std::span<const std::uint64_t> present) const;
-  /// Ends all instances of `topic` published by `writer`; appends them to `out`, key fields only.
+  /// Removes all instances of `topic` that the process `writer` published, and appends a message with the key
+  /// fields of each to `out`.
   void end_all(std::size_t topic, std::uint64_t writer, std::vector<Message>& out);
 
  private:

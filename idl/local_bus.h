@@ -20,16 +20,17 @@ struct LocalNetworkConfig {
   bool stepped = true;  // time advances only by advance(), wait() doesn't block; false: real clock
 };
 
-/// Simulated network. Its buses may outlive this object and may be used from several threads.
+/// Simulated network in this process, for tests. The buses that it creates may outlive it and may be used
+/// from several threads.
 class LocalNetwork {
  public:
   explicit LocalNetwork(const LocalNetworkConfig& config);
   ~LocalNetwork();
 
-  /// Creates a bus. Only buses of equal domain and session can communicate. Throws InputError if a server's
-  /// index is taken. Destroying the bus leaves the network.
+  /// Creates a bus that is connected to the simulated network. Only buses of equal domain and session can
+  /// communicate. Throws InputError if a server's index is taken. Destroying the bus leaves the network.
   std::unique_ptr<Bus> join(const BusConfig& config);
-  /// Stops the bus as if its process were killed: others notice when its lease expires.
+  /// Stops the bus as if its process were killed: the other buses notice when its liveliness lease expires.
   void crash(Bus& bus);
 
   void advance(std::chrono::nanoseconds time);

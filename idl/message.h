@@ -15,7 +15,8 @@
 
 namespace prosector {
 
-/// All messages that a Bus carries. A message's index in this variant is its topic's index (idl/topics.h).
+/// Any message that a Bus publishes or receives. A message's index in this variant is its topic's index
+/// (idl/topics.h).
 using Message =
     std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult, SceneInfo,
                  AssetChunk, RigidState, SoftState, Settled, TopologyRevision, ContactSample, ServerStatus,

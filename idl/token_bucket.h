@@ -10,12 +10,14 @@ namespace prosector {
 
 class TokenBucket {
  public:
-  /// Takes `rate` in 1/s, `burst` in samples; both > 0.
+  /// Starts with a full bucket. `rate` is the average number of samples per second that it passes, and
+  /// `burst` the largest number at a time; both > 0.
   TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {
     PROSECTOR_ASSERT(rate > 0 && burst > 0);
   }
 
-  /// Takes one token at time `now_ns` (monotonic). Returns false if none is available.
+  /// Removes one token at time `now_ns` (monotonic clock), which allows one sample to pass. Returns false if
+  /// no token is available.
   bool take(std::int64_t now_ns) {
     tokens_ = tokens_at(now_ns);
     last_ns_ = std::max(last_ns_, now_ns);
@@ -23,7 +25,8 @@ class TokenBucket {
     tokens_ -= 1;
     return true;
   }
-  /// Returns whether the bucket is full, and thus equivalent to a new one.
+  /// Returns whether the bucket has all its tokens at time `now_ns` (monotonic clock), and thus is equivalent
+  /// to a new one.
   bool full(std::int64_t now_ns) const { return tokens_at(now_ns) >= burst_; }
 
  private:

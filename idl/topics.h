@@ -16,9 +16,9 @@ namespace prosector {
 
 enum class Writers : std::uint8_t { server, clients };  // clients: observers may become dissectors
 
-/// Properties of a topic. Best-effort readers drop a sample if a later one of the same *writer* has arrived,
-/// whatever the instance. Streams with many instances per tick therefore use several writers (lanes), and
-/// each instance always uses the same one.
+/// Properties of a DDS topic: its message, key, writers, quality of service and limits. Best-effort readers
+/// drop a sample if a later one of the same *writer* has arrived, whatever the instance. Streams with many
+/// instances per tick therefore use several writers (lanes), and each instance always uses the same one.
 struct TopicSpec {
   const char* name;
   Writers writers;
@@ -68,7 +68,7 @@ inline constexpr std::array<TopicSpec, topic_count> topics{{
 }};
 // clang-format on
 
-/// Returns whether all topics satisfy a rule.
+/// Returns whether rule(index, topic) is true for all topics of the table.
 template <class Rule>
 constexpr bool all_topics(Rule rule) {
   for (std::size_t i = 0; i < topic_count; ++i)
@@ -86,16 +86,19 @@ static_assert(all_topics([](std::size_t, const TopicSpec& t) {
               }),
               "topics: what clients write is limited");
 
-/// Returns whether an end ever writes or reads the topic. For topics for arms `arm` decides: a client has a
-/// haptic arm, or, for a server, any participant has one.
+/// Returns whether an end (server, dissector or observer) ever writes the topic; reads() returns whether it
+/// reads the topic. Topics for haptic arms are used only with `arm`: a client has a haptic arm, or, for a
+/// server, any participant has one.
 bool writes(BusEnd end, bool arm, const TopicSpec& topic);
 bool reads(BusEnd end, bool arm, const TopicSpec& topic);
 
-/// Returns the identity of a message's instance: the @key fields in prosector.idl.
+/// Returns the values of the message's key fields (@key in prosector.idl), which identify its DDS instance
+/// within the topic.
 InstanceKey instance_key(const Message& message);
-/// Returns the index of the topic's writer that sends this message.
+/// Returns the index of the lane (one of the topic's writers) that sends this message. All messages of one
+/// DDS instance use the same lane.
 std::size_t lane(const Message& message);
-/// Returns a message with only the key fields set.
+/// Returns a message in which only the key fields of `message` are set.
 Message key_only(const Message& message);
 
 }  // namespace prosector

@@ -96,7 +96,8 @@ std::string CameraSight::trouble(const Catalogue& words) const {
   const CameraState camera = camera_->state();
   if (!camera.problem.empty()) return words.tr("camera {}", camera.problem);
   const std::lock_guard lock(mutex_);
-  if (!newest_ || seconds_since(newest_->time_ns) > silent) return words.tr("the camera delivers no images");
+  if (!newest_ || seconds_since(newest_->time_ns) > silent)
+    return words.tr("the camera delivers no images: check that it is connected");
   if (!newest_->room_eye)
     return words.tr(
         "the board \"{}\" is not detected: provide light, and show it flat and complete in the image",

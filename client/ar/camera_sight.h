@@ -16,7 +16,7 @@
 
 namespace prosector {
 
-/// Undistorted camera image.
+/// Undistorted image of a camera, with its time and the poses and light that were detected in it.
 struct UndistortedImage {
   std::shared_ptr<const Image> image;
   Lens bent, straight;           // lens models of the camera, and of `image`
@@ -28,7 +28,8 @@ struct UndistortedImage {
   std::optional<Pose> room_phantom = {};  // pose of the phantom with a board; nullopt: not detected yet
 };
 
-/// Board to which an object is fixed: the user's tablet, a phantom.
+/// Board of tags by which the camera detects an object: the user's tablet or a phantom. `mount` is the pose
+/// of the object on the board.
 struct ObjectBoard {
   std::string board;  // name of a known board, or a file
   Pose mount;  // pose of the panel at its wearing position, or of the phantom's shape, in the board frame
@@ -36,17 +37,20 @@ struct ObjectBoard {
 
 class CameraSight {
  public:
-  /// Starts to analyse images. `config` gives the camera's lens, the board on the table and its pose there.
-  /// Throws InputError if the file of a lens or board can't be read.
+  /// Starts to undistort the camera's images and to detect boards of tags in them. `config` gives the
+  /// camera's lens, the board on the table and its room pose; `tablet` and `phantom`, the boards of these
+  /// objects. Throws InputError if the file of a lens or board can't be read.
   CameraSight(std::shared_ptr<SharedCamera> camera, const CameraConfig& config,
               const std::optional<ObjectBoard>& tablet, const std::optional<ObjectBoard>& phantom = {});
 
-  /// Waits up to `patience` for an image that was not returned yet. Returns the newest, possibly an old one;
-  /// null: none yet.
+  /// Waits up to `time_limit` for an image that no earlier call returned. Returns the newest image, after a
+  /// timeout again the last one; null if there is none yet.
   std::shared_ptr<const UndistortedImage> next(std::chrono::milliseconds time_limit);
-  /// Reports whether all users of the camera have processed the image captured at `time_ns`.
+  /// Returns whether all consumers of the shared camera have processed the image captured at `time_ns`
+  /// (monotonic clock).
   bool all_analysed(std::int64_t time_ns) const { return camera_->reported_ns() >= time_ns; }
-  /// Returns a message about the present problem, with advice; empty: none.
+  /// Returns a message for the user, in the language of `words`, about the present problem: a camera error,
+  /// missing images, or an undetected table board. Returns an empty string if there is none.
   std::string trouble(const Catalogue& words = {}) const;
   const Pose& room_board() const { return room_board_; }
 

@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// How an undistorted image fills a frame.
+/// Camera projection of a frame whose background is an undistorted camera image, and the image area that
+/// fills the frame.
 struct CameraView {
   DrawCamera camera;  // its pose is not set
   double left = 0, top = 0,
@@ -14,11 +15,13 @@ struct CameraView {
                     // image's, and size of a frame's pixel
 };
 
-/// Returns the view for images with lens model `bent`, undistorted as `straight`, in a frame of this size
-/// (pixels). A frame with the lens' image size shows the image completely, at maximum scale.
+/// Returns projection and image area for a frame of `width` × `height` pixels with an undistorted camera
+/// image as its background. `bent` is the camera's lens model with distortion, `straight` that of the
+/// undistorted image. The camera's whole image area fits into the frame at the maximum scale, centred.
 ///
-/// K of OpenCV refers to pixel centres, OpenGL's frustum to pixel borders. Hence the tangents at the borders:
-/// left = (l − ½ − cx)/fx, top = (cy − t + ½)/fy.
+/// K of OpenCV refers to pixel centres, OpenGL's frustum to pixel borders. Hence the tangents at the borders,
+/// with l and t the frame's left and top in the undistorted image: left = (l − ½ − cx)/fx, top = (cy − t +
+/// ½)/fy.
 CameraView view_of(const Lens& bent, const Lens& straight, int width, int height);
 
 }  // namespace prosector

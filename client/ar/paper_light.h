@@ -9,8 +9,9 @@
 
 namespace prosector {
 
-/// Returns the median light of the paper in an undistorted image, linear, 1: white on the screen. Returns
-/// nullopt if too little of the board is in the image.
+/// Returns brightness and colour of the white paper around a board's tags in an undistorted camera image: the
+/// median of linear RGB, where 1 is white on the screen. `straight` is the image's lens model, `camera_board`
+/// the board's pose in the camera frame. Returns nullopt if too little of the board is in the image.
 std::optional<Vec3> paper_light(const Image& picture, const Lens& straight, const Board& board,
                                 const Pose& camera_board);
 

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// Numbers of cycles in which the guard intervened; for reports.
+/// Numbers of servo cycles in which the force guard, the last limiter of an arm's force, intervened, by
+/// reason.
 struct GuardCounts {
   std::uint64_t not_finite = 0;  // non-finite forces
   std::uint64_t saturated = 0;   // forces beyond the arm's peak force or, when hot, its continuous force
@@ -16,15 +17,16 @@ struct GuardCounts {
   std::uint64_t stalls = 0;      // cycles that came too late, or whose pose was valid again after a gap
 };
 
-/// Limits of an arm's force (N, N/s) or torque (N·m, N·m/s).
+/// Limits of a haptic arm's force (N) or torque (N·m): peak value, continuous value, and rate of change (N/s
+/// or N·m/s).
 struct GuardBounds {
   double peak = 0, lasting = 0, slew = 0;
 };
 inline GuardBounds force_bounds(const ArmLimits& limits) {
   return {limits.peak_force, limits.continuous_force, limits.max_slew};
 }
-/// Returns the limits of torque. Its slew rate is such that it reaches its peak in the same time as force
-/// does.
+/// Returns the limits of the arm's torque. The maximum rate of change is chosen so that torque reaches its
+/// peak in the same time as force does.
 inline GuardBounds torque_bounds(const ArmLimits& limits) {
   return {limits.peak_torque, limits.peak_torque, limits.max_slew * limits.peak_torque / limits.peak_force};
 }
@@ -33,12 +35,12 @@ class ForceGuard {
  public:
   explicit ForceGuard(const GuardBounds& bounds) : bounds_(bounds) {}
 
-  /// Returns the admissible force: `wanted` limited by ramps and bounds, in its direction. `allowed`: whether
-  /// force may act at all; otherwise it fades. `hot`: the arm reports a hot motor. `dt`: s since the last
-  /// call; the force changes by no more than in 3 ms, however late the call is.
+  /// Returns the admissible force in N (or torque, N·m): `wanted`, faded in or out and limited in size, rate
+  /// of change and heat. While `allowed` is false, force fades to zero. `hot`: the arm reports a hot motor.
+  /// `dt`: time since the last call, s; after a longer interval the force changes by no more than in 3 ms.
   Vec3 pass(const Vec3& wanted, bool allowed, bool hot, double dt);
-  /// Restarts after the loop stopped for longer than is safe, or had no valid pose. The present force fades,
-  /// and new force ramps up from zero.
+  /// Restarts the ramps after the servo loop stopped for longer than is safe, or had no valid pose. The
+  /// present force fades to zero, and the newly wanted force ramps up from zero.
   void stalled();
 
   const GuardCounts& counts() const { return counts_; }

@@ -5,12 +5,13 @@
 
 namespace prosector {
 
-/// Velocity of a hand, room frame.
+/// Velocity and angular velocity of a hand, room frame.
 struct HandMotion {
   Vec3 velocity = Vec3::Zero();  // m/s, of a reference point of the hand
   Vec3 spin = Vec3::Zero();      // rad/s
 
-  /// Returns the velocity of the point at offset `away`, m, from the reference point.
+  /// Returns the velocity, m/s, of the hand's point at offset `away` (m, room frame) from the reference
+  /// point.
   Vec3 at(const Vec3& away) const { return velocity + spin.cross(away); }
 };
 

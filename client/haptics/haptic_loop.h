@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-/// Safeguards that tests can disable to measure their effect; they are always on otherwise.
+/// Safeguards of the servo loop that tests can disable to measure their effect. They are always on otherwise.
 struct Safeguards {
   bool prediction = true;  // forces are evaluated at the middle of the cycle in which they act
   bool passivity = true;   // damping while there is an energy deficit
@@ -18,27 +18,33 @@ struct Safeguards {
 
 class HapticLoop {
  public:
-  /// Creates a loop. `grip`: the stylus point at which force and torque act, m, hand frame.
+  /// Creates the servo loop of an arm with these limits. `grip`: the stylus point at which force and torque
+  /// act, m, hand frame.
   explicit HapticLoop(const ArmLimits& limits, Safeguards safeguards = {}, const Vec3& grip = Vec3::Zero());
 
-  /// Applies the contact planes of a message, before the cycle at `time` (s, servo clock).
+  /// Replaces the contact planes (local linear models of the contact forces) by those of a newly received
+  /// message. `time`: time of the next cycle, s, servo clock.
   void take(std::span<const ContactPlane> planes, double time);
-  /// Notes that the newest message was received again.
+  /// Records that the server repeated its newest message of contact planes at `time` (s, servo clock). The
+  /// planes are unchanged, but the connection counts as alive.
   void repeat_received(double time) { planes_.repeat_received(time); }
-  /// Returns the force for the arm, N, room frame. `time`, s, must increase from call to call. While
-  /// `allowed` is false the force fades; it ramps up slowly afterwards.
+  /// Computes one servo cycle: returns the force to apply to the hand, N, room frame, for a reading of the
+  /// arm. `time`, s, must increase from call to call. While `allowed` is false the force fades to zero; it
+  /// ramps up slowly afterwards.
   Vec3 cycle(const ArmReading& reading, double time, bool allowed = true);
 
   const EnergyBook& energy() const { return passivity_.book(); }
   double energy_level() const { return passivity_.level(); }
   const GuardCounts& guard() const { return guard_.counts(); }
-  /// Returns the hand's pose and the force of the last cycle.
+  /// Returns the hand's room pose in the last valid reading; force() returns the force of the last cycle, N,
+  /// room frame.
   const Pose& hand() const { return hand_; }
   const Vec3& force() const { return acts_.force; }
   /// Returns the torque of the last cycle about the stylus point, N·m, room frame; zero if the arm has no
   /// torque motors.
   const Vec3& torque() const { return acts_.torque; }
-  /// Returns the stiffness of the last force with respect to displacements of the hand, N/m, room frame.
+  /// Returns the stiffness of the last cycle's force with respect to displacements of the hand, N/m, room
+  /// frame. It is scaled down by the same factor as a force that exceeds the limits.
   const Mat3& stiffness() const { return stiffness_; }
 
  private:

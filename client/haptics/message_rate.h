@@ -5,9 +5,10 @@ namespace prosector {
 
 class MessageRate {
  public:
-  /// Records a message that arrived at `time`, s.
+  /// Records a message that arrived at `time`, s, and updates mean interval and jitter.
   void note(double time);
-  /// Reports whether at `time`, s, the last message is so old that the stream counts as interrupted.
+  /// Returns whether at `time`, s, the stream of messages counts as interrupted. It does after three times
+  /// the mean interval plus jitter, at least 20 ms and at most 250 ms, without a message.
   bool broken(double time) const;
   double interval() const { return interval_; }  // s, mean interval between messages
 

@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// Energy exchanged with the hand since the start, J. Both values only increase.
+/// Energy exchanged between arm and hand since the start, J. Both sums only increase.
 struct EnergyBook {
   double taken = 0;  // from the hand
   double given = 0;  // to the hand
@@ -19,17 +19,20 @@ struct EnergyBook {
 
 class Passivity {
  public:
-  /// Adds the work of the last force and torque on the displacement to `stylus`, where they act. `stored`:
-  /// energy now stored in the contact springs, J, which the hand can regain. `surroundings`: power supplied
-  /// by other users and bodies, W.
+  /// Updates the energy balance by the work of the last force and torque over the displacement of their point
+  /// of application to `stylus`, room frame. `stored`: energy now stored in the contact springs, J, which the
+  /// hand can regain. `surroundings`: power supplied by other users and bodies, W. `dt`: s since the last
+  /// call.
   void observe(const Pose& stylus, double stored, double surroundings, double dt);
-  /// Returns the wanted force and torque plus damping that dissipates the excess energy, within the arm's
-  /// limits. `motion`: of the point of application; without spin if the arm has no torque. Scaling the force
-  /// down instead causes a limit cycle at 3 kN/m (docs/decisions).
+  /// Returns the wanted force and torque plus damping that dissipates the excess energy delivered to the
+  /// hand. The damping is limited to what arms render stably. `motion`: velocity of the point of application;
+  /// without spin if the arm has no torque. Scaling the force down instead causes a limit cycle at 3 kN/m
+  /// (docs/decisions).
   Wrench damp(const Wrench& wanted, const HandMotion& motion, double dt);
-  /// Sets the force and torque that act from now on.
+  /// Sets the force and torque that act on the hand from now on, whose work the next observe() counts.
   void applied(const Wrench& wrench) { acts_ = wrench; }
-  /// Discards the last pose: the next displacement is unknown and is not counted.
+  /// Discards the last stylus pose, for instance after a missing reading: the next displacement is then
+  /// unknown, and its work is not counted.
   void interrupt() { known_ = false; }
 
   const EnergyBook& book() const { return book_; }

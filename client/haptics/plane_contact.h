@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Force of one plane in one cycle.
+/// Force that one contact plane (local linear model of a contact) exerts on the hand in one servo cycle, with
+/// its stiffness, energy and power.
 struct PlaneForce {
   Vec3 force = Vec3::Zero();      // N, on the hand
   Vec3 point = Vec3::Zero();      // m, room frame: point of application
@@ -20,18 +21,21 @@ struct PlaneForce {
 
 class PlaneContact {
  public:
-  /// Creates the contact of a new plane. If the hand already penetrates it, the force rises over `spread` s.
+  /// Creates the contact of a newly received plane. If the hand already penetrates the plane, the force rises
+  /// over `spread` s.
   PlaneContact(const ContactPlane& plane, double spread);
 
   std::uint32_t id() const { return plane_.id; }
   bool gone() const { return gone_ && spread_left_ <= 0; }
 
-  /// Replaces the plane by a newer one of the same contact. The jump in force is spread over `spread` s.
+  /// Replaces the contact's plane by a newly received one. The jump in force that this causes is spread over
+  /// `spread` s.
   void renew(const ContactPlane& plane, double spread);
-  /// Ends the contact: its force fades over `spread` s.
+  /// Ends the contact, because the newest message no longer has its plane. The force fades over `spread` s.
   void end(double spread);
 
-  /// Returns the force on a hand with pose `hand` whose origin moves with `motion`, and advances by dt s.
+  /// Advances the contact by `dt` s, and returns the force on a hand with the room pose `hand`, whose origin
+  /// moves with `motion`.
   PlaneForce advance(const Pose& hand, const HandMotion& motion, double dt);
 
  private:

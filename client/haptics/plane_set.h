@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-/// Sum of all planes' forces on a hand.
+/// Sum of the forces of all contact planes on a hand, room frame, with their stiffness, energy and power.
 struct FeltWrench {
   Wrench wrench;                  // about the given pivot
   Mat3 stiffness = Mat3::Zero();  // N/m: with respect to displacements
@@ -21,15 +21,19 @@ struct FeltWrench {
 
 class PlaneSet {
  public:
-  /// Replaces the planes by those of a message that arrived at `time` (s, servo clock).
+  /// Replaces the contact planes by those of a message that arrived at `time` (s, servo clock). Force jumps
+  /// of changed, new and missing planes are spread over one interval between messages.
   void take(std::span<const ContactPlane> planes, double time);
-  /// Notes that the newest message was received again.
+  /// Records that the server repeated the newest message, with unchanged planes, at `time` (s, servo clock).
+  /// This keeps the connection from counting as lost.
   void repeat_received(double time) { message_rate_.note(time); }
-  /// Returns the sum of forces and their torque about `pivot` (m, room frame), and advances by dt s.
+  /// Advances all contacts by `dt` s, and returns the sum of their forces and the torque about `pivot` (m,
+  /// room frame) on a hand with this pose and motion.
   FeltWrench advance(const Pose& hand, const HandMotion& motion, const Vec3& pivot, double dt);
   bool touches() const { return !contacts_.empty(); }
 
-  /// Reports whether the last message is so old that the connection counts as lost.
+  /// Returns whether at `time` (s, servo clock) the last message of contact planes is so old that the
+  /// connection counts as lost.
   bool stale(double time) const { return message_rate_.broken(time); }
 
  private:

@@ -16,13 +16,15 @@
 
 namespace prosector {
 
-/// Delay of the cycles' starts, s.
+/// Delays of the servo cycles' starts after their deadlines, s: median, 99th percentile and maximum, with the
+/// numbers of cycles.
 struct Lateness {
   std::uint64_t cycles = 0, skipped = 0;  // skipped: more than a period late, and not made up
   double p50 = 0, p99 = 0, worst = 0;
 };
 
-/// State that the thread publishes.
+/// State of a haptic arm and its servo loop, copied for other threads: pose, forces, energy balance, numbers
+/// of interventions of the safety limits, and the device's status.
 struct ServoView {
   ArmReading reading;             // pose of the hand attached to the stylus, room frame
   Vec3 force = Vec3::Zero();      // N, on the user's hand, mean since the last view()
@@ -34,18 +36,21 @@ struct ServoView {
 
 class ServoThread {
  public:
-  /// Starts the thread. `hand_of_stylus`: pose of the hand in the stylus frame. `dead_man`: mask of buttons
-  /// of which one must be pressed for any force to act; 0: none. Requests a real-time priority.
+  /// Starts the thread, with a real-time priority if the system grants it. `hand_of_stylus`: pose of the hand
+  /// in the stylus frame. `dead_man`: mask of buttons of which one must be pressed for any force to act; 0:
+  /// forces act without a button.
   ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man = 0);
   ~ServoThread();
 
-  /// Passes on the newest contact planes. Called on the network thread.
+  /// Passes the newest contact planes (local linear models of the contact forces) to the servo thread. Called
+  /// on the network thread.
   void feel(std::vector<ContactPlane> planes);
-  /// Passes on that the newest contact planes were received again.
+  /// Notifies the servo thread that the newest contact planes were received again, unchanged, so that the
+  /// connection counts as alive.
   void repeat_received() { repeated_ = true; }
   ServoView view();
   Lateness lateness() const;
-  /// Reports whether the system granted a real-time priority.
+  /// Returns whether the system granted the servo thread a real-time priority.
   bool real_time() const { return real_time_; }
 
  private:

@@ -21,7 +21,8 @@ class MoBytes {
   explicit MoBytes(std::string_view bytes) : bytes_(bytes) {
     if (number(0) == magic) return;
     is_swapped_ = true;
-    if (number(0) != magic) throw InputError("not a catalogue of translations: wrong first bytes");
+    if (number(0) != magic)
+      throw InputError("the file is not a catalogue of translations (.mo): its first bytes are wrong");
   }
 
   std::uint32_t number(std::uint64_t at) const {
@@ -45,7 +46,7 @@ class MoBytes {
 
   std::string_view part(std::uint64_t at, std::uint64_t length) const {
     if (at > bytes_.size() || length > bytes_.size() - at)
-      throw InputError("the catalogue of translations is truncated");
+      throw InputError("the catalogue of translations (.mo) is truncated: build it again");
     return bytes_.substr(at, length);
   }
 };

@@ -12,17 +12,19 @@
 
 namespace prosector {
 
-/// Protocol state of one connected program.
+/// Protocol state of the connection to one program that receives poses from this client.
 class OfferConnection {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
   virtual ~OfferConnection() = default;
-  /// Processes received bytes. Returns false if they violate the protocol.
+  /// Processes bytes received from the program. Returns false if they violate the protocol.
   virtual bool hear(std::span<const std::uint8_t> bytes) = 0;
-  /// Returns the bytes to send next; `now_ns`: ns since the epoch. Empty: none.
+  /// Returns the bytes to send next: the poses of `things` and pending replies. `now_ns`: system time, ns
+  /// since the Unix epoch. Empty: nothing to send now.
   virtual Bytes say(const std::vector<Offered>& things, std::int64_t now_ns) = 0;
-  /// Returns the message with an image; `now_ns`: ns since the epoch. Empty: the protocol has no images.
+  /// Returns the protocol's message with a camera image; the second argument is the system time, ns since the
+  /// Unix epoch. Returns no bytes if the protocol has no images, as here by default.
   virtual Bytes show(const Image&, std::int64_t) { return {}; }
 };
 
@@ -36,13 +38,15 @@ const std::vector<OfferProtocol>& offer_protocols();
 std::unique_ptr<OfferConnection> make_vrpn_connection();
 std::unique_ptr<OfferConnection> make_igtl_connection();
 
-/// Address of an offer: PROTOCOL[:ADDRESS[:PORT]].
+/// Parsed option --offer, with the format PROTOCOL[:ADDRESS[:PORT]]: protocol and network address at which
+/// this client publishes poses to other programs.
 struct Offer {
   const OfferProtocol* protocol = nullptr;
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;
 };
-/// Parses an offer. Throws InputError with the allowed format.
+/// Parses the option --offer, PROTOCOL[:ADDRESS[:PORT]], by which this client publishes poses. Throws
+/// InputError with the allowed format.
 Offer parse_offer(const std::string& text);
 
 }  // namespace prosector

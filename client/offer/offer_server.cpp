@@ -37,7 +37,7 @@ OfferServer::~OfferServer() {
 }
 
 std::string OfferServer::words() const {
-  return fmt::format("publishing hands, heads and held tools{} by {} at {} port {}",
+  return fmt::format("publishing the poses of hands, heads and held tools{} by {} at {} port {}",
                      picture_ ? ", and camera images," : "", offer_.protocol->name, offer_.address, port());
 }
 

@@ -18,13 +18,15 @@ class OfferServer {
   using Things = std::function<std::vector<Offered>()>;
   using Picture = std::function<std::shared_ptr<const Image>()>;  // newest image; null: none
 
-  /// Starts listening. While a program is connected, the thread calls both functions 60 times a second;
-  /// without `picture` no images are offered. Throws InputError if it can't listen.
+  /// Starts to listen at the offer's address. While a program is connected, the server's thread calls both
+  /// functions 60 times a second: `things` for poses, `picture` for a camera image. Without `picture`, no
+  /// images are sent. Throws InputError if it can't listen.
   OfferServer(const Offer& offer, Things things, Picture picture = {});
   ~OfferServer();
 
   std::uint16_t port() const { return listener_.port(); }
-  /// Returns a line on the offered data, protocol and address.
+  /// Returns a line for the terminal that states which data are published, by which protocol, and at which
+  /// address and port.
   std::string words() const;
 
  private:

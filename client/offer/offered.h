@@ -15,11 +15,12 @@ struct Offered {
   Pose pose;         // room frame, m: of a wrist, of the eyes, or of a body
 };
 
-/// Returns the tracked and held objects of all participants at a tick.
+/// Returns the poses to publish to other software at a tick (simulation step, may be fractional): tracked
+/// heads and hands of all participants, and rigid bodies that they hold.
 std::vector<Offered> offered(const Replica& replica, double tick);
 
-/// Makes the names valid for other software: letters, digits, '-', '_' and '.', at most longest_offered_name
-/// bytes, unique. The suffix from the last '.' is preserved.
+/// Makes the objects' names valid for other software: letters, digits, '-', '_' and '.', at most
+/// longest_offered_name bytes, unique. A short suffix from the last '.' is preserved.
 void make_names_valid(std::vector<Offered>& all);
 
 }  // namespace prosector

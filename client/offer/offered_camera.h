@@ -11,14 +11,14 @@ namespace prosector {
 
 class OfferedCamera {
  public:
-  /// Starts to receive images.
+  /// Starts to receive the shared camera's images, of which the newest is stored.
   explicit OfferedCamera(std::shared_ptr<SharedCamera> camera)
       : camera_(std::move(camera)),
         seat_(
             *camera_, [](const Camera&) {}, [this](const Frame& frame) { see(frame); }) {}
 
   const std::shared_ptr<SharedCamera>& camera() const { return camera_; }
-  /// Returns the newest image; null: none yet.
+  /// Returns the camera's newest image; null if none was received yet.
   std::shared_ptr<const Image> newest() const {
     const std::lock_guard lock(mutex_);
     return newest_;

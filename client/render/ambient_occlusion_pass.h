@@ -11,13 +11,15 @@ namespace prosector {
 
 class AmbientOcclusionPass {
  public:
-  /// Computes one sample per `coarser` × `coarser` pixels.
+  /// Compiles the shaders of the pass. Occlusion is computed with one sample per block of `coarser` ×
+  /// `coarser` pixels of the frame.
   AmbientOcclusionPass(const Gl& gl, const std::filesystem::path& shaders, int coarser);
   ~AmbientOcclusionPass();
   AmbientOcclusionPass(const AmbientOcclusionPass&) = delete;
   AmbientOcclusionPass& operator=(const AmbientOcclusionPass&) = delete;
 
-  /// Darkens `target`, which already contains the surfaces.
+  /// Darkens creases and contacts in `target`, which must already contain the list's opaque surfaces and
+  /// their depth.
   void draw(const DrawList& list, RenderTarget& target);
 
  private:

@@ -12,18 +12,21 @@ namespace prosector {
 
 class AudienceWindow {
  public:
-  /// Opens the window. `main` is the window whose view is mirrored; its context is current before and after
-  /// each call. Throws InputError if the monitor is missing or the window cannot be created.
+  /// Opens the second window, for spectators. `main` is the window whose view is mirrored; its OpenGL context
+  /// is current before and after each call. Throws InputError if the monitor is missing or the window cannot
+  /// be created.
   AudienceWindow(GLFWwindow* main, const GlContext& context, const Audience& audience);
   ~AudienceWindow();
   AudienceWindow(const AudienceWindow&) = delete;
   AudienceWindow& operator=(const AudienceWindow&) = delete;
 
-  /// Shows the main window's back buffer, of the given size (pixels).
+  /// Shows in the second window a copy of the main window's back buffer, whose size is `width` × `height`
+  /// pixels.
   void show(int width, int height);
-  /// Shows a frame of the given size, which `copy` copies into the texture.
+  /// Shows a frame of `width` × `height` pixels in the second window. `copy` must copy the frame into the
+  /// OpenGL texture that it is called with.
   void show(int width, int height, const std::function<void(unsigned texture)>& copy);
-  /// Returns whether a user closed the window or pressed Esc in it.
+  /// Returns whether a user closed the second window or pressed Esc in it.
   bool closed() const;
 
  private:

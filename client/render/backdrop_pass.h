@@ -16,9 +16,11 @@ class BackdropPass {
   BackdropPass(const BackdropPass&) = delete;
   BackdropPass& operator=(const BackdropPass&) = delete;
 
-  /// Fills the camera's viewport. Pixels outside the image stay unchanged. Uploads each image once.
+  /// Fills the camera's viewport with the camera image. Pixels outside the image stay unchanged. Uploads each
+  /// image only once.
   void draw(const DrawBackdrop& backdrop, const DrawCamera& camera);
-  /// Draws the image over the silhouettes of real items, with soft borders.
+  /// Draws the camera image, with soft borders, over the silhouettes of real objects, such as the user's
+  /// hands, so that they occlude virtual ones.
   void uncover(const DrawBackdrop& backdrop, const DrawCamera& camera, const std::vector<QueuedItem>& items,
                const MeshCache& meshes);
 

@@ -51,7 +51,8 @@ Image shrunk(const Image& picture, int width) {
 
 Image contact_sheet(const std::vector<Image>& pictures, int columns, int tile_width) {
   if (pictures.empty() || columns < 1 || tile_width < 1)
-    throw std::invalid_argument("contact_sheet: no frames, or zero size");
+    throw std::invalid_argument(
+        "contact_sheet: needs at least one frame, one column and a tile width of one pixel");
   const int count = static_cast<int>(pictures.size());
   columns = std::min(columns, count);
   const int rows = (count + columns - 1) / columns;

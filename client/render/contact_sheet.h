@@ -7,13 +7,13 @@
 
 namespace prosector {
 
-/// Scales the image to `width` pixels, keeping its aspect ratio, by averaging the covered pixels. Throws
-/// std::invalid_argument for a width below 1.
+/// Returns the image scaled to `width` pixels with its aspect ratio. Each new pixel is the average of the
+/// pixels that it covers. Throws std::invalid_argument for a width below 1.
 Image shrunk(const Image& picture, int width);
 
-/// Arranges the images row by row in `columns`, with a dark gap between. Scales each to `tile_width` pixels
-/// by averaging the covered pixels. All rows have the height of the first image. Throws std::invalid_argument
-/// without images or for a width or column count below 1.
+/// Returns one image with all images arranged row by row in `columns` columns, with dark gaps between. Each
+/// is scaled to `tile_width` pixels and to the height that the first image then has. Throws
+/// std::invalid_argument without images or for a width or column count below 1.
 Image contact_sheet(const std::vector<Image>& pictures, int columns, int tile_width);
 
 }  // namespace prosector

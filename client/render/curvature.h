@@ -8,8 +8,9 @@
 
 namespace prosector {
 
-/// Returns the mean curvature at each point, times 4 mm, from −1 (ridges) over 0 (flat) to 1 (hollows).
-/// Averages it over the neighbours' neighbours. Triangles must be counter-clockwise from outside.
+/// Returns for each point the surface's mean curvature (1/m) times 0.004 m, limited to −1 (ridges) … 1
+/// (hollows); 0 is flat. It is smoothed by averaging over neighbouring points. Triangles must be
+/// counter-clockwise from outside.
 std::vector<float> curvature_of(std::span<const Eigen::Vector3f> points,
                                 std::span<const std::array<std::uint32_t, 3>> triangles);
 

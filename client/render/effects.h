@@ -28,7 +28,7 @@ struct EffectRow {
   std::string_view about;  // description for users
 };
 
-/// The effects' names, in the order of Effect.
+/// Names, shader macros and descriptions of the optional rendering effects, in the order of enum Effect.
 inline constexpr std::array<EffectRow, 11> effect_rows = {{
     {"relief", "EFFECT_RELIEF", "fine surface relief by perturbed normals"},
     {"parallax", "EFFECT_PARALLAX", "parallax of the surface relief"},

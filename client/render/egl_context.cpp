@@ -11,9 +11,10 @@ namespace prosector {
 namespace {
 
 [[noreturn]] void fail(const char* what) {
-  throw InputError(fmt::format(
-      "EGL surfaceless: {} (error 0x{:x}); install libegl1 and libgl1-mesa-dri, or use OSMesa (libosmesa6)",
-      what, eglGetError()));
+  throw InputError(
+      fmt::format("cannot render offscreen with EGL: {} (error 0x{:x}); install libegl1 and libgl1-mesa-dri, "
+                  "or use OSMesa (libosmesa6)",
+                  what, eglGetError()));
 }
 
 class EglContext final : public GlContext {
@@ -40,7 +41,7 @@ class EglContext final : public GlContext {
     if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.3 core context");
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
       eglDestroyContext(display_, context_);
-      fail("cannot make the context current");
+      fail("the OpenGL context cannot be made current");
     }
   }
   ~EglContext() override {

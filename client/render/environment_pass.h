@@ -13,8 +13,8 @@ class EnvironmentPass {
   EnvironmentPass(const EnvironmentPass&) = delete;
   EnvironmentPass& operator=(const EnvironmentPass&) = delete;
 
-  /// Updates the environment map if needed. See encoded() in shaders/lighting.glsl for how texels hold
-  /// radiance.
+  /// Redraws the environment map if the lights changed since the last call. Returns the map of reflections
+  /// and the irradiance. See encoded() in shaders/lighting.glsl for how texels hold radiance.
   const Environment& draw(const DrawList& list, const std::vector<QueuedItem>& items,
                           const MeshCache& meshes);
 

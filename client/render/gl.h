@@ -38,14 +38,16 @@
 
 namespace prosector {
 
-/// OpenGL functions loaded from a context: gl.Clear(…) is glClear(…).
+/// OpenGL functions loaded from a context. A member has the function's name without the prefix: gl.Clear(…)
+/// calls glClear(…).
 struct Gl {
 #define PROSECTOR_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
   PROSECTOR_GL_FUNCTIONS(PROSECTOR_GL_MEMBER)
 #undef PROSECTOR_GL_MEMBER
 };
 
-/// Loads the functions. Throws InputError with the name of a missing function.
+/// Loads the OpenGL functions from the context, which must be current. Throws InputError with the name of a
+/// missing function.
 Gl load_gl(const GlContext& context);
 
 }  // namespace prosector

@@ -24,8 +24,8 @@ std::unique_ptr<GlContext> make_offscreen_context(int width, int height) {
 
 void check_picture_size(int width, int height) {
   if (width < 1 || height < 1 || width > max_picture_size || height > max_picture_size)
-    throw InputError(
-        fmt::format("frame of {} × {} pixels: each side must be 1…{}", width, height, max_picture_size));
+    throw InputError(fmt::format("a frame of {} × {} pixels is not possible: each side must be 1…{} pixels",
+                                 width, height, max_picture_size));
 }
 
 std::string describe_gl(const GlContext& context, const std::string& kind) {

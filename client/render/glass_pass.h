@@ -19,13 +19,13 @@ class GlassPass {
   GlassPass(const GlassPass&) = delete;
   GlassPass& operator=(const GlassPass&) = delete;
 
-  /// Draws the glass into `target`, which contains everything else; `main` shades it. Does nothing if no
-  /// glass is visible.
+  /// Draws the list's glass items with refraction into `target`, which already contains all other surfaces.
+  /// `main` shades the glass. Does nothing if no glass is visible.
   void draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes,
             const Shadow& shadow, const Environment& environment, RenderTarget& target, MainPass& main);
 
  private:
-  /// The faces of one layer: their depth and, for back faces, their normals.
+  /// Faces of one layer of glass, drawn into textures: their depth and, for back faces, their normals.
   struct Faces {
     GLuint framebuffer = 0, depth = 0, normals = 0;
   };

@@ -20,7 +20,8 @@ constexpr int glx_fbconfig_id = 0x8013, glx_screen = 0x800C, glx_visual_id = 0x8
 template <class Function>
 Function find_glx(const char* name) {
   const auto found = reinterpret_cast<Function>(glfwGetProcAddress(name));
-  if (found == nullptr) throw InputError("a window by GLX: there is no GLX 1.3");
+  if (found == nullptr)
+    throw InputError("a window by GLX is not possible: GLX 1.3 is missing; install the graphics driver");
   return found;
 }
 
@@ -28,7 +29,8 @@ Function find_glx(const char* name) {
 template <class Function>
 Function find_x11(const char* name) {
   void* const found = dlsym(RTLD_DEFAULT, name);
-  if (found == nullptr) throw InputError("a window by GLX: GLFW isn't made for X11; install libglfw3");
+  if (found == nullptr)
+    throw InputError("a window by GLX is not possible: GLFW was built without X11; install libglfw3");
   return reinterpret_cast<Function>(found);
 }
 
@@ -42,7 +44,8 @@ EglHandles egl_of(GLFWwindow* window) {
   eglQueryContext(display, context, EGL_CONFIG_ID, &id);
   const EGLint wish[] = {EGL_CONFIG_ID, id, EGL_NONE};
   if (!eglChooseConfig(display, wish, &config, 1, &found) || found == 0)
-    throw InputError("a window by EGL: EGL doesn't know its configuration");
+    throw InputError(
+        "a window by EGL is not possible: EGL does not find the configuration of the window's context");
   return {display, config, context};
 }
 
@@ -58,7 +61,8 @@ GlxHandles glx_of(GLFWwindow* window) {
   const std::array<int, 3> wish = {glx_fbconfig_id, id, 0};
   void** const configs = choose(display, screen, wish.data(), &found);  // owned by X11; never freed
   if (configs == nullptr || found == 0)
-    throw InputError("a window by GLX: GLX doesn't know its configuration");
+    throw InputError(
+        "a window by GLX is not possible: GLX does not find the configuration of the window's context");
   attribute(display, configs[0], glx_visual_id, &visual);
   const auto drawable = find_x11<unsigned long (*)(GLFWwindow*)>("glfwGetGLXWindow")(window);
   return {display, static_cast<unsigned long>(visual), configs[0], drawable, context};

@@ -7,10 +7,11 @@ struct GLFWwindow;
 
 namespace prosector {
 
-/// Returns the handles of a window's EGL context. Throws InputError if EGL does not know the context.
+/// Returns the EGL handles of the window's OpenGL context, for libraries that share it. Throws InputError if
+/// EGL does not know the context.
 EglHandles egl_of(GLFWwindow* window);
-/// Returns the handles of a window's GLX context, which must be current. Throws InputError if GLX does not
-/// know the context.
+/// Returns the GLX handles of the window's OpenGL context, which must be current, for libraries that share
+/// it. Throws InputError if GLX does not know the context.
 GlxHandles glx_of(GLFWwindow* window);
 
 }  // namespace prosector

@@ -21,7 +21,8 @@ std::string last_glfw_error() {
 void start_glfw() {
   if (!glfwInit())
     throw InputError(
-        fmt::format("no window: {}; run it in a desktop session (DISPLAY), or choose an offscreen display",
+        fmt::format("cannot open a window: {}; run the program in a desktop session (DISPLAY), or choose an "
+                    "offscreen display",
                     last_glfw_error()));
 }
 
@@ -35,7 +36,8 @@ GLFWwindow* open_glfw_window(int width, int height, const std::string& title) {
   if (!window) {
     const std::string reason = last_glfw_error();
     glfwTerminate();
-    throw InputError(fmt::format("no window with OpenGL 3.3 core: {}", reason));
+    throw InputError(
+        fmt::format("cannot open a window with OpenGL 3.3 core: {}; update the graphics driver", reason));
   }
   glfwMakeContextCurrent(window);
   return window;

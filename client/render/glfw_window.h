@@ -7,10 +7,11 @@ struct GLFWwindow;
 
 namespace prosector {
 
-/// Initialises GLFW. Throws InputError without a display. The caller calls glfwTerminate().
+/// Initialises the window library GLFW; the caller must call glfwTerminate() at the end. Throws InputError if
+/// there is no display.
 void start_glfw();
-/// Opens a window with the current GLFW hints, and makes its context current. Without OpenGL 3.3, terminates
-/// GLFW and throws InputError.
+/// Opens a window with the current GLFW hints, and makes its OpenGL context current. If OpenGL 3.3 is
+/// unavailable, terminates GLFW and throws InputError.
 GLFWwindow* open_glfw_window(int width, int height, const std::string& title);
 
 }  // namespace prosector

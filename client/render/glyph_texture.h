@@ -14,7 +14,8 @@ class GlyphTexture {
   GlyphTexture& operator=(const GlyphTexture&) = delete;
 
   GlyphSheet& sheet() { return sheet_; }
-  /// Uploads the changed rows of the sheet, and binds the texture to unit 0.
+  /// Uploads the rows of the glyph sheet that changed since the last call, and binds the sheet's texture to
+  /// unit 0.
   void bind();
 
  private:

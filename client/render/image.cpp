@@ -26,8 +26,9 @@ void write_png(const Image& image, const std::filesystem::path& file) {
   const std::size_t bytes =
       3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width < 1 || image.height < 1 || image.rgb.size() != bytes)
-    throw InputError(
-        fmt::format("{}: no image of {} × {} pixels to write", file.string(), image.width, image.height));
+    throw InputError(fmt::format(
+        "{}: cannot write the image: its size of {} × {} pixels is empty or does not match its data",
+        file.string(), image.width, image.height));
   png_image png = png_header();
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);

@@ -18,7 +18,7 @@ struct InterfaceVertex {
   Eigen::Vector4f shade;  // sRGB and opacity, 0 … 1
 };
 
-/// Triangles with one texture, and their clipping rectangle.
+/// Triangles of the user interface that share a texture and a clipping rectangle.
 struct InterfaceDraw {
   std::uint32_t texture = 0;
   int left = 0, top = 0, right = 0, bottom = 0;  // pixels, from the top left
@@ -27,17 +27,21 @@ struct InterfaceDraw {
 
 class InterfacePainter {
  public:
-  /// Stores a reference to `context`, which must outlive the painter. Throws InputError as the renderer does.
+  /// Creates the painter. It stores a reference to `context`, which must outlive it. Throws InputError if an
+  /// OpenGL function is missing or a shader does not compile; `shaders` is the folder with the GLSL files,
+  /// empty for the embedded ones.
   InterfacePainter(GlContext& context, const std::filesystem::path& shaders);
   ~InterfacePainter();
 
-  /// Makes a texture of RGBA bytes, rows from the top, and returns its id.
+  /// Creates a texture from RGBA bytes, rows from the top, and returns its id for InterfaceDraw::texture.
   std::uint32_t add_texture(int width, int height, const std::uint8_t* rgba);
-  /// Replaces a texture's image; its size may change.
+  /// Replaces the image of a texture by RGBA bytes, rows from the top. `texture` is an id from add_texture().
+  /// The size may change.
   void change_texture(std::uint32_t texture, int width, int height, const std::uint8_t* rgba);
-  /// Draws on a background of the given colour (sRGB). In a window, call present() to show the result.
+  /// Draws a frame: the triangles of `draws`, in order, on a background of the colour `ground` (sRGB, 0 … 1).
+  /// In a window, the context's present() must follow to show it.
   void draw(const Eigen::Vector3f& ground, const std::vector<InterfaceDraw>& draws);
-  /// Reads the latest frame.
+  /// Returns the latest frame that draw() drew, read back from the GPU.
   Image read_pixels() const;
 
  private:

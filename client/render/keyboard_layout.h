@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-/// Returns the key that a user means by pressing the key at the position `place` of a US keyboard. `printed`:
-/// its character on the user's keyboard (UTF-8, lower case; empty: unknown). W A S D Q E form a cross for the
-/// fingers, so the position counts. For other letters, plus and minus the printed character counts; plus is
-/// '=', as on a US keyboard.
+/// Returns the key that a user means by pressing the key at the position `place` of a US keyboard. `printed`
+/// is the character of that key in the user's layout (UTF-8, lower case; empty: unknown). W A S D Q E form a
+/// cross for the fingers, so the position counts. For other letters, plus and minus the printed character
+/// counts; plus is '=', as on a US keyboard.
 inline Key key_meant(Key place, std::string_view printed) {
   constexpr std::string_view cross = "WASDQE";
   const auto in_cross = [&](Key key) {

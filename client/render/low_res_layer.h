@@ -9,20 +9,22 @@ namespace prosector {
 
 class LowResLayer {
  public:
-  /// Makes a layer with one texel per `coarser` × `coarser` pixels. `internal` and `format` are the formats
-  /// of glTexImage2D; the type is bytes.
+  /// Creates the texture, with one texel per block of `coarser` × `coarser` pixels of the frame. `internal`
+  /// and `format` are the parameters of glTexImage2D; the type is bytes.
   LowResLayer(const Gl& gl, int coarser, GLint internal, GLenum format);
   ~LowResLayer();
   LowResLayer(const LowResLayer&) = delete;
   LowResLayer& operator=(const LowResLayer&) = delete;
 
-  /// Resizes the layer for a frame of the given size (pixels), binds its framebuffer, and clears all channels
-  /// to `value`. Binds textures to the active unit.
+  /// Resizes the texture for a frame of the given size (pixels), binds it as the framebuffer to draw to, and
+  /// clears all its channels to `value`. Changes the texture bound to the active unit.
   void begin(int picture_width, int picture_height, float value);
-  /// Returns the camera's viewport in the layer: x, y, width, height in texels.
+  /// Returns the part of the reduced-resolution texture that belongs to the camera's viewport: x, y, width
+  /// and height in texels.
   Eigen::Vector4i viewport_of(const DrawCamera& camera) const;
   GLuint texture() const { return texture_; }
-  /// Returns how many pixels the layer covers.
+  /// Returns width and height, in pixels of the frame, of the area that the reduced-resolution texture
+  /// covers. This is the frame's size rounded up to whole texels.
   Eigen::Vector2i pixels() const { return {coarser_ * width_, coarser_ * height_}; }
 
  private:

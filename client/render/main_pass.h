@@ -15,25 +15,32 @@
 
 namespace prosector {
 
-/// Returns whether the item is drawn as glass. Painted items and items faded by a panel are not.
+/// Returns whether the item is drawn as glass: its surface is glass, it has no colours painted on it, and no
+/// panel made it transparent.
 bool is_glass(const DrawItem& item);
 
 class MainPass {
  public:
-  /// Takes in `defines` the macros with which all of its shaders are compiled.
+  /// Creates the pass without compiling shaders. `shaders` is the folder with the GLSL files, empty for the
+  /// embedded ones. All shaders of the pass are compiled with the macros `defines`.
   MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines);
 
-  /// Compiles the shaders of every surface kind, so that errors are detected immediately.
+  /// Compiles a shader for every kind of surface now rather than when it is first drawn, so that errors in
+  /// shader files are detected immediately.
   void compile_all();
 
-  /// Draws the list. `items` must be sorted nearest first, so that hidden fragments are not shaded.
-  /// Transparent items are drawn after the opaque ones, farthest first, and light shafts last. Ground is
-  /// drawn first; BackdropPass draws the real items. With `occlusion`, occluded items are not drawn.
+  /// Draws the list's surfaces as this camera sees them. `items` must be sorted nearest first, so that hidden
+  /// fragments are not shaded. Ground (real surfaces that receive shadows) is drawn first, then opaque items,
+  /// then transparent ones, farthest first, and light shafts last.
+  ///
+  /// Items of role `real` are left to BackdropPass; glass with refraction, to draw_glass(). With `occlusion`,
+  /// occluded items are not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
             Occlusion* occlusion = nullptr);
 
-  /// Draws one layer of glass for GlassPass. draw() omits the glass in this case.
+  /// Draws one layer of glass with refraction, for GlassPass. `seen` holds the frame so far and the layer's
+  /// faces. If refraction is enabled, draw() omits glass except in insets, where it has no refraction.
   void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
                   const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
                   const Refraction& seen);

@@ -16,7 +16,8 @@ static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 void check(const DrawMesh& mesh) {
   const std::size_t n = mesh.positions.size();
   const auto refuse = [&](const char* what) {
-    throw std::invalid_argument(fmt::format("DrawMesh {}: {} do not fit {} positions", mesh.id, what, n));
+    throw std::invalid_argument(
+        fmt::format("DrawMesh {}: the {} do not match the mesh's {} positions", mesh.id, what, n));
   };
   if (mesh.normals.size() != n) refuse("normals");
   if (!mesh.rest_positions.empty() && mesh.rest_positions.size() != n) refuse("rest positions");

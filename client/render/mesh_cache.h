@@ -33,11 +33,14 @@ class MeshCache {
   MeshCache(const MeshCache&) = delete;
   MeshCache& operator=(const MeshCache&) = delete;
 
-  /// Frees the buffers of meshes that were not drawn in the last `frames_kept` frames.
+  /// Starts a frame, and frees the GPU buffers of meshes that were not drawn in the last `frames_kept`
+  /// frames.
   void begin_frame();
-  /// Uploads changed data. Throws std::invalid_argument if the mesh's arrays have inconsistent sizes.
+  /// Uploads the parts of the mesh and of its coarser levels that changed since the last upload, and returns
+  /// its GPU buffers. Throws std::invalid_argument if the mesh's arrays have inconsistent sizes.
   const Entry& upload(const DrawMesh& mesh, const std::shared_ptr<const Detail>& detail = nullptr);
-  /// Draws the mesh's own triangles (0), or those of a coarser level, clamped to the available levels.
+  /// Draws an uploaded mesh with the shader program in use. `level` 0 selects the mesh's own triangles;
+  /// higher levels are coarser, limited to the available ones.
   void draw(const Entry& entry, std::size_t level) const;
 
  private:

@@ -11,17 +11,19 @@ namespace prosector {
 
 enum class WindowSystem : std::uint8_t { egl, glx };  // the API that makes a window's context
 
-/// A context for drawing a headset's frames, with an optional audience window that shows one eye's view.
+/// OpenGL context for drawing a headset's frames, with an optional window on the desktop that shows one eye's
+/// view to an audience.
 class MirrorContext : public GlContext {
  public:
-  /// Shows the frame of the given size, which `copy` copies into the texture, until a user closes the window.
+  /// Shows a frame of `width` × `height` pixels in the audience window; does nothing after a user closed the
+  /// window. `copy` must copy the frame into the OpenGL texture that it is called with.
   virtual void show(int width, int height, const std::function<void(unsigned texture)>& copy) = 0;
-  /// Processes the window's events while there is no frame to show.
+  /// Processes the audience window's events; to be called while there is no frame to show.
   virtual void wait() = 0;
 };
 
-/// Makes the context with the given size, and opens the audience window, if any. Throws InputError as
-/// make_window_context() and WindowContext::open_audience() do.
+/// Creates a context by EGL or GLX for frames of `width` × `height` pixels, and opens the audience window, if
+/// one is given. Throws InputError as make_window_context() and WindowContext::open_audience() do.
 std::unique_ptr<MirrorContext> make_mirror_context(WindowSystem system, int width, int height,
                                                    const std::optional<Audience>& audience);
 

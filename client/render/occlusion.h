@@ -22,15 +22,17 @@ class Occlusion {
   Occlusion& operator=(const Occlusion&) = delete;
 
   void begin_picture() { hidden_ = 0; }
-  /// Returns how many items were culled since begin_picture(), for all cameras together.
+  /// Returns the number of items that were culled as occluded since begin_picture(), for all cameras
+  /// together.
   std::size_t hidden() const { return hidden_; }
 
-  /// Moves those of `solids`, sorted nearest first, that may be hidden and are worth testing to a separate
-  /// list. The caller draws the remaining ones, then those of the list that shown() returns.
+  /// Removes from `solids`, sorted nearest first, the items that may be occluded and have enough triangles to
+  /// be worth a query, and returns them. The caller draws the remaining items, then those of the returned
+  /// list that shown() reports as visible.
   std::vector<const QueuedItem*> take_query_candidates(const DrawCamera& camera,
                                                        std::vector<const QueuedItem*>& solids);
-  /// Returns those of `covered` that are visible over the current depth buffer, with the viewport set.
-  /// Afterwards depth and colour writes and face culling are on.
+  /// Returns those of `covered` whose bounding boxes are visible over the current depth buffer, by hardware
+  /// occlusion queries. The viewport must be set. Afterwards depth and colour writes and face culling are on.
   std::vector<const QueuedItem*> shown(const DrawCamera& camera,
                                        const std::vector<const QueuedItem*>& covered);
 
@@ -41,7 +43,7 @@ class Occlusion {
   std::size_t hidden_ = 0;
   std::vector<GLuint> queries_;
   std::map<std::uint64_t, int>
-      frames_since_visible_;  // by mesh: frames since the last query that found it visible
+      frames_since_visible_;  // by mesh that was visible: frames until its next query
 
   void draw_box(const DrawCamera& camera, const QueuedItem& queued) const;
 };

@@ -55,10 +55,13 @@ class OsMesaContext final : public GlContext {
                         3,
                         0};
     context_ = library_.create_context(wish, nullptr);
-    if (!context_) throw InputError("OSMesa: no OpenGL 3.3 core context; libosmesa6 22.3 … 25.0 has one");
+    if (!context_)
+      throw InputError(
+          "OSMesa: cannot create an OpenGL 3.3 core context; install libosmesa6 of a version from 22.3 to "
+          "25.0");
     if (!library_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
       library_.destroy_context(context_);
-      throw InputError("OSMesa: cannot make the context current");
+      throw InputError("OSMesa: the OpenGL context cannot be made current");
     }
   }
   ~OsMesaContext() override {

@@ -9,26 +9,26 @@ namespace prosector {
 
 Eigen::Matrix4d matrix_of(const Pose& pose);
 Eigen::Matrix4d matrix_of(const Affine& affine);
-/// Returns the matrix from the item's mesh to the room.
+/// Returns the 4 × 4 matrix that transforms points of the item's mesh to the room.
 Eigen::Matrix4d matrix_of(const DrawItem& item);
 
-/// Returns the clipping plane for the shaders' uniform `kept`: its product with a point is positive on the
-/// remaining side.
+/// Returns a section's clipping plane, in room coordinates, as the shaders' uniform `kept`. Its product with
+/// a point's homogeneous coordinates is positive on the side that the section does not remove.
 Eigen::Vector4d clip_plane_of(const SectionPlane& section);
 
 inline const Eigen::Vector4d no_clip_plane{0, 0, 0, 1};  // for items that no section opens
 
-/// Returns the camera's off-axis projection, from eye space to clip space.
+/// Returns the camera's off-axis projection matrix, from eye space to OpenGL's clip space.
 Eigen::Matrix4d projection_of(const DrawCamera& camera);
 
-/// Returns the matrix from the room to clip space.
+/// Returns the camera's 4 × 4 matrix that transforms points of the room to OpenGL's clip space.
 Eigen::Matrix4d view_projection_of(const DrawCamera& camera);
 
-/// The six planes of a clip matrix (Gribb and Hartmann 2001).
+/// View frustum as six planes, which are extracted from a matrix to clip space (Gribb and Hartmann 2001).
 class Frustum {
  public:
   explicit Frustum(const Eigen::Matrix4d& clip_from_room);
-  /// Returns false only when the sphere is outside.
+  /// Returns false only if the sphere is completely outside one of the frustum's planes, and thus invisible.
   bool may_see(const Sphere& sphere) const;
 
  private:

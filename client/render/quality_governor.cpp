@@ -9,7 +9,7 @@ namespace prosector {
 
 QualityGovernor::QualityGovernor(double target) : target_(target) {
   if (!(target > 0) || !std::isfinite(target))
-    throw InputError("target frame time: must be a number of seconds above 0");
+    throw InputError("target frame time (--frame-time): must be a number above 0");
 }
 
 bool QualityGovernor::took(double seconds) {

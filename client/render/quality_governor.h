@@ -7,17 +7,18 @@
 
 namespace prosector {
 
-/// Selects a quality level from measured frame times. Steps down when the mean of some frames exceeds the
-/// target. Steps up when the mean is so low that the next level, at up to twice the cost, should fit. After a
-/// level proved too expensive, waits longer before trying it again, to avoid oscillation.
+/// Controller of the rendering quality level by measured frame times. It lowers the level when the mean of 15
+/// frame times exceeds the target. It raises the level when the mean stays below half the target, as the next
+/// level costs up to twice as much. After a level proved too expensive, it waits longer before trying that
+/// again, to avoid oscillation.
 class QualityGovernor {
  public:
-  /// Sets the target, s per frame; throws InputError unless it is above 0.
+  /// Sets the target frame time, s; throws InputError unless it is above 0. The first level is medium.
   explicit QualityGovernor(double target);
 
-  /// Returns the level for the next frame.
+  /// Returns the quality level with which to render the next frame.
   const QualityLevel& level() const { return quality_levels[level_]; }
-  /// Adds the duration of the last frame, s. Returns true if the level changed.
+  /// Adds the time that the last frame took, s. Returns true if level() changed.
   bool took(double seconds);
 
  private:

@@ -7,15 +7,15 @@
 
 namespace prosector {
 
-/// Inputs for drawing a layer of glass: the frame so far, its depth, and the layer's faces. The textures have
-/// the frame's size.
+/// Input textures for drawing a layer of glass, all of the frame's size. They hold colour and depth of the
+/// frame so far, depth of the glass's front and back faces, and normals of its back faces.
 struct Refraction {
   GLuint picture = 0, scene_depth = 0, front_depth = 0, back_depth = 0, back_normals = 0;
 };
 
-/// Returns the refractive indices at the dominant wavelengths of sRGB's red, green and blue. Cauchy's
-/// equation n = A + B/λ² is fitted to n_d and the Abbe number V_d (Born & Wolf, Principles of Optics, 7th ed.
-/// 1999, 4.7).
+/// Returns the refractive indices of the glass at the dominant wavelengths of sRGB's red, green and blue.
+/// They follow Cauchy's equation n = A + B/λ², fitted to the appearance's n_d and Abbe number V_d (Born &
+/// Wolf, Principles of Optics, 7th ed. 1999, 4.7).
 Vec3 refractive_indices(const Appearance& glass);
 
 }  // namespace prosector

@@ -45,8 +45,10 @@ void RenderTarget::allocate(int width, int height) {
   };
   const auto check_complete = [&] {
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw InputError(fmt::format("OpenGL cannot create a frame of {} × {} pixels with {} samples each",
-                                   width, height, samples_));
+      throw InputError(
+          fmt::format("OpenGL cannot create a frame of {} × {} pixels with {} samples each; choose a smaller "
+                      "--size or a lower --quality",
+                      width, height, samples_));
   };
   gl_.GenFramebuffers(1, &drawn_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
@@ -151,7 +153,7 @@ void RenderTarget::blend_steps() const {
 }
 
 Image RenderTarget::read() const {
-  if (resolved_ == 0) throw std::logic_error("read_pixels before the first draw");
+  if (resolved_ == 0) throw std::logic_error("read_pixels was called before the first draw");
   Image image{width_, height_, {}};
   const std::size_t row = 3 * static_cast<std::size_t>(width_);
   image.rgb.resize(row * static_cast<std::size_t>(height_));

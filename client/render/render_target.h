@@ -13,25 +13,26 @@ class RenderTarget {
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;
 
-  /// Binds this target as the framebuffer to draw to, resized if needed. Throws InputError if the driver
-  /// fails.
+  /// Binds the frame's framebuffer to draw to, and resizes it to `width` × `height` pixels if needed. Throws
+  /// InputError if the driver cannot create it.
   void bind(int width, int height);
-  /// Returns the depth of the surfaces drawn since bind() as a texture, copied at the first call. Call
-  /// bind_again() before drawing further.
+  /// Returns the depth of the surfaces drawn so far as a texture. It is copied only at the first call after
+  /// bind(). Call bind_again() before drawing further.
   GLuint depth();
-  /// Returns the frame so far as a texture. Call bind_again() before drawing further.
+  /// Returns a copy of the colours drawn so far as a texture. Call bind_again() before drawing further.
   GLuint picture();
   int width() const { return width_; }
   int height() const { return height_; }
   void bind_again() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_); }
-  /// Resolves multisampling, or smooths edges by post-processing. Later drawing goes over the finished frame,
-  /// without depth.
+  /// Finishes the frame: averages the samples of multisampling, or smooths edges by post-processing. Later
+  /// drawing, for instance of texts, goes over the finished frame, without depth.
   void resolve();
-  /// Copies the frame to framebuffer 0, the screen.
+  /// Copies the frame that resolve() finished to framebuffer 0, the window.
   void show() const;
-  /// Copies the frame into a texture of the same size.
+  /// Copies the frame that resolve() finished into an OpenGL texture of the same size.
   void copy_to(GLuint texture) const;
-  /// Reads the last resolved frame; throws std::logic_error if there is none.
+  /// Returns the frame that resolve() finished last, read back from the GPU. Throws std::logic_error if there
+  /// is none.
   Image read() const;
 
  private:

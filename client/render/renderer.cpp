@@ -241,7 +241,7 @@ std::optional<std::string> Renderer::reload_changed_shaders() {
     r.passes = std::make_unique<Passes>(r.gl, r.shaders, r.settings, r.typesetter);
     return "shaders reloaded";
   } catch (const InputError& error) {
-    return std::string(error.what()) + "\nthe old shaders are kept";
+    return std::string(error.what()) + "\nthe changed shaders are invalid: the old shaders are kept";
   }
 }
 

@@ -37,48 +37,54 @@ struct QualityLevel {
   RendererSettings settings;
   double detail = 0.5;  // pixels of tolerated error for coarser triangles; 0: always in full
 };
-/// The levels of `--quality`; medium is the default.
+/// Quality levels of the option `--quality`, from the fastest to the best: settings of the renderer and
+/// tolerated error of coarser meshes. The default is medium.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {
     {{"low", {.shadow_size = 512, .effects = low_effects}},
      {"medium", {.effects = medium_effects}},
      {"high", {.samples = 4, .shadow_size = 1024, .ambient_occlusion_pixels = 1}}}};
 
-/// The renderer, with one code path for every context. Everything is drawn into a separate target, so a frame
-/// is the same with and without a window. With a window, `draw` also copies it there (call present() to show
-/// it).
+/// Renderer of draw lists (surfaces, lights, lines and texts) for any OpenGL context. It draws into a
+/// separate framebuffer, so a frame is the same with and without a window. With a window, draw() also copies
+/// the frame there; call the context's present() to show it.
 class Renderer {
  public:
-  /// Stores a reference to `context`, which must outlive the renderer. `shaders` is the folder with the GLSL
-  /// files (default_shader_dir()); empty: the embedded ones. Throws InputError with file and line if a shader
-  /// does not compile, and InputError without fonts.
+  /// Creates the renderer and compiles its shaders. `context` must outlive the renderer. `shaders` is the
+  /// folder with the GLSL files (default_shader_dir()); empty: the embedded ones. Throws InputError with file
+  /// and line if a shader does not compile, and InputError if no font is installed.
   Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 
-  /// Draws the list. Throws std::invalid_argument if a mesh's normals, rest positions or triangles are
-  /// inconsistent with its positions.
+  /// Draws a frame of the list at the context's size and, if the context has a window, copies it there.
+  /// Throws std::invalid_argument if a mesh's normals, rest positions or triangles are inconsistent with its
+  /// positions.
   void draw(const DrawList& list);
-  /// Draws the list at another size than the context's, without showing it. Throws as draw() does.
+  /// Draws a frame of the list, `width` × `height` pixels, without copying it to a window. Throws
+  /// std::invalid_argument if a mesh's arrays are inconsistent.
   void draw(const DrawList& list, int width, int height);
-  /// Copies the latest frame into a texture of the same size, as stored: sRGB-encoded.
+  /// Copies the latest frame into an OpenGL texture of the same size. The values are copied as stored:
+  /// sRGB-encoded.
   void copy_to(unsigned texture);
-  /// Renders the list at another size into an image, without showing it. Throws as draw() does, and
-  /// InputError if the size is too large.
+  /// Draws the list as an image of `width` × `height` pixels, without showing it in a window. Throws
+  /// std::invalid_argument if a mesh's arrays are inconsistent, and InputError if the size is too large.
   Image picture_of(const DrawList& list, int width, int height);
-  /// Sets the settings for the following frames; as expensive as constructing the renderer. On error, throws
-  /// as the constructor does and changes nothing.
+  /// Sets the settings for the following frames. This recompiles the shaders and is as expensive as
+  /// constructing the renderer. If a shader does not compile, throws InputError and changes nothing.
   void set_settings(const RendererSettings& settings);
-  /// Calls `done` with a pass's name after each pass, when its GPU work has finished; for measurement. Passes
-  /// then no longer overlap, which costs time.
+  /// Sets a function that is called after each rendering pass with the pass's name, when its GPU work has
+  /// finished. This is for measuring the time of passes, which then no longer overlap, so that a frame takes
+  /// longer.
   void on_pass(std::function<void(std::string_view)> done);
-  /// Reloads the shaders if a file was written since the last call; for development. Returns a message for
-  /// the user: success, or file and line of a compile error, in which case the old shaders stay. nullopt: no
-  /// file was written.
+  /// Recompiles the shaders if a file in the shader folder changed since the last call; for development.
+  /// Returns a message for the user: success, or file and line of a compile error, in which case the old
+  /// shaders stay. Returns nullopt if no file changed.
   std::optional<std::string> reload_changed_shaders();
-  /// Waits until all drawing has finished; for measurement.
+  /// Waits until the GPU has finished all drawing commands; for measurement of frame times.
   void finish();
-  /// Reads the latest frame.
+  /// Returns the latest frame as an image, read back from the GPU.
   Image read_pixels();
-  /// Returns how many items the latest frame omitted as occluded, for all cameras.
+  /// Returns the number of items that were not drawn in the latest frame because they were occluded, for all
+  /// cameras together.
   std::size_t hidden() const;
 
  private:

@@ -15,7 +15,8 @@ class ScreenQuadDrawer {
   ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders);
 
   void draw(const std::vector<ScreenVertex>& vertices, bool depth_test) const;
-  /// Draws the occluded parts of the triangles with the given opacity.
+  /// Draws only those parts of the triangles that surfaces occlude, with the given opacity (0 … 1), over
+  /// these surfaces.
   void draw_hidden(const std::vector<ScreenVertex>& vertices, float opacity) const;
 
  private:

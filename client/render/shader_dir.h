@@ -4,7 +4,8 @@
 
 namespace prosector {
 
-/// Returns $PROSECTOR_SHADERS unchanged. Empty if unset, which means the embedded shaders.
+/// Returns the folder of shader files in the environment variable PROSECTOR_SHADERS. Empty if it is unset,
+/// which selects the embedded shaders.
 std::filesystem::path default_shader_dir();
 
 }  // namespace prosector

@@ -55,8 +55,8 @@ ShaderProgram::ShaderProgram(const Gl& gl, const std::filesystem::path& folder, 
   gl.GetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), &length, log.data());
   log.resize(static_cast<std::size_t>(length));
   gl.DeleteProgram(program_);
-  throw InputError(
-      fmt::format("shaders {0}.vert and {0}.frag do not link:\n{1}", (folder / name).string(), log));
+  throw InputError(fmt::format("the shaders {0}.vert and {0}.frag cannot be linked to a program:\n{1}",
+                               (folder / name).string(), log));
 }
 
 ShaderProgram::~ShaderProgram() {

@@ -12,7 +12,8 @@ namespace prosector {
 
 class ShaderProgram {
  public:
-  /// Links NAME.vert and NAME.frag. Throws InputError with file, line and the compiler's message.
+  /// Compiles the shaders NAME.vert and NAME.frag of the folder (empty: of the embedded files) with the
+  /// macros `defines`, and links them. Throws InputError with file, line and the compiler's message.
   ShaderProgram(const Gl& gl, const std::filesystem::path& folder, const std::string& name,
                 const std::vector<std::string>& defines = {});
   ~ShaderProgram();

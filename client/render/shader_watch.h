@@ -9,7 +9,7 @@ namespace prosector {
 class ShaderWatch {
  public:
   explicit ShaderWatch(const std::filesystem::path& folder) : folder_(folder), written_(times()) {}
-  /// Returns true once after each write, addition or removal of a file in the folder.
+  /// Returns whether a file in the shader folder was written, added or removed since the last call.
   bool changed();
 
  private:

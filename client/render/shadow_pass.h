@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// Shadow map, as input of the main pass.
+/// Shadow map of the first spot light, as input of the main pass: its depth textures, size and projection.
 struct Shadow {
   int light = -1;  // index into DrawList::lights; −1: no shadows
   Eigen::Matrix4d clip_from_room = Eigen::Matrix4d::Identity();
@@ -35,7 +35,8 @@ class ShadowPass {
   struct Layer {
     GLuint framebuffer = 0, depth = 0;
   };
-  /// The state of a shadow caster that its shadow depends on.
+  /// State of a shadow caster on which its shadow depends: mesh, level of detail, pose and shape. The shadow
+  /// map is redrawn when it changes.
   struct Caster {
     std::uint64_t mesh = 0, revision = 0, positions_revision = 0;
     std::size_t level = 0;
@@ -63,7 +64,9 @@ class ShadowPass {
   std::vector<bool> in_still_;                                // by caster
 
   Layer make_layer() const;
-  /// Updates the casters' change counts; returns false if nothing changed since the last frame.
+  /// Compares the shadow casters with those of the last frame, and updates for each the number of frames
+  /// without a change. Returns false if the casters, the light's projection and the section plane are all
+  /// unchanged.
   bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room,
                     const std::optional<SectionPlane>& section);
   void draw_layers(const Items& items, const MeshCache& meshes);

@@ -16,7 +16,8 @@ class ShaftPass {
   ShaftPass(const ShaftPass&) = delete;
   ShaftPass& operator=(const ShaftPass&) = delete;
 
-  /// Draws the light into `target`, which already contains the surfaces.
+  /// Adds the light that dust scatters in the lamp's beam to `target`, which must already contain the
+  /// surfaces and their depth.
   void draw(const DrawList& list, const Shadow& shadow, RenderTarget& target);
 
  private:

@@ -17,9 +17,9 @@ struct PlacedText {
   double lift = 0;         // pixels that it is lifted above its point
 };
 
-/// Places all texts that this camera sees, except those on surfaces, in their order. The list and its cameras
-/// must outlive the result. All eyes use the lifts of the list's first camera, because texts at different
-/// heights cannot be fused stereoscopically.
+/// Returns the positions of all texts that this camera sees, except those written on surfaces, in the list's
+/// order. The list and its cameras must outlive the result. All eyes lift overlapping texts as far as the
+/// list's first camera does, because texts at different heights cannot be fused stereoscopically.
 std::vector<PlacedText> place_texts(const DrawList& list, const DrawCamera& camera, Typesetter& typesetter);
 
 }  // namespace prosector

@@ -11,17 +11,19 @@ namespace prosector {
 
 class TextPass {
  public:
-  /// Compiles the shaders. The typesetter must outlive the pass.
+  /// Compiles the shaders for texts. `shaders` is the folder with the GLSL files, empty for the embedded
+  /// ones. The typesetter must outlive the pass.
   TextPass(const Gl& gl, const std::filesystem::path& shaders, Typesetter& typesetter);
 
-  /// Draws the texts on surfaces, with a depth test and without lighting. The frame's alpha stays.
+  /// Draws the texts that are written on surfaces of the room, with a depth test and without lighting. The
+  /// frame's alpha channel stays unchanged.
   void draw_on_surfaces(const DrawList& list, const DrawCamera& camera);
-  /// Draws plates and the other texts over the finished frame: first their backgrounds, then their glyphs,
-  /// rasterised by FreeType at that size.
+  /// Draws plates (filled rectangles of the overlay) and all texts that are not on surfaces over the finished
+  /// frame. Backgrounds are drawn first, then glyphs, which FreeType rasterises at exactly their size.
   void draw_over(const DrawList& list, const DrawCamera& camera);
 
  private:
-  /// A batch of glyphs of one sheet.
+  /// Batch of glyphs whose images are on one sheet (texture), drawn by one shader program.
   struct Ink {
     GlyphTexture& texture;
     const ShaderProgram& program;

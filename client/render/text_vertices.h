@@ -25,7 +25,7 @@ struct PlateVertex {
   Eigen::Vector4f shape;      // pixels: half width and height, corner radius, border width
 };
 
-/// A rectangle in a view, pixels from the viewport's top left.
+/// Axis-aligned rectangle in a view: its borders in pixels from the viewport's top left.
 struct ScreenBox {
   double left, top, right, bottom;
 };
@@ -36,16 +36,18 @@ struct PlateLook {
   double rim_width = 0;       // pixels
 };
 
-/// Adds the triangles of a glyph from its corners: top left, top right, bottom right, bottom left (clip
-/// coordinates).
+/// Adds to `out` the two triangles of a glyph, whose image is at `spot` on the glyph sheet. `corners`: top
+/// left, top right, bottom right and bottom left, in clip coordinates. `color` is linear RGB.
 void add_glyph(std::vector<GlyphVertex>& out, const std::array<Eigen::Vector4d, 4>& corners,
                const GlyphSpot& spot, const Vec3& color);
 
-/// Adds the triangles of a plate in a view of the given size (pixels).
+/// Adds to `out` the two triangles of a plate, a filled rectangle with a border and round corners. `picture`:
+/// width and height of the view, pixels.
 void add_plate(std::vector<PlateVertex>& out, const ScreenBox& box, const PlateLook& look,
                const Eigen::Vector2d& picture);
 
-/// Returns the clip coordinates of a point, given in pixels from the top left of a view of the given size.
+/// Returns the clip coordinates of a point given in pixels from the top left of a view. `picture`: width and
+/// height of the view, pixels.
 Eigen::Vector4d clip_of(const Eigen::Vector2d& pixels, const Eigen::Vector2d& picture);
 
 }  // namespace prosector

@@ -9,14 +9,16 @@ namespace prosector {
 
 class TimedSheet {
  public:
-  /// Takes an image every `interval` seconds, starting with the first one available.
+  /// Creates an empty contact sheet (small images of a session in one image). An image is taken every
+  /// `interval` seconds, starting with the first one available.
   explicit TimedSheet(double interval) : interval_(interval) {}
 
   bool wants(double seconds) const { return seconds >= next_; }
-  /// Adds the image if one is due.
+  /// Adds the image, scaled down, if one is due at the session time `seconds`; ignores it otherwise.
   void take(const Image& image, double seconds);
   std::size_t pictures() const { return tiles_.size(); }
-  /// Arranges the images row by row in chronological order. Throws std::invalid_argument if there are none.
+  /// Returns one image with all added images row by row in chronological order. Throws std::invalid_argument
+  /// if there are none.
   Image sheet() const;
 
  private:

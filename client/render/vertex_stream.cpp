@@ -26,7 +26,8 @@ VertexStream::~VertexStream() {
 }
 
 void VertexStream::draw(const void* vertices, std::size_t count, std::size_t bytes) const {
-  if (bytes != stride_) throw std::logic_error("VertexStream: vertices of other attributes");
+  if (bytes != stride_)
+    throw std::logic_error("VertexStream: the size of a vertex differs from that of the stream's attributes");
   if (count == 0) return;
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);

@@ -9,13 +9,14 @@ namespace prosector {
 
 class VertexStream {
  public:
-  /// Takes the number of floats of each vertex attribute, in order; a vertex consists of these only.
+  /// Creates an empty vertex buffer. `attributes` is the number of floats of each vertex attribute, in order;
+  /// a vertex consists only of these floats.
   VertexStream(const Gl& gl, const std::vector<int>& attributes);
   ~VertexStream();
   VertexStream(const VertexStream&) = delete;
   VertexStream& operator=(const VertexStream&) = delete;
 
-  /// Draws the vertices, three per triangle, with the program in use.
+  /// Uploads the vertices, three per triangle, and draws them with the shader program in use.
   template <class Vertex>
   void draw(const std::vector<Vertex>& vertices) const {
     static_assert(std::is_trivially_destructible_v<Vertex> && alignof(Vertex) % alignof(float) == 0);

@@ -12,8 +12,8 @@
 
 namespace prosector {
 
-/// The keys of a keyboard. Printing keys have the code of their upper-case ASCII character on a US keyboard:
-/// 'W', '1', a blank (other layouts: keyboard_layout.h). Other keys follow.
+/// Keys of a keyboard. Printing keys have the code of their upper-case ASCII character on a US keyboard, such
+/// as 'W', '1' or a blank (other layouts: keyboard_layout.h). Other keys have codes from 256 on.
 enum class Key : int {
   space = ' ',
   escape = 256,
@@ -81,7 +81,8 @@ struct GamepadMoved {
 using WindowEvent = std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, CharacterTyped, Resized,
                                  CloseRequested, GamepadMoved>;
 
-/// The view shown to an audience.
+/// Options of the view that spectators see: full screen on a monitor or in a window, which eye's part of the
+/// frame, and its aspect ratio.
 struct Audience {
   std::optional<int> monitor = {};  // full screen on this monitor, counted from 0; nullopt: a window
   int width = 800, height = 600;    // of the window, screen coordinates
@@ -91,24 +92,26 @@ struct Audience {
 
 class WindowContext : public GlContext {
  public:
-  /// Returns the events since the last call, in order; never waits. width() and height() are those of the
-  /// last Resized.
+  /// Returns the window's input events since the last call, in order; never waits. width() and height() are
+  /// those of the last Resized event.
   virtual std::vector<WindowEvent> poll_events() = 0;
-  /// Hides the pointer and confines it for unlimited relative motion, or releases it.
+  /// Hides the pointer and confines it to the window, if `captured`, which allows unlimited relative motion.
+  /// Otherwise releases it.
   virtual void capture_pointer(bool captured) = 0;
-  /// Makes the window full screen on this monitor (0: the desktop's primary monitor); nullopt: restores the
-  /// window at its previous position. Throws InputError with the number of monitors if there is none with
-  /// this number.
+  /// Makes the window full screen on this monitor (0: the desktop's primary monitor). nullopt: restores the
+  /// window at its previous position. Throws InputError that states the number of monitors if there is none
+  /// with this number.
   virtual void set_full_screen(std::optional<int> monitor) = 0;
-  /// Mirrors all following frames in a second window, until a user closes it. Throws InputError as
-  /// set_full_screen() does, and if the window cannot be created.
+  /// Mirrors all following frames in a second window for an audience, until a user closes that window. Throws
+  /// InputError if the monitor is missing or the window cannot be created.
   virtual void open_audience(const Audience& audience) = 0;
-  /// Returns the desktop's scale factor of the display: text is to be drawn larger by this factor.
+  /// Returns the desktop's scale factor of the display, by which text must be enlarged; 1 on a display of
+  /// standard density.
   virtual double content_scale() const = 0;
 };
 
-/// Opens a window: only one at a time, in the main thread. Throws InputError that states what is missing: a
-/// display (use an offscreen context), or OpenGL 3.3.
+/// Opens a window with an OpenGL context. Only one window can be open, in the main thread. Throws InputError
+/// that states what is missing: a display (use an offscreen context instead), or OpenGL 3.3.
 std::unique_ptr<WindowContext> make_window_context(int width, int height, const std::string& title);
 
 }  // namespace prosector

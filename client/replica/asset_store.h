@@ -14,12 +14,13 @@ namespace prosector {
 
 class AssetStore {
  public:
-  /// Adds a chunk. A chunk that does not fit its asset (other count or size) is ignored and counted. If a
-  /// complete asset's hash is wrong, all its chunks are discarded, so that it can be sent again.
+  /// Adds a received chunk of an asset (a mesh or map of the scene). A chunk whose count or size does not fit
+  /// its asset is ignored and counted. If the bytes of a completed asset do not match its content hash, all
+  /// its chunks are discarded, so that it can be sent again.
   void add(const AssetChunk& chunk);
-  /// Returns the asset's bytes if it is complete and verified, else nullopt.
+  /// Returns the bytes of the asset with this content hash, or nullopt if it is incomplete or unverified.
   std::optional<std::span<const std::uint8_t>> find(const ContentHash& hash) const;
-  /// Returns the received fraction of the asset, 0 … 1.
+  /// Returns the received fraction of the asset with this content hash, 0 … 1.
   double share(const ContentHash& hash) const;
   std::size_t refused() const { return refused_; }
 

@@ -17,11 +17,12 @@ class PlayoutClock {
  public:
   explicit PlayoutClock(double tick_rate) : dt_(1 / tick_rate) {}
 
-  /// Sets the nominal ratio of simulated to real time; the actual ratio may be less.
+  /// Sets the nominal ratio of simulated to real time, for instance that set by the host. The actual ratio
+  /// may be less if the server is too slow.
   void set_pace(double pace) { pace_ = pace; }
   void arrived(const SimTime& time, std::int64_t arrival_ns);
-  /// Returns the tick (with fraction) to display at `now_ns`; monotonic within an epoch. Returns 0 before the
-  /// first sample.
+  /// Returns the tick (simulation step, with a fraction) to display at the monotonic time `now_ns`. It never
+  /// decreases until the server rewinds. Returns 0 before the first sample.
   double playhead(std::int64_t now_ns);
   double delay_ms() const { return 1e3 * delay_; }
 

@@ -30,11 +30,34 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
 /// asset is invalid.
 std::vector<CuttingEdge> decode_edges(std::span<const std::uint8_t> bytes) {
   const TriangleMesh ends = decode_triangle_mesh(bytes);
-  if (ends.positions.size() % 2 != 0) throw InputError("asset: an edge without its second end");
+  if (ends.positions.size() % 2 != 0)
+    throw InputError("asset of the server is invalid: a cutting edge has no second end point");
   std::vector<CuttingEdge> out;
   for (std::size_t k = 0; k < ends.positions.size(); k += 2)
     out.push_back({ends.positions[k], ends.positions[k + 1]});
   return out;
+}
+
+/// Returns the time of a streamed state or status, whose arrival updates the playout clock; null for other
+/// messages.
+const SimTime* streamed_time(const Message& message) {
+  return std::visit(Overloaded{
+                        [](const UserState& m) { return &m.time; },
+                        [](const RigidState& m) { return &m.time; },
+                        [](const SoftState& m) { return &m.time; },
+                        [](const ContactSample& m) { return &m.time; },
+                        [](const ServerStatus& m) { return &m.time; },
+                        [](const auto&) -> const SimTime* { return nullptr; },
+                    },
+                    message);
+}
+
+/// Stores an open panel of a participant, or removes a closed one.
+void update_panel(std::map<ParticipantId, Panel>& open, const Panel& panel) {
+  if (panel.open)
+    open[panel.participant] = panel;
+  else
+    open.erase(panel.participant);
 }
 
 }  // namespace
@@ -51,10 +74,10 @@ void Replica::apply(const Received& received) {
 }
 
 void Replica::apply(const Message& message, std::int64_t arrival_ns) {
-  const auto timed = [&](const SimTime& time) {
-    newest_ = std::max(newest_, time);
-    if (clock_) clock_->arrived(time, arrival_ns);
-  };
+  if (const SimTime* time = streamed_time(message)) {
+    newest_ = std::max(newest_, *time);
+    if (clock_) clock_->arrived(*time, arrival_ns);
+  }
   std::visit(
       Overloaded{
           [&](const SessionInfo& m) {
@@ -71,19 +94,14 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
           },
           [&](const AssetChunk& m) { assets_.add(m); },
           [&](const RosterEntry& m) { roster_[m.participant] = m; },
-          [&](const UserState& m) {
-            timed(m.time);
-            users_[m.participant].add(m);
-          },
+          [&](const UserState& m) { users_[m.participant].add(m); },
           [&](const RigidState& m) {
-            timed(m.time);
             if (!scene_ || m.body < scene_->bodies.size())
               rigid_[m.body].track.add(m);
             else
               ++refused_;
           },
           [&](const SoftState& m) {
-            timed(m.time);
             const auto it = soft_.find(m.body);
             if (it != soft_.end() && it->second.add(m)) return;
             if (pending_soft_.size() < max_early_chunks) pending_soft_.push_back(m);
@@ -94,23 +112,12 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
           },
           [&](const TopologyRevision& m) { topology_[m.body].add(m); },
           [&](const ContactSample& m) {
-            timed(m.time);
             if (!roster_.contains(m.participant)) return;  // the participant is not known yet, or has left
             ContactSample& known = contacts_[{m.participant, m.hand}];
             if (m.time >= known.time) known = m;
           },
-          [&](const ServerStatus& m) {
-            timed(m.time);
-            status_ = m;
-          },
-          [&](const BodyStatus& m) { body_status_[m.body] = m; },
-          [&](const PartState& m) { parts_[m.body] = m; },
-          [&](const Panel& m) {
-            if (m.open)
-              panels_[m.participant] = m;
-            else
-              panels_.erase(m.participant);
-          },
+          [&](const ServerStatus& m) { status_ = m; }, [&](const BodyStatus& m) { body_status_[m.body] = m; },
+          [&](const PartState& m) { parts_[m.body] = m; }, [&](const Panel& m) { update_panel(panels_, m); },
           [&](const RoomState& m) {
             room_lights_ = m.lights;
             pace_ = m.pace;
@@ -166,9 +173,12 @@ void Replica::build(BodyId id, const SceneBody& body, std::int64_t now_ns) {
   TriangleMesh rest = decode_triangle_mesh(*mesh);
   StreamedSurface streamed = decode_streamed_surface(*map_bytes);
   if (streamed.map.rows.size() != rest.positions.size())
-    throw InputError("asset: map and surface differ in size");
+    throw InputError(
+        "asset of the server is invalid: the embedding map does not have one row for each surface vertex");
   if (streamed.rest.size() != body.points)
-    throw InputError("asset: number of rest positions differs from streamed points");
+    throw InputError(
+        "asset of the server is invalid: the number of rest positions differs from the number of streamed "
+        "points");
   soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(streamed)));
   apply_pending(id);
   follow_topology(id, now_ns);

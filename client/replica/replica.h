@@ -30,7 +30,7 @@
 
 namespace prosector {
 
-/// A straight cutting edge, m, body frame.
+/// Straight cutting edge of an instrument: its end points in the body frame, m.
 struct CuttingEdge {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
@@ -45,61 +45,73 @@ struct RigidReplica {
 class Replica {
  public:
   Replica() = default;
-  /// Creates a replica with assets from another one: they are identified by their content hash, so they are
-  /// valid for any server. Body names are shown in `language`, a tag, if the scene has such names.
+  /// Creates an empty replica that already has another replica's assets (meshes and maps). They are
+  /// identified by their content hash, so they are valid for any server. Body names are shown in `language`,
+  /// a tag such as "de", if the scene has such names.
   explicit Replica(AssetStore assets, std::string language = "")
       : assets_(std::move(assets)), language_(std::move(language)) {}
 
-  /// Applies a sample. Inconsistent samples (a body that isn't in the scene, an asset that is no mesh) are
-  /// counted and ignored.
+  /// Updates the replica by a received message. Inconsistent messages, such as a body that isn't in the scene
+  /// or an asset that is no mesh, are counted and ignored.
   void apply(const Received& received);
 
-  /// Reports whether the scene, every asset, the topology log and a first state of every deformable have
-  /// arrived. It stays true after cuts: new topology is not shown until its data has arrived.
+  /// Returns whether the session can be displayed: the scene, all its meshes, the topology log and a first
+  /// state of every soft body have arrived. It stays true after cuts, because new topology is not shown until
+  /// its data has arrived.
   bool complete() const { return complete_; }
-  /// Returns a text on the missing data: "waiting for 3 of 12 meshes …"; empty: none.
+  /// Returns a text for the user, in the language of `words`, on the data that must still arrive before the
+  /// session can be displayed: "waiting for 3 of 12 meshes …". Returns an empty string if nothing is missing.
   std::string missing(const Catalogue& words = {}) const;
-  /// Returns the received fraction of the data listed by missing(), 0 … 1.
+  /// Returns the received fraction of the data that is needed to display the session, 0 … 1.
   double progress() const;
-  /// Returns a hash of the chain hashes of the displayed topology revisions of all soft bodies: equal on all
-  /// clients that show the same cuts.
+  /// Returns one hash over the displayed topology revisions (states after cuts) of all soft bodies. It is
+  /// equal on all clients that show the same cuts.
   std::uint64_t topology_hash() const;
-  /// Returns the bodies whose keyframe must be requested from the server; each at most once a second.
+  /// Returns the soft bodies whose keyframe (whole surface with all cuts) must be requested from the server,
+  /// because a change of topology is missing or failed verification. Returns each body at most once a second.
   std::vector<BodyId> take_keyframe_requests(std::int64_t now_ns);
 
   const std::optional<SessionInfo>& session() const { return session_; }
   const std::optional<SceneInfo>& scene() const { return scene_; }
   const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
   const std::optional<ServerStatus>& status() const { return status_; }
-  /// Returns the newest contact sample of a hand; null: none, or none for a quarter of a second.
+  /// Returns the newest contact sample of a participant's hand: its strongest contact, or the one that it is
+  /// about to make first. Returns null if there is none, or none within the last 0.25 s.
   const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
-  /// Returns a body's newest status; null before the first, and for rigid bodies.
+  /// Returns the newest status that the server sent for a soft body; null before the first, and for rigid
+  /// bodies.
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
   const SoftReplica* soft(BodyId body) const;
-  /// Returns the displayed revision of a soft body's mesh; null: none.
+  /// Returns the displayed topology revision (state after cuts) of a soft body's mesh; null if there is none
+  /// yet.
   const TopologyRevision* topology(BodyId body) const;
-  /// Returns a part's state; null while it is unchanged.
+  /// Returns the state of an anatomical part, such as its visibility; null while nobody has changed it.
   const PartState* part(BodyId body) const;
-  /// Returns the open panels by owner.
+  /// Returns the open panels, each with the controls of one anatomical part, by the participant that opened
+  /// the panel.
   const std::map<ParticipantId, Panel>& panels() const { return panels_; }
-  /// Returns the brightness of the lights that bodies don't carry, 0 … 1.
+  /// Returns the brightness of the room's lights, 0 (off) … 1 (full). Lights that bodies carry are not
+  /// included.
   double room_lights() const { return room_lights_; }
-  /// Returns a body's collision shape, in the frame of its mesh; null: none, or not received yet.
+  /// Returns the shape that replaces the body in collision detection, in the frame of its mesh. Returns null
+  /// if there is none, or if it was not received yet.
   const TriangleMesh* outline(BodyId body);
-  /// Returns the ratio of simulated to real time set by the host; 0: paused.
+  /// Returns the ratio of simulated to real time that the host has set; 0 while the session is paused.
   double pace() const { return pace_; }
-  /// Returns the description of the recording; nullopt: the session is live.
+  /// Returns the description of the recording that the server replays; nullopt if the session is live.
   const std::optional<Recording>& recording() const { return recording_; }
-  /// Returns the displayed tick for a playhead at `tick`: no later than the newest received state.
+  /// Returns the tick (simulation step) that is displayed for a playhead at `tick`. It is limited to the tick
+  /// of the newest received state.
   double shown_tick(double tick) const { return std::min(tick, static_cast<double>(newest_.tick)); }
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
 
   // ---- State at the playhead
-  /// Moves the playhead to `now_ns`. Returns the tick to display.
+  /// Advances the playhead, the displayed time, to the monotonic time `now_ns`. Returns the tick (simulation
+  /// step, with a fraction) to display.
   double advance(std::int64_t now_ns);
   Pose rigid_pose(BodyId body, double tick) const;
   std::optional<UserState> user(ParticipantId participant, double tick) const;

@@ -13,16 +13,17 @@ namespace prosector {
 
 class ServerChoice {
  public:
-  /// Sets the language of body names (see Replica).
+  /// Starts without a server. `language` is the tag of the language in which body names are shown; empty: as
+  /// the scene's author wrote them.
   explicit ServerChoice(std::string language = "") : language_(std::move(language)) {}
 
-  /// Applies a sample to the replica of its writer's process. Switches to another server if the followed one
-  /// is gone, or if a server with precedence appears (common/server_run.h).
+  /// Applies a received message to the replica of the server process that wrote it. Switches to another
+  /// server if the followed one is gone, or if a server with precedence (common/server_run.h) appears.
   void apply(const Received& received);
 
-  /// Returns the followed server's replica; an empty one before there is any.
+  /// Returns the replica of the followed server; an empty replica before any server is found.
   Replica& replica();
-  /// Returns the process id of the followed server, as in Received::writer; 0: none yet.
+  /// Returns the process id of the followed server, as in Received::writer; 0 if no server is followed yet.
   std::uint64_t followed() const { return followed_; }
 
  private:

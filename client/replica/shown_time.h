@@ -15,7 +15,8 @@ struct ShownTime {
   double pace = 1;        // ratio of simulated to real time; 0: paused
 };
 
-/// Returns the displayed time for a playhead at `tick`; nullopt: the session is live.
+/// Returns the displayed time, length and pace of the recording that the server replays, for a playhead at
+/// `tick`. Returns nullopt if the session is live.
 inline std::optional<ShownTime> shown_time(const Replica& replica, double tick) {
   if (!replica.recording()) return std::nullopt;
   return ShownTime{replica.recording()->last_tick, replica.shown_tick(tick), 1 / replica.tick_seconds(),

@@ -18,28 +18,31 @@ namespace prosector {
 
 class SoftReplica {
  public:
-  /// Creates the deformable from its scene entry `body` and its assets `rest` and `streamed`, whose sizes
+  /// Creates the soft body from its scene entry `body` and its assets. `rest` is the surface at rest,
+  /// `streamed` the streamed points' rest positions and the map from points to surface; their sizes must
   /// agree.
   SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed);
 
-  /// Adds a chunk; a chunk that doesn't fit this body is dropped. Returns false if it also has points of a
-  /// later revision: then it must be added again after that revision has arrived.
+  /// Adds a received sample of one chunk of points; drops one that doesn't fit this body. Returns false if it
+  /// also has points of a later topology revision: then it must be added again after that revision has
+  /// arrived.
   bool add(const SoftState& chunk);
   bool add(const Settled& settled);  // adds all chunks, at full precision
   bool complete() const { return missing_chunks_ == 0; }
 
   // ---- Topology
-  /// Sets the revision of the present surface.
+  /// Sets the number of the topology revision (state after cuts) that the present surface has.
   void begin_at(std::uint32_t revision) { revision_ = revision; }
-  /// Replaces the surface by the result of `patch`. New points start at the patch's positions; old points
-  /// keep their samples.
+  /// Replaces the surface by `next`, the result of the topology change `patch`. Points that the cut adds
+  /// start at the patch's positions; older points keep their samples. `revision` and `time` are those of the
+  /// change.
   void follow(DrawnSurface next, const SurfacePatch& patch, std::uint32_t revision, SimTime time);
-  /// Replaces the surface by one with the same points and possibly more. New points start with the
-  /// displacement of the last old point. Throws InputError if it has fewer points.
+  /// Replaces the surface by `next`, a keyframe with the same points and possibly more. Additional points
+  /// start with the displacement of the last old point. Throws InputError if it has fewer points.
   void enter(DrawnSurface next, std::uint32_t revision, SimTime time);
 
-  /// Interpolates the points at `tick` and updates the surface. Returns true if anything moved since the last
-  /// call.
+  /// Interpolates the points at `tick` (simulation step, with a fraction) and updates the surface. `dt`:
+  /// duration of a tick, s. Returns true if anything moved since the last call.
   bool sample(double tick, double dt);
 
   const std::vector<Vec3>& points() const { return current_; }
@@ -47,7 +50,7 @@ class SoftReplica {
   const TriangleMesh& rest() const { return drawn_.rest; }
   const std::vector<Eigen::Vector3f>& surface() const { return surface_; }
   std::uint32_t revision() const { return revision_; }
-  /// Returns a number that increases with each change of rest().
+  /// Returns a counter that increases with each change of the rest surface rest(), that is, with each cut.
   std::uint64_t shape() const { return shape_; }
   std::uint64_t dropped() const { return dropped_; }
 

@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// One stroke in one organ, measured on the rest shape.
+/// Length and depth of one stroke of a blade (successive cuts by one participant) in one organ, measured on
+/// the rest shape.
 struct StrokeFigures {
   BodyId organ = 0;  // the body before any piece came off
   ParticipantId author = 0;
@@ -20,20 +21,23 @@ struct StrokeFigures {
   bool through = false;  // a piece came off
 };
 
-/// Returns a text for display: "63 mm long, 12 mm deep".
+/// Returns a text for display on a stroke's size, in the language of `words`: "63 mm long, 12 mm deep".
 std::string in_words(const StrokeFigures& stroke, const Catalogue& words = {});
-/// Returns a text for a blade's set depth: "set to 12 mm".
+/// Returns a text for display on the cutting depth (m) to which a blade is set, in the language of `words`:
+/// "set to 12 mm".
 std::string depth_in_words(double depth, const Catalogue& words = {});
 
-/// Tracks all users' strokes between calls.
+/// Tracker of all participants' current strokes (successive cuts of a blade in one organ), by comparing the
+/// organs between calls.
 class StrokeTracker {
  public:
-  /// Processes the cuts since the last call. Cuts of one organ by one user less than stroke_seconds apart
-  /// belong to one stroke. `now`: monotonic clock, s.
+  /// Updates the strokes by the cuts since the last call. Cuts of one organ by one participant less than
+  /// stroke_seconds apart belong to one stroke. `now`: monotonic clock, s.
   void look(const Replica& replica, double now);
-  /// Returns the user's current stroke; null: none.
+  /// Returns the participant's current stroke with a blade, the newest if there are several; null if there is
+  /// none.
   const StrokeFigures* of(ParticipantId author) const;
-  /// Returns the strokes that ended since the last call.
+  /// Returns and removes the strokes that ended since the last call, for lack of further cuts.
   std::vector<StrokeFigures> take_ended();
 
   static constexpr double stroke_seconds = 1;

@@ -87,7 +87,8 @@ bool TopologyReplica::enter_newest_keyframe(const AssetStore& assets, SoftReplic
     DrawnSurface surface{decode_triangle_mesh(*mesh), decode_streamed_surface(*map)};
     if (surface.rest.positions.size() != surface.streamed.map.rows.size() ||
         hash(surface) != revision.surface_hash)
-      throw InputError("topology: a keyframe of another surface");
+      throw InputError(
+          "topology keyframe of the server is invalid: it does not match the surface of its revision");
     soft.enter(std::move(surface), revision.revision, revision.time);
   } catch (const InputError&) {
     ++refused_;

@@ -14,16 +14,18 @@ namespace prosector {
 
 class TopologyReplica {
  public:
-  /// Adds a revision. Revisions may arrive in any order and repeatedly.
+  /// Adds a received topology revision (change of the mesh by a cut). Revisions may arrive in any order and
+  /// repeatedly.
   void add(const TopologyRevision& revision);
-  /// Advances `soft` as far as possible: by patches in order, or by a keyframe across a gap or an
-  /// unverifiable patch. Returns true if its surface changed.
+  /// Applies the received topology revisions to the surface of `soft` as far as possible. Patches are applied
+  /// in order; a keyframe (whole surface) bridges a gap or a patch that failed verification. Returns true if
+  /// the surface changed.
   bool advance(const AssetStore& assets, SoftReplica& soft, std::int64_t now_ns);
 
-  /// Returns the displayed revision; null before the first.
+  /// Returns the topology revision that is displayed, without its patch; null before the first.
   const TopologyRevision* shown() const { return shown_ ? &*shown_ : nullptr; }
-  /// Reports whether a keyframe must be requested from the server: a verification failed, or a revision is
-  /// missing for over 1 s. True at most once a second.
+  /// Returns whether to request a keyframe (whole surface) from the server now: a topology revision failed
+  /// verification, or one has been missing for over 1 s. Returns true at most once a second.
   bool needs_keyframe(std::int64_t now_ns);
   std::uint64_t refused() const { return refused_; }
 

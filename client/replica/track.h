@@ -10,16 +10,16 @@
 
 namespace prosector {
 
-/// Returns the cubic Hermite interpolation between (x0, v0) and (x1, v1), `h` seconds apart, at fraction s in
-/// [0, 1]. Linear interpolation would have an error of a·h²/8 under acceleration a.
+/// Returns the cubic Hermite interpolation between position x0 with velocity v0 and x1 with v1, `h` seconds
+/// apart, at fraction s in [0, 1]. Linear interpolation would have an error of a·h²/8 under acceleration a.
 inline Vec3 hermite(const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h, double s) {
   const double s2 = s * s, s3 = s2 * s;
   return (2 * s3 - 3 * s2 + 1) * x0 + (s3 - 2 * s2 + s) * h * v0 + (3 * s2 - 2 * s3) * x1 +
          (s3 - s2) * h * v1;
 }
 
-/// The last samples of one keyed instance in order of time. Late samples are inserted; samples of earlier
-/// epochs are dropped.
+/// Last 16 samples of one moving object, such as a body or user, in order of time. Late samples are inserted
+/// in order; samples from before a rewind (of earlier epochs) are dropped.
 template <class Sample>
 class Track {
  public:
@@ -42,8 +42,9 @@ class Track {
     double share = 0;            // 0 at `from`, 1 at `to`
   };
 
-  /// Returns the samples to interpolate at `tick`. In a gap longer than `bridge` ticks the object was at
-  /// rest: `from` is held until `bridge` ticks before `to`.
+  /// Returns the samples between which to interpolate at `tick`, and the fraction. `dt`: duration of a tick,
+  /// s. In a gap longer than `bridge` ticks the object was at rest, so `from` is held until `bridge` ticks
+  /// before `to`.
   Bracket at(double tick, double dt, double bridge = 4) const {
     PROSECTOR_ASSERT(bridge > 0);
     Bracket out;
@@ -59,7 +60,7 @@ class Track {
     return {&from, &*to, gap * dt, (tick - (end - gap)) / gap};
   }
 
-  /// Calls `change(sample)` for each sample; it must not change the sample's time.
+  /// Calls `change(sample)` for each stored sample, to modify it; its time must stay unchanged.
   template <class Change>
   void change_each(const Change& change) {
     for (Sample& sample : samples_) change(sample);

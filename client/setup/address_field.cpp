@@ -26,7 +26,7 @@ bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevic
   ImGui::SameLine();
   bool picked = false;
   if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
-    if (!field.text.empty() && ImGui::Selectable(ui.tr("none until one is chosen"))) {
+    if (!field.text.empty() && ImGui::Selectable(ui.tr("no device until one is chosen"))) {
       field.text.clear();
       picked = true;
     }

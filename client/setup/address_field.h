@@ -9,14 +9,16 @@
 
 namespace prosector {
 
-/// A configuration key with a device's address, as edited.
+/// Text field for a configuration key with a device's address: the key, its label, and the text as edited.
 struct AddressField {
   const char* key;
   const char* name;
   std::string text;
 };
 
-/// Draws the field. `nothing`: shown if no device was detected. Returns whether an address was entered.
+/// Draws the text field for a device's address, with a list of the detected devices `found` to choose from.
+/// `nothing`: text shown in the list if no device was detected. Returns whether the user entered or chose an
+/// address.
 bool edit_address(Interface& ui, AddressField& field, std::span<const FoundDevice> found,
                   const char* nothing);
 

@@ -103,7 +103,7 @@ void CalibratePage::draw_settings_form(Interface& ui, ConfigDraft& draft) {
         quiet(ui.tr(
             "Points of the shape to touch, in this order and on all sides, in the shape's own frame, m."));
         draw_points(ui, calibration_settings_.landmarks);
-        edit_vector(ui.tr("target: its error is reported"), calibration_settings_.target);
+        edit_vector(ui.tr("target: point whose error is reported"), calibration_settings_.target);
         ui.note("target");
         break;
     }
@@ -128,9 +128,10 @@ void CalibratePage::draw_points(Interface& ui, std::vector<Vec3>& points) {
 /// Returns the draft's settings of the phantom's shape.
 std::vector<CalibratePage::TypedKey> CalibratePage::shape_of(const ConfigDraft& draft) {
   const PhantomSettings& phantom = draft.config().phantom;
-  return {{"phantom.body", msg("scene body with the same shape"), phantom.body},
+  return {{"phantom.body", msg("scene body with the phantom's shape"), phantom.body},
           {"phantom.mesh", msg("or a shape file"), draft.named(phantom.mesh)},
-          {"phantom.board", msg("board fixed to it; none: it does not move"), draft.named(phantom.board)}};
+          {"phantom.board", msg("board fixed to the phantom; none: it does not move"),
+           draft.named(phantom.board)}};
 }
 
 void CalibratePage::draw_shape(Interface& ui, const ConfigDraft& draft) {

@@ -23,13 +23,13 @@ class CalibratePage {
       : heading_(heading), live_(std::move(live)), rows_(rows) {}
 
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
-  /// Closes the devices.
+  /// Closes the devices that the page has opened, and stops a running calibration without a result.
   void close();
   bool running() const { return running_ != nullptr || live_->open(); }
   const Said& said() const { return said_; }
 
  private:
-  /// A configuration text as edited.
+  /// Text field for a text of the client's configuration: its key, its label, and the text as edited.
   struct TypedKey {
     const char* key;
     const char* name;

@@ -89,7 +89,7 @@ void CameraPage::draw_choice(Interface& ui, std::int64_t now_ns) {
     ui.note(address);
   }
   if (found_.empty()) quiet(ui.tr("No camera is connected."));
-  quiet(ui.tr("Or enter a number, file, stream or synthetic:FILE"));
+  quiet(ui.tr("Or enter a camera's number, file, stream or synthetic:FILE"));
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputText("##camera", &address_, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.note("camera address");
@@ -170,10 +170,11 @@ void CameraPage::take_fit(const Interface& ui, ConfigDraft& draft) {
   try {
     const LensFit fit = fit_.get();
     const Lens& lens = fit.calibration.lens;
-    GuideOutcome outcome = {{ui.tr("Error {:.3f} px in views not used for the fit.", fit.held_out),
-                             ui.tr("Focal lengths {:.1f} and {:.1f} px; {:.0f} % of the image covered.",
-                                   lens.fx, lens.fy, 100 * fit.covered)},
-                            {}};
+    GuideOutcome outcome = {
+        {ui.tr("Lens error {:.3f} px in views not used for the fit.", fit.held_out),
+         ui.tr("Focal lengths {:.1f} and {:.1f} px; the views cover {:.0f} % of the image.", lens.fx, lens.fy,
+               100 * fit.covered)},
+        {}};
     if (!fit.by_edges) outcome.words.push_back(ui.tr(coarse_lens_warning));
     const std::string& tracker = draft.config().tracker;
     const std::string& known_lens = draft.config().tracker_device.camera.lens;
@@ -219,7 +220,7 @@ void CameraPage::draw_picture(Interface& ui) {
   const auto scale = static_cast<float>(ui.scale());
   if (shown_ != seen_.number) texture_ = ui.texture_of(*seen_.image, texture_);
   shown_ = seen_.number;
-  quiet(ui.tr("{} × {}, {:.0f} images per second, brightness {:.0f} of 255", seen_.image->width,
+  quiet(ui.tr("{} × {} pixels, {:.0f} images per second, brightness {:.0f} of 255", seen_.image->width,
               seen_.image->height, seen_.rate, seen_.brightness));
   const auto wide = static_cast<float>(seen_.image->width), high = static_cast<float>(seen_.image->height);
   const ImVec2 room = ImGui::GetContentRegionAvail();

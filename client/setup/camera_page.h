@@ -15,8 +15,9 @@
 
 namespace prosector {
 
-/// Returns the changes that assign the lens file to a camera: to the tracker and the window's face tracker,
-/// if they use the camera. If neither does, and there is no tracker, the camera becomes the tracker.
+/// Returns the changes of the configuration that assign the lens file (a camera's lens calibration) to the
+/// tracker and to the window's eye tracker, if they use `camera`. If neither does and no tracker is
+/// configured, the camera becomes the tracker.
 std::vector<ConfigChange> lens_changes(const ClientConfig& config, const std::string& camera);
 
 class CameraPage {
@@ -27,7 +28,7 @@ class CameraPage {
   CameraPage& operator=(const CameraPage&) = delete;
 
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
-  /// Closes the camera. A running fit continues.
+  /// Closes the camera, so that another program can use it. A running fit of its lens continues.
   void close();
   bool running() const { return watch_ != nullptr || fit_.valid(); }
   const Said& said() const { return said_; }

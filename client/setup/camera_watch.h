@@ -14,7 +14,8 @@
 
 namespace prosector {
 
-/// The latest image and its evaluation.
+/// Latest image of a camera and its evaluation: detected tags, brightness, image rate, and the state of the
+/// guided lens calibration.
 struct EvaluatedImage {
   std::shared_ptr<const Image> image;  // null: no image was received yet
   std::uint64_t number = 0;            // counts images from 1
@@ -31,9 +32,11 @@ class CameraWatch {
 
   CameraState state() const { return thread_.state(); }
   EvaluatedImage picture() const;
-  /// Returns the camera's identifier; empty: it was not opened yet.
+  /// Returns the camera's identifier, as its driver reports it; empty while the camera has not been opened
+  /// yet.
   std::string identity() const;
-  /// Starts collecting views of a board, discarding earlier ones.
+  /// Starts a guided collection of the camera's images of `board`, for a lens calibration. Discards earlier
+  /// ones.
   void guide(const Board& board);
   void stop_guide();
   std::vector<LensView> views() const;

@@ -11,7 +11,8 @@ namespace prosector {
 
 class ChecksPage {
  public:
-  /// Takes the function that measures frame times; it takes a moment.
+  /// Stores `measure_pictures`, which measures and rates this machine's frame time when the page is first
+  /// shown. It takes a moment.
   explicit ChecksPage(std::function<MachineCheck()> measure_pictures)
       : measure_pictures_(std::move(measure_pictures)) {}
 

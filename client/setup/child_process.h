@@ -10,29 +10,31 @@
 
 namespace prosector {
 
-/// Returns the folder of the running program, which contains Prosector's other programs.
+/// Returns the folder that contains the running program, and also Prosector's other programs.
 std::filesystem::path program_folder();
 
-/// Returns a command in shell syntax.
+/// Returns the words of a command as one line in shell syntax, quoted where needed.
 std::string shell_line(const std::vector<std::string>& words);
 
-/// A child process. The destructor sends SIGINT, and SIGKILL if the program still runs after five seconds.
+/// Child process, with its output and exit status. The destructor sends SIGINT, and SIGKILL if the program
+/// still runs after five seconds.
 class ChildProcess {
  public:
-  /// Starts a program. Its output is stored, and forwarded to standard output. Throws InputError with the
-  /// program's name if it can't be started.
+  /// Starts a program: `words` are its file and arguments. Its output is stored, and forwarded to standard
+  /// output. Throws InputError with the program's name if it can't be started.
   explicit ChildProcess(const std::vector<std::string>& words);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads new output without waiting, and checks whether the program has ended.
+  /// Reads the program's new output without waiting, and updates lines() and ended().
   void poll();
-  /// Sends SIGINT without waiting.
+  /// Asks the program to exit by sending SIGINT, without waiting for it.
   void interrupt();
-  /// Returns the exit status in the shell's convention; nullopt while it runs.
+  /// Returns the program's exit status, or 128 plus the number of the signal that ended it, as in a shell;
+  /// nullopt while it runs.
   std::optional<int> ended() const { return status_; }
-  /// Returns the last lines of output, oldest first.
+  /// Returns the last lines that the program has printed, the oldest first.
   const std::vector<std::string>& lines() const { return lines_; }
   bool said(const std::string& words) const;
 

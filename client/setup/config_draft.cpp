@@ -1,5 +1,7 @@
 #include "client/setup/config_draft.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -63,7 +65,8 @@ void ConfigDraft::add_companion_file(const std::string& name, std::string text) 
 
 void ConfigDraft::save() {
   if (text_of(file_) != saved_)
-    throw InputError(file_.string() + " was changed by another program: discard your changes to reload it");
+    throw InputError(
+        fmt::format("{} was changed by another program: discard your changes to reload it", file_.string()));
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
   for (const auto& [name, text] : beside_) save_config_text(file_.parent_path() / name, text);

@@ -12,29 +12,33 @@
 
 namespace prosector {
 
-/// A line that a draft changes. `before` empty: added; `after` empty: removed.
+/// Line of the configuration file that the unsaved changes affect. An empty `before` means that the line is
+/// added, an empty `after` that it is removed.
 struct ChangedLine {
   std::string before, after;
 };
 
 class ConfigDraft {
  public:
-  /// Reads the file. A missing file counts as empty. If it is invalid, problem() returns the reason, and
-  /// changes are refused.
+  /// Reads the configuration file. A missing file counts as empty. If it is invalid, problem() returns the
+  /// reason, and change() refuses changes.
   explicit ConfigDraft(std::filesystem::path file);
 
-  /// Changes keys. Returns the reason if the changes are invalid; empty: success.
+  /// Changes keys of the draft, not of the file. If the changes are invalid, changes nothing and returns the
+  /// reason; returns an empty string on success.
   std::string change(const std::vector<ConfigChange>& changes);
-  /// Stores the text of a file with this name next to the configuration file; save() writes it.
+  /// Adds a file, for instance a calibration, that save() will write with this name and text into the
+  /// configuration file's folder.
   void add_companion_file(const std::string& name, std::string text);
-  /// Writes the draft and the files next to it, preserving comments and order. Throws InputError if writing
-  /// fails, or if another program changed the file since it was read; the file is then not overwritten.
+  /// Writes the draft to the configuration file, preserving comments and order, and the companion files.
+  /// Throws InputError if writing fails, or if another program changed the file since it was read; the file
+  /// is then not overwritten.
   void save();
-  /// Discards unsaved changes, and reloads the file.
+  /// Discards the unsaved changes, and reads the configuration file again.
   void revert();
 
-  /// Returns a file of config() as written in the configuration: relative if it is next to the configuration
-  /// file.
+  /// Returns a path from config() as it is written in the configuration file: relative if it is in that
+  /// file's folder or below it, otherwise unchanged.
   std::string named(const std::string& file) const;
 
   const ClientConfig& config() const { return config_; }

@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// One station of a device, over the last two seconds.
+/// Newest sample and statistics of one station (a tracker's receiver, a glove or an arm) over the last two
+/// seconds.
 struct WatchedStation {
   DeviceSample last;
   double rate = 0;    // Hz
@@ -32,8 +33,8 @@ struct WatchedDevice {
 
 class DeviceWatch {
  public:
-  /// Opens the devices of the configuration. Devices that can't be opened are retried, and their status
-  /// reports it; a file that can't be read is not retried.
+  /// Opens the tracker, gloves and arm of the configuration. The status of a device that isn't connected
+  /// reports it, and opening it is retried. A device whose address or files are invalid is not retried.
   explicit DeviceWatch(const ClientConfig& config);
   ~DeviceWatch();
 
@@ -52,10 +53,11 @@ inline constexpr double min_moved_distance = 0.15;  // m: minimum intended motio
 inline constexpr double least_share = 3;            // minimum ratio to the motion of any other
 inline constexpr double min_flexion_change = 0.4;   // flexion
 
-/// Returns the station of a tracker that is being moved: the one that moved far, and much farther than the
-/// others.
+/// Returns the number of the tracker's receiver that the user is moving: it moved at least
+/// min_moved_distance, and at least least_share times as far as any other. Returns nullopt if there is none.
 std::optional<std::uint32_t> moving_station(const WatchedDevice& tracker);
-/// Returns whether a glove's fingers are being bent.
+/// Returns whether the user bends the glove's fingers: within the last two seconds, the flexion (0 … 1) of a
+/// finger changed by at least min_flexion_change.
 inline bool is_bent(const WatchedDevice& glove) {
   return !glove.stations.empty() && glove.stations.front().bent >= min_flexion_change;
 }

@@ -193,7 +193,8 @@ void DevicesPage::free_role(const Interface& ui, ConfigDraft& draft, StationRole
   if (std::count(stations.begin(), stations.end(), StationRole::none) + 1 ==
       static_cast<std::ptrdiff_t>(stations.size())) {
     said_ = {
-        "This is the only receiver in use. To use none, choose no tracker with the arrow beside its field.",
+        "This is the only receiver in use, so it cannot be removed. To use no receiver, clear the tracker "
+        "with the arrow beside its field.",
         true};
     return;
   }
@@ -219,7 +220,7 @@ void DevicesPage::assign(const Interface& ui, ConfigDraft& draft, StationRole ro
   const auto before = std::find(stations.begin(), stations.end(), role);
   if (other != roles.end() && other->role != role) {
     if (before == stations.end()) {
-      said_ = {ui.tr("Receiver {} is assigned to the {}: assign another receiver to that one first.",
+      said_ = {ui.tr("Receiver {} is assigned to the {}: assign another receiver to that role first.",
                      station + 1, ui.tr(other->name)),
                true};
       return;

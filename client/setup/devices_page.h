@@ -19,7 +19,7 @@ namespace prosector {
 class DevicesPage {
  public:
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
-  /// Closes the devices, so that another program can use them.
+  /// Closes the devices that the page has opened, so that another program can use them.
   void close() { watch_.reset(); }
   bool open() const { return watch_ != nullptr; }
   const Said& said() const { return said_; }

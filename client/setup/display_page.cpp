@@ -22,7 +22,7 @@ constexpr std::array<QualityChoice, 4> qualities = {
     {{msg("low"), msg("for a machine without a graphics card")},
      {msg("medium"), msg("shadows, translucent tissue, reflections")},
      {msg("high"), msg("smoother edges and visible light beams, for a good graphics card")},
-     {"", msg("automatic: at most 33 ms per frame")}}};
+     {"", msg("automatic quality: at most 33 ms per frame")}}};
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void PicturesPage::draw_seen(Interface& ui, DisplaySettings& seen) {
   };
   choice(ui.tr("in a window"), "window");
   for (const std::string& profile : profiles_)
-    choice(ui.tr("side by side, for two eyes: {}", profile).c_str(), "stereo:" + profile);
+    choice(ui.tr("side by side, for two eyes: profile {}", profile).c_str(), "stereo:" + profile);
   choice(ui.tr("in an OpenXR headset, with its own tracking"), "openxr");
   bool fills = seen.monitor >= 0;
   if (ImGui::Checkbox(ui.tr("full screen"), &fills)) seen.monitor = fills ? 0 : -1;
@@ -75,8 +75,8 @@ void PicturesPage::draw_seen(Interface& ui, DisplaySettings& seen) {
 void PicturesPage::draw_eyes(Interface& ui, ConfigDraft& draft) {
   title(ui.tr("Your eyes"));
   const EyeSettings& eyes = draft.config().eyes;
-  quiet(eyes.distance ? ui.tr("Distance {:.1f} mm, from the configuration.", 1e3 * *eyes.distance)
-                      : ui.tr("Distance not measured: the value of the display's profile is used."));
+  quiet(eyes.distance ? ui.tr("Eye distance {:.1f} mm, from the configuration.", 1e3 * *eyes.distance)
+                      : ui.tr("Eye distance not measured: the value of the display's profile is used."));
   const auto choice = [&](const char* label, const char* name, bool crosses) {
     if (ImGui::RadioButton(label, by_crosses_ == crosses)) {
       by_crosses_ = crosses;
@@ -84,9 +84,9 @@ void PicturesPage::draw_eyes(Interface& ui, ConfigDraft& draft) {
     }
     ui.note(name);
   };
-  choice(ui.tr("with a ruler on the screen"), "by ruler", false);
+  choice(ui.tr("measure with a ruler on the screen"), "by ruler", false);
   ImGui::SameLine();
-  choice(ui.tr("with crosses in a worn display"), "by crosses", true);
+  choice(ui.tr("measure with crosses in a headset"), "by crosses", true);
   ImGui::Separator();
   if (outcome_.empty())
     measure(ui, draft);

@@ -15,11 +15,11 @@ namespace prosector {
 
 class PicturesPage {
  public:
-  /// Takes the side-by-side displays.
+  /// Creates the page. `displays` are the side-by-side stereo displays among which the user can choose.
   explicit PicturesPage(std::vector<EyeDisplay> displays);
 
   void draw(Interface& ui, SetupSession& room, ConfigDraft& draft);
-  /// Closes the devices.
+  /// Stops a running calibration of the eyes, and closes its device.
   void close() { crosses_.close(); }
   bool running() const { return crosses_.running(); }
   const Said& said() const { return said_; }

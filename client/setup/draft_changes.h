@@ -8,9 +8,11 @@
 
 namespace prosector {
 
-/// Draws the changed lines, "Save" and "Discard". Returns whether the draft was discarded.
+/// Draws the lines that the unsaved changes of the configuration affect, with the buttons "Save" and
+/// "Discard". `said` receives the message on saving. Returns whether the user discarded the changes.
 bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said);
-/// Applies the result of a calibration to the draft. Returns the message to show.
+/// Applies the changes of the configuration that result from a calibration to the draft. Returns the page's
+/// message: success, or the reason why they are invalid.
 Said apply_outcome(ConfigDraft& draft, const GuideOutcome& outcome);
 
 }  // namespace prosector

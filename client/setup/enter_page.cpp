@@ -189,7 +189,7 @@ void EnterPage::draw_hosting(Interface& ui, SetupSession& room) {
   ui.note("host");
   continue_line(14 * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##own", ui.tr("other scene file; confirm with Enter"), &own_scene_,
+  if (ImGui::InputTextWithHint("##own", ui.tr("another scene file to host; confirm with Enter"), &own_scene_,
                                ImGuiInputTextFlags_EnterReturnsTrue))
     if (const auto place = room.offer(own_scene_)) scene_ = *place;
   ui.note("own scene");

@@ -14,7 +14,7 @@
 
 namespace prosector {
 
-/// A display with two views side by side.
+/// Stereo display with the views of both eyes side by side, and the size of each view.
 struct EyeDisplay {
   std::string name;
   int width = 800, height = 600;  // pixels, each eye
@@ -25,12 +25,14 @@ class EyeCrossCalibration {
  public:
   explicit EyeCrossCalibration(std::vector<EyeDisplay> displays) : displays_(std::move(displays)) {}
 
-  /// Draws the settings and a start button.
+  /// Draws the form for the calibration of a worn display: the mark's position, the display, the number of
+  /// crosses, and a start button. `said` receives error messages.
   void draw_settings_form(Interface& ui, const ClientConfig& config, Said& said);
-  /// Draws the current cross over the whole window. Returns the result once all are done.
+  /// Draws the current cross, which the user aligns with a mark in the room, over the whole window. Returns
+  /// the calibration's result once all crosses are done, until then nullopt. `said` receives messages.
   std::optional<GuideOutcome> draw_cross(Interface& ui, Said& said);
   bool running() const { return running_ != nullptr; }
-  /// Closes the device.
+  /// Stops a running calibration without a result, and closes the tracker.
   void close() { running_.reset(); }
 
  private:

@@ -54,7 +54,7 @@ void draw_side(const Side& side, ImVec2 corner, ImVec2 size, const std::optional
 }  // namespace
 
 std::string distance_text(const Catalogue& words, const Vec3& eyes, const ScreenGeometry& screen) {
-  return words.tr("{:.0f} mm from the camera, {:.0f} mm from the image centre",
+  return words.tr("{:.0f} mm from the camera and {:.0f} mm from the screen centre to the eyes",
                   1e3 * (eyes - screen.camera).norm(), 1e3 * eyes.norm());
 }
 
@@ -63,7 +63,7 @@ std::string direction_text(const Catalogue& words, const Vec3& eyes) {
   const char* const aside = eyes.x() < 0 ? words.tr("to the left") : words.tr("to the right");
   const char* const high = eyes.y() < 0 ? words.tr("below") : words.tr("above");
   return words.tr(
-      "From the screen centre: {:.0f} mm {} ({:.0f}°), {:.0f} mm {} ({:.0f}°), {:.0f} mm in front",
+      "Eyes, from the screen centre: {:.0f} mm {} ({:.0f}°), {:.0f} mm {} ({:.0f}°), {:.0f} mm in front",
       1e3 * std::abs(eyes.x()), aside, degrees * std::abs(std::atan2(eyes.x(), std::abs(eyes.z()))),
       1e3 * std::abs(eyes.y()), high, degrees * std::abs(std::atan2(eyes.y(), std::abs(eyes.z()))),
       1e3 * eyes.z());

@@ -45,9 +45,9 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
             "other eye closed?"));
   draw_ruler(ui, pixel);
   ImGui::PushItemWidth(field);
-  ImGui::InputDouble(ui.tr("mm, seen by the left eye"), &left_, 0.5, 5, "%.1f");
+  ImGui::InputDouble(ui.tr("mm: mark seen by the left eye"), &left_, 0.5, 5, "%.1f");
   ui.note("left mark");
-  ImGui::InputDouble(ui.tr("mm, seen by the right eye"), &right_, 0.5, 5, "%.1f");
+  ImGui::InputDouble(ui.tr("mm: mark seen by the right eye"), &right_, 0.5, 5, "%.1f");
   ui.note("right mark");
   quiet(ui.tr("3. Measure the distance of your eyes to the screen and to the rod."));
   ImGui::InputDouble(ui.tr("mm to the screen"), &screen_mm_, 5, 50, "%.0f");

@@ -12,7 +12,9 @@ namespace prosector {
 
 class EyeRuler {
  public:
-  /// Draws the ruler. Returns the result when the user requests it; `said` receives error messages.
+  /// Draws a ruler and input fields by which the user measures the distance between their eyes. Returns the
+  /// distance as a change of the configuration when the user presses "Calculate", otherwise nullopt. `said`
+  /// receives error messages.
   std::optional<GuideOutcome> draw(Interface& ui, Said& said);
 
  private:

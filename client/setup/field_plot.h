@@ -15,7 +15,8 @@ struct FieldPicture {
 };
 
 FieldPicture picture_of(const std::vector<FieldSample>& samples, const FieldFit& fit);
-/// Draws both side by side, over the available width.
+/// Draws two plots side by side over the available width: the tracker's position errors in a distorted
+/// magnetic field, as arrows, before and after the correction.
 void draw_field_picture(Interface& ui, const FieldPicture& picture);
 
 }  // namespace prosector

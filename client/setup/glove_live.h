@@ -10,13 +10,14 @@
 
 namespace prosector {
 
-/// Observed ranges of a glove's sensors.
+/// Smallest and largest count observed for each sensor of a glove.
 class ObservedRanges {
  public:
   void take(const std::array<std::uint16_t, fingers>& counts);
-  /// Returns the difference between the largest and the smallest observed count.
+  /// Returns the difference between the largest and the smallest count observed for the finger's sensor.
   double span(std::size_t finger) const;
-  /// Returns the observed fraction of a finger's calibrated range; 1 without a calibration.
+  /// Returns the fraction, 0 … 1, of the finger's calibrated range that the observed counts cover; 1 without
+  /// a calibration.
   double share(std::size_t finger, const std::optional<GloveCalibration>& calibration) const;
 
  private:

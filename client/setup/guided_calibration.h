@@ -13,13 +13,16 @@ namespace prosector {
 
 class GuidedCalibration {
  public:
-  /// Starts a guide and opens the device. Throws InputError for an address without a driver.
+  /// Opens the device at `address` and starts the guide, which leads the user through the steps of a
+  /// calibration. Throws InputError for an address without a driver.
   GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address, const DeviceConfig& device);
-  /// Starts a guide that compares the device with a second one.
+  /// Opens the devices at `address` and `other`, which the user moves together, and starts the guide, which
+  /// measures the delay of the first relative to the second. Throws InputError for an address without a
+  /// driver.
   GuidedCalibration(std::unique_ptr<DelayGuide> guide, const std::string& address, const DeviceConfig& device,
                     const std::string& other);
 
-  /// Passes new samples from the device to the guide.
+  /// Takes the samples that the device has sent since the last call, and passes them to the guide.
   void poll();
   void back() { guide_->back(); }
   GuideStep step() const { return guide_->step(); }
@@ -33,10 +36,10 @@ class GuidedCalibration {
   std::vector<DeviceSample> samples_;
 };
 
-/// Returns a configuration's tracker address. Throws InputError if it has none.
+/// Returns the address of the configuration's tracker. Throws InputError if no tracker is configured.
 const std::string& tracker_of(const ClientConfig& config);
 
-/// The user's settings of a calibration.
+/// Settings that the user enters for a calibration; each kind of calibration uses some of them.
 struct CalibrationSettings {
   StationRole role = StationRole::right_hand;  // role of the receiver to calibrate
   std::size_t hand = right_hand;               // of the glove
@@ -48,8 +51,9 @@ struct CalibrationSettings {
   std::string against;  // address of a second device that moves along
 };
 
-/// Starts a calibration with the devices of a configuration. Throws InputError if a device is missing or the
-/// settings are invalid.
+/// Starts the calibration of the tracker's position in the room. The other functions start those of an
+/// instrument's tip, the magnetic field, a phantom, a glove, noise and latency. They open the devices of the
+/// configuration, and throw InputError if one is missing or the settings are invalid.
 std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationSettings& wishes);
 std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationSettings& wishes);
 std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationSettings& wishes);
@@ -60,7 +64,7 @@ std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const
 std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config,
                                                  const CalibrationSettings& wishes);
 
-/// The file of a field map, next to the configuration file.
+/// Name of the file with the map of the magnetic field's distortion, in the configuration file's folder.
 inline constexpr const char* field_map_file = "field.toml";
 
 }  // namespace prosector

@@ -17,7 +17,7 @@ struct ImGuiContext;
 
 namespace prosector {
 
-/// A control's latest position, for test scripts that click.
+/// Name and latest position of a control of the set-up window, for test scripts that click it.
 struct PlacedControl {
   std::string name;
   double left = 0, top = 0, right = 0, bottom = 0;  // pixels of the frame, from the top left
@@ -25,27 +25,31 @@ struct PlacedControl {
 
 class Interface {
  public:
-  /// Stores a reference to `context`, which must outlive the object. `scale`: of text and controls; `words`:
-  /// translations for pages. Throws InputError as the painter does, and without fonts.
+  /// Creates the user interface. `context` must outlive it; `scale` is the factor of the sizes of text and
+  /// controls; `words` are the translations. Throws InputError if OpenGL, a shader or the fonts are
+  /// unavailable.
   Interface(GlContext& context, const std::filesystem::path& shaders, double scale, Catalogue words = {});
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
-  /// Adds window events. A press and release within one frame is shown as pressed for one frame.
+  /// Queues window events for the next frames. If a button or key is pressed and released between two frames,
+  /// it is still shown as pressed for one frame.
   void take(const std::vector<WindowEvent>& events);
-  /// Draws a frame, `seconds` after the last one; `pages` calls ImGui.
+  /// Draws a frame: passes queued events to ImGui, calls `pages`, which calls ImGui's functions, and draws
+  /// the resulting controls. `seconds`: time since the last frame.
   void draw(double seconds, const std::function<void()>& pages);
-  /// Returns whether events are still queued.
+  /// Returns whether window events are still queued, so that a further frame must be drawn soon.
   bool behind() const { return !events_.empty(); }
 
-  /// Records the position of the last created control.
+  /// Records the position of ImGui's last created control under this name, for placed().
   void note(const std::string& name);
   const std::vector<PlacedControl>& placed() const { return placed_; }
-  /// Returns ImGui's texture handle for an image. `instead`: a texture to replace; null: a new one.
+  /// Uploads an image and returns its texture handle for ImGui. `instead`: handle of a texture whose image to
+  /// replace; null: creates a new texture.
   void* texture_of(const Image& image, void* instead = nullptr);
   double scale() const { return scale_; }
-  /// Returns the translations into the user's language.
+  /// Returns the translations of the set-up window's texts into the user's language.
   const Catalogue& words() const { return words_; }
   const char* tr(const char* english) const { return words_.tr(english); }
   std::string tr(const std::string& english) const { return words_.tr(english); }

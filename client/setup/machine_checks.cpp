@@ -19,11 +19,14 @@ constexpr std::array shipped_data = {"liver.inr.gz", "head.nii", "brain.nii.gz",
 }  // namespace
 
 MachineCheck check_pictures(double seconds, const std::string& opengl, const Catalogue& words) {
-  MachineCheck out{msg("Pictures"), CheckState::good,
-                   words.tr("{:.1f} ms per frame for a small scene, with {}.", 1e3 * seconds, opengl)};
+  MachineCheck out{
+      msg("Pictures"), CheckState::good,
+      words.tr("Rendering takes {:.1f} ms per frame for a small scene, with {}.", 1e3 * seconds, opengl)};
   if (seconds > bearable) {
     out.state = CheckState::bad;
-    out.words += words.tr(" This is not smooth: use --quality low, or install the graphics card's driver.");
+    out.words += words.tr(
+        " This frame time is too long for smooth motion: use --quality low, or install the graphics card's "
+        "driver.");
   } else if (seconds > smooth) {
     out.state = CheckState::fair;
     out.words += words.tr(" Large scenes may need --quality low, or --frame-time 33.");
@@ -36,10 +39,10 @@ MachineCheck check_real_time(const Catalogue& words) {
   std::thread([&] { given = request_real_time_priority(servo_priority); }).join();
   if (given)
     return {msg("Real-time priority"), CheckState::good,
-            words.tr("Available for the servo loop of a haptic arm.")};
+            words.tr("Real-time priority is available for the servo loop of a haptic arm.")};
   return {msg("Real-time priority"), CheckState::fair,
-          words.tr("Not available: a haptic arm may stutter. Allow it in /etc/security/limits.d: @audio - "
-                   "rtprio 50.")};
+          words.tr("Real-time priority is not available: a haptic arm may stutter. Allow it in "
+                   "/etc/security/limits.d: @audio - rtprio 50.")};
 }
 
 MachineCheck check_clock(const Catalogue& words) {
@@ -51,8 +54,8 @@ MachineCheck check_clock(const Catalogue& words) {
   if ((asked.status & STA_UNSYNC) == 0)
     return {msg("Clock"), CheckState::good, words.tr("Synchronised with a time server.")};
   return {"Clock", CheckState::fair,
-          words.tr("Not synchronised with a time server. Sessions are not affected; times in journals of "
-                   "several machines may differ.")};
+          words.tr("The clock is not synchronised with a time server. Sessions are not affected; times in "
+                   "journals of several machines may differ.")};
 }
 
 MachineCheck check_network_buffers(const std::filesystem::path& limit, const Catalogue& words) {
@@ -60,10 +63,11 @@ MachineCheck check_network_buffers(const std::filesystem::path& limit, const Cat
   if (!(std::ifstream(limit) >> bytes))
     return {msg("Network"), CheckState::unknown, words.tr("Cannot read {}.", limit.string())};
   if (bytes >= good_buffer)
-    return {msg("Network"), CheckState::good, words.tr("Sockets buffer up to {:.0f} kB.", bytes / 1024)};
+    return {msg("Network"), CheckState::good,
+            words.tr("Network sockets buffer up to {:.0f} kB.", bytes / 1024)};
   return {msg("Network"), CheckState::fair,
-          words.tr("Sockets buffer at most {:.0f} kB. If bursts are lost on the network, increase it: sysctl "
-                   "net.core.rmem_max={:.0f}.",
+          words.tr("Network sockets buffer at most {:.0f} kB. If bursts are lost on the network, increase "
+                   "it: sysctl net.core.rmem_max={:.0f}.",
                    bytes / 1024, 4 * good_buffer)};
 }
 
@@ -83,10 +87,10 @@ MachineCheck check_anatomy(const std::filesystem::path& data, const Catalogue& w
   if (missing.empty())
     return {msg("Anatomy"), CheckState::good,
             words.tr("All files of the shipped scenes are in {}.", data.string())};
-  return {
-      msg("Anatomy"), CheckState::fair,
-      words.tr("{} lacks {}: simple shapes are used instead. Fetch the files with deploy/fetch_anatomy.sh.",
-               data.string(), missing)};
+  return {msg("Anatomy"), CheckState::fair,
+          words.tr("The folder {} lacks {}: simple shapes are used instead. Fetch the files with "
+                   "deploy/fetch_anatomy.sh.",
+                   data.string(), missing)};
 }
 
 }  // namespace prosector

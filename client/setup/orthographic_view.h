@@ -18,7 +18,8 @@ struct OrthographicView {
   double nearness(const Vec3& place) const { return (view * place).z(); }
 };
 
-/// Returns the view from above by `down` and from the right by `right`, rad.
+/// Returns the rotation for OrthographicView::view of a viewer that looks down by the angle `down` and is
+/// displaced to the right by the angle `right`, both in rad.
 inline Mat3 seen_from(double down, double right) {
   return (Eigen::AngleAxisd(down, Vec3::UnitX()) * Eigen::AngleAxisd(-right, Vec3::UnitY()))
       .toRotationMatrix();

@@ -23,12 +23,14 @@ class Pages {
 
   void draw(Interface& ui);
   const Said& said() const { return *said_; }
-  /// Returns whether the view changes without user input.
+  /// Returns whether the open page must be redrawn without user input, because it shows live data of a device
+  /// or a running calibration.
   bool lively() const {
     return devices_.open() || tracker_.running() || glove_.running() || camera_.running() ||
            window_.running() || pictures_.running();
   }
-  /// Returns the monitor for full screen, from 0; nullopt: a window.
+  /// Returns the monitor on which the set-up window must be full screen during a calibration of the eyes,
+  /// counted from 0. Returns nullopt if it stays a window.
   std::optional<int> full_screen() const;
 
  private:
@@ -43,6 +45,8 @@ class Pages {
   WindowPage window_;
   PicturesPage pictures_;
   ChecksPage checks_;
+
+  void draw_tabs(Interface& ui);
 };
 
 }  // namespace prosector

@@ -25,7 +25,8 @@ std::span<const ProcedureRow> tracker_procedures() {
        begin_noise,
        {CalibrationSetting::role, CalibrationSetting::seconds}},
       {msg("Latency"),
-       msg("Move a receiver together with a second device. This determines how much later this one reports."),
+       msg("Move a receiver together with a second device. This determines how much later the receiver "
+           "reports."),
        begin_latency,
        {CalibrationSetting::role, CalibrationSetting::seconds, CalibrationSetting::against}},
       {msg("Phantom"),

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// The settings to ask for before a calibration.
+/// Settings that a calibration can ask the user for before it starts.
 enum class CalibrationSetting : std::uint8_t { points, role, grid, hand, seconds, against, shape, landmarks };
 
 struct ProcedureRow {

@@ -21,13 +21,15 @@ struct ListedScene {
 
 class SceneList {
  public:
-  /// Lists the scene files of a folder, sorted by name. Previews are cached in `cache`.
+  /// Lists the scene files (*.toml) in the folder, sorted by the scenes' names. `cache`: folder in which
+  /// rendered preview images are stored.
   SceneList(const std::filesystem::path& folder, std::filesystem::path cache);
 
-  /// Adds a user's scene file, or finds it, and returns its index. Throws InputError if it can't be read or
-  /// is not a scene.
+  /// Adds the scene file to the list, unless it is listed already, and returns its index. Throws InputError
+  /// if it can't be read or is not a scene.
   std::size_t add(const std::filesystem::path& file);
-  /// Renders missing previews one after the other, without waiting.
+  /// Loads the preview images one after the other, without waiting. A missing one is rendered by a client
+  /// process.
   void poll();
   const std::vector<ListedScene>& scenes() const { return scenes_; }
 

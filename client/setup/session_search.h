@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// A session as seen from outside.
+/// Session found on the network: the server's description of it and its participants.
 struct FoundSession {
   SessionInfo info;
   std::vector<std::string> people;  // "Ada (host)", sorted by name
@@ -28,11 +28,11 @@ struct SearchResult {
 
 class SessionSearch {
  public:
-  /// Starts searching the network of the configuration.
+  /// Starts a thread that searches the network described by `where` for sessions again and again.
   explicit SessionSearch(const BusConfig& where);
   ~SessionSearch();
 
-  /// Searches this network from now on, and discards the results so far.
+  /// Searches the network described by `where` from now on, and discards the results so far.
   void search(const BusConfig& where);
   SearchResult result() const;
 

@@ -67,7 +67,7 @@ void remember(const SetupChoices& memory, const std::filesystem::path& file) {
                           {"monitor", memory.seen.monitor},
                           {"entered", entered}};
   std::ostringstream text;
-  text << "# What was chosen last in Prosector's set-up window.\n" << table << "\n";
+  text << "# The choices last made in Prosector's set-up window.\n" << table << "\n";
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   std::filesystem::path fresh = file;

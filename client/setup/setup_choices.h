@@ -7,13 +7,14 @@
 
 namespace prosector {
 
-/// Display settings of a session.
+/// Display settings with which the user enters a session: kind of display, quality and monitor.
 struct DisplaySettings {
   std::string display = "window";  // value of --display
   std::string quality = "medium";  // value of --quality; empty: adapted to --frame-time
   int monitor = -1;                // full screen on this monitor, from 0; negative: a window
 
-  /// Returns the command-line arguments, without defaults.
+  /// Returns the client's command-line arguments for these display settings, omitting those with default
+  /// values.
   std::vector<std::string> words() const;
 };
 
@@ -27,11 +28,14 @@ struct SetupChoices {
 };
 inline constexpr std::size_t max_recent_sessions = 8;
 
-/// Reads the file. A missing or damaged file counts as empty, because it contains no user work.
+/// Reads the user's last choices from the file. A missing or damaged file yields the defaults, because it
+/// contains no user work.
 SetupChoices recall(const std::filesystem::path& file);
-/// Saves the choices. Throws InputError if the file can't be written.
+/// Writes the user's choices to the file, for the next start of the set-up window. Throws InputError if the
+/// file can't be written.
 void remember(const SetupChoices& memory, const std::filesystem::path& file);
-/// Moves a session to the front of the entered ones.
+/// Moves the session's name to the front of the recently entered sessions, of which at most
+/// max_recent_sessions are stored.
 void add_recent_session(SetupChoices& memory, const std::string& session);
 
 }  // namespace prosector

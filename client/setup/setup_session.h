@@ -16,7 +16,7 @@
 
 namespace prosector {
 
-/// Paths and settings of the set-up window.
+/// Files, folders, network and language with which the set-up window starts.
 struct SetupPaths {
   BusConfig bus;                        // of participants; its profile applies while "lan" is not selected
   std::filesystem::path scenes, cache;  // folders
@@ -30,24 +30,31 @@ class SetupSession {
  public:
   explicit SetupSession(SetupPaths places);
 
-  /// Advances the running operations without waiting. May start an entry that waits for the hosted server.
+  /// Advances the scene previews, the session search and the hosted server, without waiting. When a hosted
+  /// server is ready, requests to enter its session if that was pending.
   void poll();
-  /// Sets whether the local network is searched for sessions, too.
+  /// Sets whether sessions are searched on the local network, too, not only on this machine.
   void search_lan(bool lan);
-  /// Starts hosting a scene, and enters the session once it is open. Shows a message on failure.
+  /// Starts a server that hosts the scene under the name `session`, and enters the session once the server is
+  /// ready. Shows a message on failure.
   void host(const std::filesystem::path& scene, const std::string& session);
   void close_hosted();
-  /// Adds a user's scene file. Returns its index among the scenes; nullopt: shows a message with the reason.
+  /// Adds a user's scene file to the list of scenes, and returns its index there. If the file is not a scene,
+  /// shows a message with the reason and returns nullopt.
   std::optional<std::size_t> offer(const std::filesystem::path& scene);
-  /// Requests entering a session.
+  /// Requests to enter a session, and saves it among the recently entered ones. take_entry_command() then
+  /// returns the command to run.
   void enter(const std::string& session);
-  /// Returns the command that enters a session.
+  /// Returns the command line that starts a client in the session, as a participant or observer, with the
+  /// user's settings.
   std::vector<std::string> entering(const std::string& session) const;
-  /// Returns the command requested since the last call.
+  /// Returns the command line of the client to start, if entering a session was requested since the last
+  /// call; otherwise nullopt.
   std::optional<std::vector<std::string>> take_entry_command();
-  /// Reports the end of an entered session: the client's exit code and last output.
+  /// Shows a message on the end of an entered session. `status`: the client's exit code; `words`: its last
+  /// output, which is shown as the reason of an error.
   void report_exit(int status, const std::string& words);
-  /// Shows a message until it is replaced.
+  /// Shows a message below the pages until another one replaces it. `wrong`: it is an error message.
   void say(std::string words, bool wrong);
 
   SetupChoices memory;

@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// A page's message, shown until it is replaced.
+/// Message of a set-up page, shown below the pages until another one replaces it.
 struct Said {
   std::string words;
   bool wrong = false;  // an error message

@@ -140,7 +140,7 @@ void TrackerRangePanel::draw_pictures(Interface& ui, const ClientConfig& config)
     draw_range(space, config.tracker_device.fastrak.hemisphere, scale);
     draw_dots(space, scale);
     list.AddText({corner.x + 6 * scale, corner.y + 3 * scale}, IM_COL32(158, 166, 178, 255),
-                 right ? ui.tr("from behind") : ui.tr("from above, forward is up"));
+                 right ? ui.tr("from behind") : ui.tr("view from above, forward is up"));
     list.PopClipRect();
     list.AddRect(corner, {corner.x + wide, corner.y + high}, IM_COL32(255, 255, 255, 30), 4 * scale, 0,
                  scale);
@@ -227,7 +227,7 @@ void TrackerRangePanel::draw_side(Interface& ui, ConfigDraft& draft, Said& said)
     if (ImGui::RadioButton(ui.tr(side.name), (now.normalized() - side.zenith).norm() < 1e-3)) {
       const std::vector<double> zenith(side.zenith.data(), side.zenith.data() + 3);
       change(draft, said, {"tracker.hemisphere", zenith},
-             ui.tr("The receivers are assumed to be: {}.", ui.tr(side.name)));
+             ui.tr("The receivers are assumed to be on this side of the transmitter: {}.", ui.tr(side.name)));
     }
     ui.note(side.name);
   }
@@ -240,7 +240,7 @@ void TrackerRangePanel::draw_ahead(Interface& ui, ConfigDraft& draft, Said& said
   bool boresight = draft.config().tracker_device.fastrak.boresight;
   if (ImGui::Checkbox(ui.tr("use the receivers' orientation at start as forward"), &boresight))
     change(draft, said, {"tracker.boresight", boresight},
-           boresight ? msg("Forward is the receivers' orientation at start.")
+           boresight ? msg("Straight ahead is the direction that the receivers had when tracking started.")
                      : msg("Forward is defined by the receivers' housing."));
   ui.note("boresight");
   if (!boresight) return;

@@ -14,10 +14,11 @@ namespace prosector {
 
 struct OrthographicView;
 
-/// A tracker's accuracy at a distance from its transmitter.
+/// Class of a tracker's accuracy at a distance from its transmitter: as specified, less accurate, or out of
+/// range.
 enum class Trust : std::uint8_t { good, less, none };
-/// Returns the accuracy class for a FASTRAK: specified accuracy within 0.76 m, operation up to 3 m. Returns
-/// none if the device reported an `error`.
+/// Returns the accuracy class at a `distance` (m) from the transmitter of a FASTRAK tracker: good up to 0.76
+/// m, less up to 3 m. Returns none beyond, or if `error`, the device's error character, is not a blank.
 Trust trust_at(double distance, char error);
 
 class TrackerRangePanel final : public LivePanel {

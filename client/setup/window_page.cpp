@@ -118,7 +118,7 @@ void WindowPage::draw_settings(Interface& ui, ConfigDraft& draft) {
   if (edit_address(ui, address_, found_, ui.tr("No camera is connected.")) &&
       address_.text != draft.config().window.address)
     name_camera(draft);
-  quiet(ui.tr("face: followed by a camera's number, file, stream or synthetic:FILE"));
+  quiet(ui.tr("Enter face: followed by a camera's number, file, stream or synthetic:FILE"));
   if (!draft.problem().empty()) warning(draft.problem());
   if (draft.config().window.address.empty()) return;
   draw_camera(ui, draft);
@@ -147,14 +147,15 @@ void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
   }
   std::optional<double> down = downward_pitch(camera.q);
   if (!down)
-    quiet(ui.tr("Its orientation is set in the file: window.camera.orientation"));
+    quiet(ui.tr("The camera's orientation is set in the configuration file: window.camera.orientation"));
   else if (edit_number(ui, ui.tr("° downward tilt"), "looks down", *down, "%.1f"))
     changes.push_back({"window.camera.orientation", written(looking_down(*down))});
   if (edit_number(ui, ui.tr("mm between your pupils"), "eyes apart", apart, "%.1f"))
     changes.push_back({"eyes.distance", apart / mm});
-  quiet(config.eyes.distance ? ui.tr("An error of 1 % changes your measured distance by 1 %.")
-                             : ui.tr("Not calibrated: using average adult values. Measure yours with the "
-                                     "ruler on the Pictures page."));
+  quiet(config.eyes.distance
+            ? ui.tr("An error of 1 % in this value changes your measured distance from the camera by 1 %.")
+            : ui.tr("Not calibrated: using average adult values. Measure yours with the "
+                    "ruler on the Pictures page."));
   if (!changes.empty()) change(draft, changes);
 }
 

@@ -18,7 +18,7 @@ namespace prosector {
 class WindowPage {
  public:
   void draw(Interface& ui, SetupSession& room, ConfigDraft& draft, std::int64_t now_ns);
-  /// Closes the camera.
+  /// Closes the camera that detects the user's eyes, so that another program can use it.
   void close();
   bool running() const { return watch_ != nullptr; }
   const Said& said() const { return said_; }

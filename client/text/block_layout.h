@@ -12,7 +12,8 @@ struct BlockFrame {
   bool centred = false;
 };
 
-/// Lays out lines, columns and paragraphs as documented at Typesetter::set().
+/// Lays out the lines, tab-separated columns and paragraphs of a text in a frame, and returns the glyphs'
+/// positions in em. Typesetter::set() documents the rules of alignment, wrapping and shortening.
 TextBlock lay_out(Fonts& fonts, std::u32string_view characters, const BlockFrame& frame);
 
 }  // namespace prosector

@@ -13,7 +13,8 @@ struct hb_font_t;
 
 namespace prosector {
 
-/// A glyph's image: one byte per pixel, rows from the top.
+/// Image of a glyph and its offset from the pen. One byte per pixel, the coverage or the signed distance;
+/// rows from the top.
 struct GlyphImage {
   int width = 0, height = 0;
   int left = 0;  // pixels from the pen to the image's left
@@ -28,13 +29,15 @@ inline constexpr double largest_image = 160;  // pixels per em: larger text is s
 
 class Font {
  public:
-  /// Opens the face; the library must outlive it. Throws InputError with the file name.
+  /// Opens the font face in the file. The FreeType library must outlive this object. Throws InputError with
+  /// the file name if FreeType can't read it.
   Font(FT_LibraryRec_* library, const FontFile& file);
 
-  /// Draws the glyph's coverage of each pixel, 0…255. `size`: of the em, in 64ths of a pixel. Light hinting
-  /// (vertical only). The pen is at `phase` of `pen_phases` within its pixel.
+  /// Renders the glyph's coverage of each pixel, 0 to 255, with light hinting (vertical only). `size` is that
+  /// of the em, in 64ths of a pixel. The pen is at `phase` / `pen_phases` of a pixel from its pixel's left
+  /// border.
   GlyphImage coverage(std::uint32_t glyph, int size, int phase) const;
-  /// Draws the glyph's signed distance field: 128 on the outline, up to 255 at `distance_reach` pixels
+  /// Computes the glyph's signed distance field: 128 on the outline, up to 255 at `distance_reach` pixels
   /// inside, down to 1 at the same distance outside. The em is `distance_em` pixels.
   GlyphImage distances(std::uint32_t glyph) const;
 

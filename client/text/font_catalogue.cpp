@@ -84,7 +84,7 @@ FontCatalogue::FontCatalogue(const std::vector<std::filesystem::path>& files) {
     if (!characters) throw InputError(fmt::format("text: {} is not a font", path.string()));
     entries_.push_back({file_of(font.get()), std::move(characters)});
   }
-  if (entries_.empty()) throw InputError("text: a catalogue of fonts needs at least one");
+  if (entries_.empty()) throw InputError("text: a font catalogue needs at least one font");
 }
 
 bool FontCatalogue::has(std::size_t font, char32_t character) const {

@@ -16,15 +16,15 @@ struct FontFile {
   std::string family;
 };
 
-/// Fonts in order of preference. Systems have different fonts, so the ones recommended for Prosector are
-/// first: with them installed, text looks the same everywhere.
+/// Fonts in order of preference, with the set of characters of each. Systems have different fonts, so the
+/// ones recommended for Prosector are first: with them installed, text looks the same everywhere.
 class FontCatalogue {
  public:
-  /// Lists this system's outline fonts that add characters to the fonts before them (fontconfig). Throws
-  /// InputError with the Debian package's name if there are none.
+  /// Lists this system's outline fonts, found by fontconfig. A font is listed only if it adds characters to
+  /// the fonts before it. Throws InputError with the name of the Debian package to install if there are none.
   FontCatalogue();
-  /// Lists these files in the given order. Throws InputError for a file that is not a font, and for an empty
-  /// list.
+  /// Lists the fonts of these files in the given order. Throws InputError for a file that is not a font, and
+  /// for an empty list.
   explicit FontCatalogue(const std::vector<std::filesystem::path>& files);
 
   std::size_t size() const { return entries_.size(); }

@@ -14,10 +14,11 @@ class Fonts {
  public:
   explicit Fonts(FontCatalogue catalogue);
 
-  /// Returns the first font with the character. If there is none, returns the first font, which draws a box.
+  /// Returns the first font of the catalogue that has the character and can be opened, and opens it. If there
+  /// is none, returns the first usable font, which draws a box for the character.
   FontId font_of(char32_t character);
   bool has(FontId font, char32_t character) const { return catalogue_.has(font, character); }
-  /// Returns a font by an id from font_of().
+  /// Returns the opened font with an id that font_of() returned.
   const Font& at(FontId font) const { return *opened_.at(font); }
   const FontCatalogue& catalogue() const { return catalogue_; }
 

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Identifies an image of a glyph.
+/// Key of a glyph's image on the sheet (texture atlas): the font, the glyph, its size, and the pen's phase
+/// within a pixel.
 struct GlyphKey {
   std::uint32_t font = 0, glyph = 0;
   int size = 0;   // 64ths of a pixel
@@ -29,10 +30,10 @@ class GlyphSheet {
   static constexpr int most_height = 2048;       // limits a sheet to 2 MiB
   static constexpr int most_glyph_height = 512;  // higher glyphs are not stored
 
-  /// Returns the glyph's position on the sheet; `make` draws it at the first use. nullopt: the sheet is full
-  /// and must be cleared.
+  /// Returns the position of the glyph's image on the sheet. At the key's first use, `make` renders the
+  /// image, which is then added. Returns nullopt if the sheet is full; it must be cleared first.
   std::optional<GlyphSpot> spot(const GlyphKey& key, const std::function<GlyphImage()>& make);
-  /// Removes all glyphs; the height stays.
+  /// Removes all glyph images from the sheet. The sheet's height stays.
   void clear();
 
   int height() const { return height_; }
@@ -44,14 +45,16 @@ class GlyphSheet {
   struct Rows {
     int first = 0, end = 0;
   };
-  /// Returns the rows that changed since the last call.
+  /// Returns the range of the sheet's pixel rows that changed since the last call, which must be uploaded to
+  /// the texture.
   Rows take_changed();
 
  private:
   struct Hash {
     std::size_t operator()(const GlyphKey& key) const;
   };
-  /// A row of glyphs of similar height.
+  /// Shelf of the glyph sheet: a strip of pixel rows in which images of similar height are placed from left
+  /// to right.
   struct Shelf {
     int top, height, used = 0;
   };

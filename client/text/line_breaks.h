@@ -10,12 +10,13 @@ struct ParagraphLine {
   std::size_t first;  // index in the paragraph's characters
 };
 
-/// Breaks the paragraph into lines of at most `width` (em): at blanks, after hyphens, between ideographs.
-/// Breaks within a word only if the word alone is wider. A line has at least one cluster. Blanks at a break
-/// are removed. `width` 0: one line.
+/// Breaks the paragraph into lines of at most `width` (em). Lines end at blanks, after hyphens, or between
+/// ideographs, and within a word only if the word alone is wider. A line has at least one cluster (group of
+/// characters that is drawn as a unit). Blanks at a break are removed. `width` 0: returns a single line.
 std::vector<ParagraphLine> broken(const Paragraph& paragraph, double width);
 
-/// Returns one line with as many of the characters as fit, and an ellipsis. `width` 0: all of them.
+/// Returns one line with as many of the characters as fit into `width` (em) together with a final ellipsis.
+/// `width` 0: returns all characters and the ellipsis.
 TextLine with_ellipsis(Fonts& fonts, const std::u32string& characters, Direction direction, double width);
 
 }  // namespace prosector

@@ -14,16 +14,19 @@ enum class Direction : std::uint8_t { as_written, left_to_right, right_to_left }
 
 class Paragraph {
  public:
-  /// Takes the characters of one paragraph, without '\n'. `direction`: as_written is that of the first
-  /// letter's script. The fonts must outlive the paragraph.
+  /// Analyses the characters of one paragraph, without '\n': their writing directions, scripts and fonts.
+  /// `direction` is the base direction; as_written takes it from the first letter's script. The fonts must
+  /// outlive the paragraph.
   Paragraph(Fonts& fonts, std::u32string characters, Direction direction = Direction::as_written);
 
   const std::u32string& characters() const { return characters_; }
   Direction direction() const;
-  /// Returns the glyphs of the characters from `first` up to `end` as a line.
+  /// Returns a line with the glyphs of the paragraph's characters with indices from `first` to before `end`,
+  /// in visual order.
   TextLine line(std::size_t first, std::size_t end) const;
-  /// Returns the advance of each character in an unbroken line, em. A cluster's first character has the
-  /// cluster's advance; the others have −1, since lines can't be broken before them.
+  /// Returns the advance of each character if the paragraph is one unbroken line, em. The first character of
+  /// a cluster (group of characters that is drawn as a unit) has the cluster's advance. The others have −1,
+  /// since lines can't be broken before them.
   std::vector<double> advances() const;
 
  private:

@@ -11,8 +11,8 @@ namespace prosector {
 /// and trailing blanks are removed; several blanks between words become one.
 std::u32string search_key(std::string_view utf8);
 
-/// Returns whether `key` contains each word of `searched`; both are search keys. An empty search matches
-/// everything.
+/// Returns whether `key` contains each word of `searched`, anywhere and in any order. Both must be results of
+/// search_key(). An empty `searched` matches every key.
 bool is_found(std::u32string_view key, std::u32string_view searched);
 
 }  // namespace prosector

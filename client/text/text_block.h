@@ -8,12 +8,12 @@
 
 namespace prosector {
 
-/// Line metrics. They are the same in every script, so that a text's height depends only on its number of
-/// lines.
+/// Heights of a line above and below its baseline, em. They are the same in every script, so that a text's
+/// height depends only on its number of lines.
 inline constexpr double line_ascent = 0.93, line_descent = 0.24;  // above and below the baseline
 inline constexpr double line_spacing = 1.3;                       // from a baseline to the next
 
-/// Returns the height of this number of lines.
+/// Returns the height of a block with this number of lines, em.
 constexpr double height_of_lines(std::size_t lines) {
   return lines == 0 ? 0 : line_ascent + line_descent + line_spacing * static_cast<double>(lines - 1);
 }

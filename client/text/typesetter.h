@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// The size of a text, and the area that it must fit into. All lengths in one unit: pixels, points or metres.
+/// Size of a text, and the area that it must fit into. All lengths have the same unit: pixels, points or
+/// metres.
 struct TextFrame {
   double size = 1;        // of the em; reduced if the text does not fit
   double least_size = 0;  // minimum em size; smaller would be cut instead; 0: it does not shrink
@@ -27,13 +28,15 @@ struct SetText {
 
 class Typesetter {
  public:
-  /// Uses this system's fonts. Throws InputError with the Debian package's name if there are none.
+  /// Creates a typesetter that uses this system's fonts. Throws InputError with the name of the Debian
+  /// package to install if there are none.
   Typesetter() : Typesetter(FontCatalogue()) {}
   explicit Typesetter(FontCatalogue catalogue) : fonts_(std::move(catalogue)) {}
 
-  /// Typesets any UTF-8. Each line has the direction of its first letter's script; right-to-left lines are
-  /// aligned with the frame's right. A '\t' begins a column, aligned over all lines with one; the last
-  /// column's text is wrapped within it. Recent results are cached.
+  /// Lays out UTF-8 text in any script, and returns its lines with the size at which it fits the frame. Each
+  /// line has the direction of its first letter's script; right-to-left lines are aligned with the frame's
+  /// right. A '\t' begins a column, which is aligned over all lines with one; the last column's text is
+  /// wrapped within it. Recent results are cached.
   SetText set(std::string_view text, const TextFrame& frame);
 
   const Font& font(FontId font) const { return fonts_.at(font); }

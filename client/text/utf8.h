@@ -8,11 +8,11 @@ namespace prosector {
 
 inline constexpr char32_t replacement_character = 0xFFFD;
 
-/// Returns the characters of any text. Each ill-formed sequence, and each control character except '\n' and
+/// Converts UTF-8 to Unicode characters. Each ill-formed sequence, and each control character except '\n' and
 /// '\t', becomes U+FFFD. The '\r' of "\r\n" is removed.
 std::u32string characters_of(std::string_view utf8);
 
-/// Returns the characters as UTF-8; surrogates and values above U+10FFFF become U+FFFD.
+/// Converts Unicode characters to UTF-8. Surrogates and values above U+10FFFF become U+FFFD.
 std::string utf8_of(std::u32string_view characters);
 
 }  // namespace prosector

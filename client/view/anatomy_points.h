@@ -5,8 +5,9 @@
 
 namespace prosector {
 
-/// Returns vertices (m, world frame, rest pose) of the soft bodies and of the parts near them. Without soft
-/// bodies or parts: those of the movable bodies; empty if no body moves.
+/// Returns vertices (m, world frame, rest pose) of the soft bodies and of the anatomical parts within 0.3 m
+/// of them, to which the initial view is fitted. Without soft bodies, those of all parts; without either,
+/// those of the movable bodies. Empty if no body moves.
 std::vector<Vec3> anatomy_points(Replica& replica);
 
 }  // namespace prosector

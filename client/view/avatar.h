@@ -10,20 +10,23 @@
 
 namespace prosector {
 
-/// Meshes of an avatar, shared by all avatars.
+/// Render meshes of an avatar without its hands, shared by the avatars of all users.
 struct FigureMeshes {
   std::shared_ptr<const DrawMesh> head, cap, mask, bust, eyes, forearm;
 
   static constexpr std::uint64_t meshes = 6;
-  /// Assigns the mesh ids `first_mesh_id` … `first_mesh_id` + meshes − 1.
+  /// Creates render meshes of the avatar's surfaces. They get the ids `first_mesh_id` … `first_mesh_id` +
+  /// meshes − 1.
   FigureMeshes(const FigureSurfaces& surfaces, std::uint64_t first_mesh_id);
 };
 
-/// Adds head and shoulders in the user's colour, with the name above them.
+/// Adds an avatar's head and shoulders in the user's colour (linear RGB), with the user's name above them.
+/// `head`: pose of the eyes, room frame.
 void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, const Vec3& color,
                 const std::string& name);
 
-/// Adds a forearm with its cuff at a pose computed by forearm_behind().
+/// Adds an avatar's forearm with its cuff in the user's colour (linear RGB). `forearm`: room pose computed by
+/// forearm_behind().
 void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& forearm, const Vec3& color);
 
 }  // namespace prosector

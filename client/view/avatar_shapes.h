@@ -14,15 +14,15 @@ struct FigureSurfaces {
   TriangleMesh head, cap, mask, bust, forearm;
 };
 
-/// Makes the surfaces. Takes some tenths of a second.
+/// Computes the surfaces of an avatar's head, cap, mask, bust and forearm. Takes some tenths of a second.
 FigureSurfaces make_figure_surfaces();
 
-/// Returns the pose of the bust below a head. The bust is upright, yaws with the head and meets it at the
-/// neck.
+/// Returns the pose of an avatar's bust below its head, whose pose is that of the eyes. The bust is upright,
+/// yaws with the head and meets it at the neck.
 Pose bust_below(const Pose& head);
 
-/// Returns the pose of the forearm behind a wrist. It points from the wrist towards the bust's shoulder on
-/// that side (left_hand, right_hand), within the range of the wrist.
+/// Returns the pose of an avatar's forearm behind a wrist. It points from the wrist towards the bust's
+/// shoulder on the side of `hand` (left_hand or right_hand), within the wrist's range of motion.
 Pose forearm_behind(const Pose& wrist, const Pose& bust, std::size_t hand);
 
 }  // namespace prosector

@@ -9,8 +9,8 @@
 
 namespace prosector {
 
-/// Returns the body's name and its time step ("12 steps of 1.39 ms"). Adds its estimated error, if known, and
-/// whether its effort was reduced. One line each.
+/// Returns solver statistics of a soft body as lines of text: its name, and its time step ("12 steps of 1.39
+/// ms"). Adds its estimated error, if known, and whether its solver effort was reduced.
 std::string body_figures(const SceneBody& body, const BodyStatus& status, const Catalogue& words = {});
 
 }  // namespace prosector

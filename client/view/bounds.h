@@ -18,7 +18,7 @@ inline Eigen::AlignedBox3f box_of(std::span<const Eigen::Vector3f> points) {
   return box;
 }
 
-/// Returns a bounding sphere of the points, centred on their bounding box.
+/// Returns a sphere around all points, centred on the centre of their bounding box.
 inline Sphere bounds_of(std::span<const Eigen::Vector3f> points) {
   if (points.empty()) return {};
   const Eigen::Vector3f center = box_of(points).center();
@@ -27,13 +27,13 @@ inline Sphere bounds_of(std::span<const Eigen::Vector3f> points) {
   return {center.cast<double>(), std::sqrt(static_cast<double>(squared))};
 }
 
-/// Returns an upper bound of the largest stretch of the item's shape: the Frobenius norm, which is never
-/// smaller than it.
+/// Returns an upper bound of the factor by which the item's shape (a linear map) stretches any direction. It
+/// is the map's Frobenius norm, which is never smaller than the largest stretch.
 inline double stretch_of(const DrawItem& item) {
   return item.shape.A.isIdentity(0) ? 1 : item.shape.A.norm();
 }
 
-/// Returns a world-frame bounding sphere of a sphere given in the frame of the item's mesh.
+/// Returns a bounding sphere in the world frame for a sphere given in the frame of the item's mesh.
 inline Sphere placed(const Sphere& sphere, const DrawItem& item) {
   return {item.shape * (item.pose * sphere.center), sphere.radius * stretch_of(item)};
 }

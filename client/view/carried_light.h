@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Transforms a light from its carrier's frame to the frame of the carrier's pose.
+/// Returns the light that a body carries, transformed from the body's frame to the room. `carrier`: the
+/// body's room pose.
 inline LightInfo light_in_room(const Pose& carrier, LightInfo light) {
   light.position = carrier * light.position;
   light.direction = carrier.q * light.direction;

@@ -12,13 +12,14 @@ namespace prosector {
 
 class CutLines {
  public:
-  /// Begins a frame with no bodies.
+  /// Begins a frame: removes the bodies that put() added for the last frame.
   void begin();
-  /// Adds a body to the frame. `mesh`: its outer surface as drawn; `shape`: from the mesh's frame to the
-  /// room. `soft` and `mesh` must not change until add().
+  /// Adds a soft body whose cuts are marked by lines in this frame. `mesh`: its outer surface as drawn;
+  /// `shape`: map from the mesh's frame to the room. `soft` and `mesh` must not change until add().
   void put(BodyId body, const SoftReplica& soft, const DrawMesh& mesh, const Affine& shape);
-  /// Adds the lines for the list's first camera. A side of a cut has a line if the opposite side's body is in
-  /// the frame and the sides are within closed_pixels. A gaping cut shows its inside instead of a line.
+  /// Adds lines along the cuts of the bodies that put() added for this frame to the list. Each side of a cut
+  /// gets a line if put() also added the body on the other side. The two sides of the cut must be at most
+  /// closed_pixels apart for the first camera; a wider cut shows its inside instead.
   void add(DrawList& list);
 
   static constexpr double width = 1.6;  // points

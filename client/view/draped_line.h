@@ -10,11 +10,13 @@
 
 namespace prosector {
 
-/// Returns the first surface point on a ray; if a body is given, of that body only.
+/// Function that returns the first point at which a ray meets a body's surface; if a body is given, only that
+/// body counts. It returns nullopt if there is none.
 using FindSurface = std::function<std::optional<Picked>(const Ray&, std::optional<BodyId>)>;
 
-/// Returns points (m, world frame) on the body along a straight line over its surface, from `behind` before
-/// the point to `ahead` beyond it. `along`: unit. The line ends at the body's border.
+/// Returns points (m, world frame) of a straight line that is projected onto the surface of `point`'s body.
+/// The line runs in the direction `along` (unit), from `behind` m before the point to `ahead` m beyond it. It
+/// ends early at the body's border.
 std::vector<Vec3> draped_line(const FindSurface& find, const Picked& point, const Vec3& along, double behind,
                               double ahead);
 

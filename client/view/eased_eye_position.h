@@ -9,10 +9,12 @@ namespace prosector {
 
 class EasedEyePosition {
  public:
-  /// Sets the detected eye position at a time, in seconds of a monotonic clock.
+  /// Records that the tracker detected the user's eye at the position `eye` at the time `seconds` (monotonic
+  /// clock, s).
   void saw(const Vec3& eye, double seconds);
-  /// Returns the estimated eye position; `rest` is its resting position. After some time of tracking, this
-  /// equals the last detected position.
+  /// Returns the eye position for rendering at the time `seconds` (monotonic clock, s). While the eye is
+  /// tracked, it is the last detected position. After tracking is lost it moves smoothly to `rest`, and back
+  /// once tracking resumes.
   Vec3 at(double seconds, const Vec3& rest);
 
   static constexpr double held = 0.5;  // s that the last detected position is held

@@ -16,18 +16,20 @@ namespace prosector {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// A surface under simplification by edge collapses. Vertices on open edges and on non-manifold edges (more
-/// than two triangles) stay. The result depends only on the arguments.
+/// Surface mesh that is simplified by collapsing edges into one of their vertices. Vertices on open edges and
+/// on non-manifold edges (more than two triangles) stay. The result depends only on the arguments.
 class EdgeCollapser {
  public:
-  /// Stores a reference to `positions`, which must outlive this object.
+  /// Prepares the simplification of a surface mesh. Stores a reference to `positions`, which must outlive
+  /// this object.
   EdgeCollapser(std::span<const Eigen::Vector3f> positions, const Triangles& triangles);
 
-  /// Collapses edges until `triangles` are left. Returns false if no further edge can collapse without
-  /// flipping a triangle or changing the surface's topology.
+  /// Collapses edges until at most `triangles` triangles are left. Returns false if that is impossible,
+  /// because each further collapse would flip a triangle or change the surface's topology.
   bool reduce_to(std::size_t triangles);
   bool is_gone(std::size_t triangle) const { return gone_[triangle]; }
-  /// Returns the vertex that `v` collapsed into, followed to the end of the chain; `v` itself if it remains.
+  /// Returns the remaining vertex into which vertex `v` collapsed, directly or through others; `v` itself if
+  /// it remains.
   std::uint32_t replacement_of(std::uint32_t v) const;
 
  private:

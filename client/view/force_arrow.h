@@ -5,8 +5,9 @@
 
 namespace prosector {
 
-/// Adds an arrow from the contact point (m, world frame) along the force on the hand, N. Its length is
-/// proportional to the force up to a maximum. Very small forces have no arrow.
+/// Adds an arrow that shows the contact force on a hand. It starts at the contact point (m, world frame) and
+/// points along the force (N). Its length is proportional to the force up to a maximum; very small forces
+/// have no arrow.
 void add_force_arrow(DrawList& list, const Vec3& point, const Vec3& force);
 
 }  // namespace prosector

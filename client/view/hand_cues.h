@@ -13,8 +13,9 @@ namespace prosector {
 
 class HandCues {
  public:
-  /// Adds the cues of a hand with fingertips at `fingertips` (m, world frame); none if no surface is below.
-  /// Takes mesh ids from `next_mesh_id`.
+  /// Adds the depth cues of a hand with fingertips at `fingertips` (m, world frame): a line down to a ring on
+  /// the surface below, and a shadow there. Adds nothing if there is no surface below. Takes the ids of new
+  /// meshes from `next_mesh_id`.
   void add(DrawList& list, const Vec3& fingertips, const FindSurface& find, std::uint64_t& next_mesh_id);
 
  private:

@@ -8,10 +8,12 @@
 
 namespace prosector {
 
-/// Makes a mesh of the open hand. Its `rest_positions` hold the open shape, so that textures stick.
+/// Creates the render mesh of the open hand's skin. Its `rest_positions` hold the open shape, so that
+/// textures stick to the skin when the fingers bend.
 std::shared_ptr<DrawMesh> make_hand_mesh(const HandSkin& skin, std::uint64_t mesh_id);
 
-/// Bends a mesh of make_hand_mesh() and increments its positions_revision.
+/// Deforms a mesh that make_hand_mesh() created so that its fingers have these flexions (0 open … 1 closed,
+/// thumb first), and increments its positions_revision.
 void bend_hand(const HandSkin& skin, DrawMesh& mesh, const std::array<double, fingers>& flexion);
 
 }  // namespace prosector

@@ -10,17 +10,19 @@
 
 namespace prosector {
 
-/// Returns whether the body is a blade in a user's hand.
+/// Returns whether the body is rigid with a cutting edge and is held by a user's hand.
 bool is_held_blade(const Replica& replica, BodyId body);
 
-/// Adds the edges as lines that stay faintly visible where occluded. `pose`: of the body.
+/// Adds the cutting edges of a blade as lines, which stay faintly visible where they are occluded. `pose`:
+/// room pose of the blade's body.
 void add_edges(DrawList& list, const std::vector<CuttingEdge>& edges, const Pose& pose);
 
-/// Returns the predicted line of the next cut on the tissue below or around the blade, if its tip moves on
-/// along the edge; empty: no tissue near. `find` must ignore the blade; `blade` is in the world frame.
+/// Returns points (m, world frame) of the line on the tissue along which the blade would cut if it were drawn
+/// in the direction that its edge faces. Returns no points if no tissue is near its tip. `find` must ignore
+/// the blade's body; `blade` is in the world frame.
 std::vector<Vec3> next_cut(const Replica& replica, const BladeFrame& blade, const FindSurface& find);
 
-/// Adds the line of a predicted cut on tissue.
+/// Adds a predicted cut on tissue as a drawn line through the points (m, world frame).
 void add_guide(DrawList& list, const std::vector<Vec3>& line);
 
 }  // namespace prosector

@@ -8,14 +8,16 @@
 
 namespace prosector {
 
-/// Returns the bodies that the hand holds.
+/// Returns the bodies that the server reports as held by the participant's hand.
 std::vector<BodyId> held_by(const Replica& replica, const HandRef& hand);
 
-/// Returns the tip of the held instrument, in the wrist's frame (m): its vertex farthest ahead. nullopt: it
-/// holds no instrument. An instrument is a slender rigid body, neither bone nor tissue.
+/// Returns the position, in the wrist's frame, m, of the tip of the instrument that the hand holds at `tick`
+/// (simulation step): its vertex farthest ahead. An instrument is a slender rigid body, neither bone nor
+/// tissue. Returns nullopt if the hand holds none.
 std::optional<Vec3> instrument_tip(const Replica& replica, const HandRef& hand, double tick);
 
-/// Returns the held blade, in the wrist's frame; nullopt: the hand holds none.
+/// Returns the geometry of the blade that the hand holds at `tick` (simulation step), in the wrist's frame.
+/// Returns nullopt if the hand holds no blade.
 std::optional<BladeFrame> held_blade(const Replica& replica, const HandRef& hand, double tick);
 
 }  // namespace prosector

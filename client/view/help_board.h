@@ -7,9 +7,9 @@
 
 namespace prosector {
 
-/// Adds the help (client/app/terminal/controls.h, columns separated by tabs) as two blocks side by side. The
-/// second block begins at a device's heading if one is near the middle. Both blocks shrink until they fit
-/// into the view.
+/// Adds the help text (client/app/terminal/controls.h, columns separated by tabs) on a board over the view,
+/// as two blocks side by side. The second block begins at a device's heading if one is near the middle. Both
+/// blocks shrink until they fit into the view.
 void add_help(DrawList& list, const std::string& help);
 
 }  // namespace prosector

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// Cells of a view, rows from the top. Half-transparent and glass items hide nothing and are not included.
+/// Low-resolution image of a view that holds for each cell the visible item instead of a colour; rows from
+/// the top. Half-transparent and glass items hide nothing and are not included.
 struct ItemIdBuffer {
   struct Cell {
     float nearness = 0;          // 1/m: reciprocal of the depth along the view axis; 0: empty
@@ -25,7 +26,7 @@ struct ItemIdBuffer {
 
 inline constexpr double solid_opacity = 0.5;  // minimum opacity of an item that hides what is behind it
 
-/// Renders the list's items for the camera into a map of `width` × `height` cells.
+/// Renders which of the list's items the camera sees where, as a buffer of `width` × `height` cells.
 ItemIdBuffer rasterize_items(const DrawList& list, const DrawCamera& camera, int width, int height);
 
 }  // namespace prosector

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// A label to show if there is room.
+/// Label that is shown if there is room, with the point that it names. Lengths are in points of the view.
 struct LabelWanted {
   std::uint32_t id = 0;
   Eigen::Vector2d anchor;  // end of its leader, between the columns
@@ -33,7 +33,8 @@ struct PlacedLabel {
   double weight = 0;
 };
 
-/// Ids of the shown labels of each column, from the top. It keeps the next layout similar to the last one.
+/// Ids of the labels that the last layout showed in each column, from the top. With it, the next layout stays
+/// similar to the last one.
 struct LabelOrder {
   std::vector<std::uint32_t> left, right;
 };
@@ -43,13 +44,14 @@ struct LabelLayout {
   LabelOrder order;
 };
 
-/// Places labels so that no two boxes overlap and no two leaders cross. Shows the labels with the largest
-/// weights; labels in `before` count 1.5 times. A label keeps its side and its position in the order as long
-/// as no leaders cross. Boxes are as near to their anchors' heights as the other boxes allow.
+/// Places labels in two columns so that no two boxes overlap and no two leader lines cross. Shows the labels
+/// with the largest weights; weights of labels in `before` (the last layout) count 1.5 times. A label keeps
+/// its side and its position in the order as long as no leaders cross. Boxes are as near to their anchors'
+/// heights as the other boxes allow.
 LabelLayout lay_out_labels(std::vector<LabelWanted> wanted, const LabelColumns& columns,
                            const LabelOrder& before);
 
-/// Returns whether two leaders have a point in common.
+/// Returns whether the leader lines of two labels (from box to anchor) have a point in common.
 bool leaders_cross(const PlacedLabel& a, const PlacedLabel& b);
 
 }  // namespace prosector

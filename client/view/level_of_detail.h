@@ -12,21 +12,21 @@
 
 namespace prosector {
 
-/// Makes the levels of detail of every eligible item that has none.
+/// Computes the levels of detail (coarser triangle lists) of every item whose mesh is large enough and has
+/// none, waiting for the result.
 void add_detail(DrawList& list);
 
-/// Level selection for each mesh, with hysteresis, so that small motions of the eye don't switch levels back
-/// and forth. Missing levels are made in the background, one mesh after the other. Until then a mesh is drawn
-/// in full, as is one whose triangles keep changing because it is being cut.
+/// Selector of each mesh's level of detail, with hysteresis, so that small motions of the eye don't switch
+/// levels back and forth. Missing levels are computed in the background, one mesh after the other. Until then
+/// a mesh is drawn in full, as is one whose triangles keep changing because it is being cut.
 class LevelOfDetail {
  public:
-  /// Sets each item's level to the coarsest one with an error of at most `pixels` in any of the list's
-  /// cameras, at the scale of the view's centre. 0: all are drawn in full. Eyes, insets and shadows share a
-  /// level.
+  /// Sets each item's level of detail to the coarsest one whose visual error is at most `pixels` in all of
+  /// the list's cameras. 0: all items are drawn in full. All cameras and shadows share an item's level.
   void choose(DrawList& list, double pixels);
 
  private:
-  /// Cached data of a mesh.
+  /// Cached data of a mesh: its levels of detail, their errors, and the level in use.
   struct Known {
     std::uint64_t revision = 0, positions_revision = 0;
     Sphere bounds;

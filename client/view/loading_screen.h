@@ -7,8 +7,9 @@
 
 namespace prosector {
 
-/// Makes a view of a progress bar filled to the fraction `progress`, 0 … 1. `title` is above the bar,
-/// `waits_for` (the current step) below it. Sizes are in pixels; `scale` is DrawList::scale.
+/// Returns a view with a progress bar filled to the fraction `progress`, 0 … 1, for the time while a scene is
+/// loading. `title` is above the bar, `waits_for` (the current step) below it. Sizes are in pixels; `scale`
+/// is DrawList::scale.
 DrawList loading_picture(const std::string& title, const std::string& waits_for, double progress, int width,
                          int height, double scale);
 

@@ -12,26 +12,28 @@
 
 namespace prosector {
 
-/// Whether a message responds to the user's own action, or is news about others and the simulation.
+/// Kind of a message to the user: a response to the user's own action, or news about others and the
+/// simulation.
 enum class MessageKind : std::uint8_t { own, news };
 
-/// Shows at most two messages at a time. Responses to the user's own actions have the lowest line, which news
-/// never displace. Further messages wait until a shown one has stayed for its reading time, or for 1.5 s if
-/// that is shorter. At most eight wait: beyond that the oldest waiting messages are counted instead. Times
-/// are in seconds of any monotonic clock.
+/// Queue of messages to the user, of which at most two are shown simultaneously. Responses to the user's own
+/// actions have the lowest line, which news never displace. Further messages wait until a shown one has
+/// stayed for its reading time, or for 1.5 s if that is shorter. At most eight wait; beyond that the oldest
+/// waiting messages are replaced by their number. Times are in seconds of any monotonic clock.
 class MessageLines {
  public:
   explicit MessageLines(Catalogue words = {}) : words_(std::move(words)) {}
 
-  /// Adds a message. If the same message is shown already, increments its count and extends its time.
+  /// Adds a message at the time `now`, s. If the same message is shown already, increments its count and
+  /// extends its time instead.
   void say(std::string text, double now, MessageKind kind = MessageKind::news);
-  /// Returns the lines to draw: news first, and the oldest first within each kind. Example: "hand: tracked
-  /// again (3 times)".
+  /// Returns the lines of messages to draw at the time `now`, s: news first, and the oldest first within each
+  /// kind. Example: "hand: tracked again (3 times)".
   std::vector<std::string> shown(double now);
 
   static constexpr std::size_t lines = 2, most_waiting = 8;
   static constexpr double least_stay = 1.5;  // s, of a message while others wait
-  /// Returns how long (s) a message stays: the time to read it aloud, within bounds.
+  /// Returns for how long (s) a message is shown: the time to read it aloud, within bounds.
   static double reading_time(const std::string& text);
 
  private:
@@ -40,7 +42,7 @@ class MessageLines {
     int times = 1;
     double since = 0, until = 0;  // s
   };
-  /// The messages of one kind.
+  /// Shown and waiting messages of one kind: responses to the user's own actions, or news.
   struct Lane {
     std::vector<Line> shown;
     std::deque<std::string> waiting;

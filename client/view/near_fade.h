@@ -7,8 +7,9 @@
 
 namespace prosector {
 
-/// Fades items within the view that are nearer to an eye of the list than `near_fade_begins`. They are
-/// invisible before they reach the near plane.
+/// Makes items of the list transparent where they are within the view and nearer to one of its eyes than
+/// `near_fade_begins`. They are invisible before they reach the near plane, which would cut them open.
+/// `items`: indices in the list.
 void fade_near_eyes(DrawList& list, std::span<const std::size_t> items);
 
 inline constexpr double near_fade_begins = 0.12;  // m ahead of the eye

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// A surface whose vertices are split along its sharp edges.
+/// Surface mesh with normals, whose vertices are duplicated along its sharp edges so that each side has a
+/// normal.
 struct CreasedMesh {
   std::vector<Eigen::Vector3f> positions, normals;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -19,8 +20,9 @@ struct CreasedMesh {
 
 inline constexpr double crease_angle = 0.7;  // rad between the normals of two triangles that share an edge
 
-/// Makes normals smooth across edges with a crease angle below `angle`, and sharp across the others. The
-/// triangles need not be wound consistently.
+/// Returns the mesh with a normal at each vertex. Normals are smooth across edges where two triangles'
+/// normals differ by less than `angle`, rad; at sharper edges the vertices are duplicated. The triangles need
+/// not be wound consistently.
 CreasedMesh split_creases(const TriangleMesh& mesh, double angle = crease_angle);
 
 }  // namespace prosector

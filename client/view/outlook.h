@@ -17,27 +17,29 @@
 
 namespace prosector {
 
-/// A viewer's changes to their own panel.
+/// Local changes of a viewer to their own panel, which other participants do not see: its pose while it is
+/// dragged, and the scroll position.
 struct PanelLook {
   std::optional<Pose> place = {};  // pose while it is dragged; nullopt: the shared pose
   std::size_t first_line = 0;      // first visible line of its description
 };
 
-/// One camera at the viewer's eye.
+/// Projection with a single camera at the viewer's eye.
 struct Mono {};
-/// The cameras of a headset's eyes, side by side.
+/// Projection for a headset: the cameras of both eyes, side by side in the frame.
 struct HeadsetEyes {
   std::array<DrawCamera, 2> cameras;
 };
-/// The camera for eyes in front of a screen that acts as a window (window_view.h).
+/// Projection for tracked eyes in front of a screen that acts as a window into the room (window_view.h).
 struct WindowCamera {
   DrawCamera camera;
 };
-/// How the scene is projected into the frame; StereoProfile: side by side at the viewer's eye; CameraOverlay:
-/// over a camera's image.
+/// Projection of the scene into the frame. StereoProfile stands for two views side by side at the viewer's
+/// eye, CameraOverlay for a view over a camera's image.
 using Projection = std::variant<Mono, StereoProfile, HeadsetEyes, WindowCamera, CameraOverlay>;
 
-/// Which texts and views fit over a frame.
+/// Flags for the overlays and surroundings that suit a kind of projection, such as a headset or a camera
+/// image.
 struct Overlays {
   bool insets = true;        // views of other users
   bool over_frame = true;    // texts over the whole frame; false: they are placed in the room
@@ -66,7 +68,7 @@ struct Outlook {
   std::optional<double> cut_depth = {};               // m: cutting depth of the desk's blade
   std::optional<std::uint64_t> sought_tick = {};      // requested tick of a recording, not displayed yet
 
-  /// Returns the camera image to draw over; null: none.
+  /// Returns the camera image over which the scene is drawn; null if the projection is another one.
   const CameraOverlay* through() const { return std::get_if<CameraOverlay>(&projection); }
 };
 

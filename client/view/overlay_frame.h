@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// Height in points of the band at the lower border that is reserved for messages.
+/// Height, in points, of the band at the view's lower border that is reserved for message lines.
 inline constexpr double message_band = 48;
 
 struct OverlayFrame {
@@ -14,12 +14,13 @@ struct OverlayFrame {
 
   OverlayFrame(const DrawCamera& camera, double scale)
       : width(camera.width / scale), height(camera.height / scale), lowest(height) {}
-  /// Takes the size from the list's first camera.
+  /// Takes the view's size from the list's first camera, and leaves its lower strip (DrawList::strip) free.
   explicit OverlayFrame(const DrawList& list) : OverlayFrame(list.cameras.front(), list.scale) {
     lowest -= list.strip;
   }
 
-  /// Converts points from the top left to the normalised device coordinates of an overlay line.
+  /// Converts a position in points from the view's top left to the normalised device coordinates of a
+  /// DrawLine in the overlay.
   Vec3 at(double x, double y) const { return {2 * x / width - 1, 1 - 2 * y / height, 0}; }
 };
 

@@ -22,16 +22,18 @@ inline constexpr double scrolled_line = line_spacing * least_panel_writing;
 
 class PanelView {
  public:
-  /// Uses the `meshes` mesh ids from `first_mesh_id` on.
+  /// Creates the render meshes of panels. They get `meshes` successive mesh ids from `first_mesh_id` on.
   explicit PanelView(std::uint64_t first_mesh_id);
   static constexpr std::size_t meshes = 8;
 
-  /// Adds the panel. Touched controls are green. Buttons glow while their effect is on: the part is detached,
-  /// others are hidden, it is transparent or lit, the room is dim. `effort`: of a soft part. `first_line`:
-  /// first visible line of the description, if not all lines fit.
+  /// Adds the panel of an anatomical part to the list. Touched controls are green. Buttons glow while their
+  /// effect is on: the part is detached, others are hidden, it is transparent or lit, or the room is dim.
+  /// `effort`: solver effort, of a soft part. `first_line`: first visible line of the description, if not all
+  /// lines fit.
   void add(DrawList& list, const Panel& panel, const SceneBody& part,
            const std::optional<ShownEffort>& effort = std::nullopt, std::size_t first_line = 0);
-  /// Returns how many lines of the part's description do not fit on the board.
+  /// Returns the number of lines of the part's description that do not fit on its panel, and must be
+  /// scrolled.
   std::size_t hidden_lines(const SceneBody& part);
 
  private:

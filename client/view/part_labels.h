@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// An item of a draw list whose part is labelled; a part may have several items.
+/// Item of a draw list that belongs to a part to be labelled, and the part's name. A part may have several
+/// items.
 struct NamedItem {
   std::uint32_t part = 0;
   std::size_t item = 0;  // index in the list
@@ -24,12 +25,14 @@ class PartLabels {
  public:
   static constexpr std::size_t most_labels = 48;
 
-  /// Adds labels of the parts that the first camera sees, to all cameras but insets. Labels stay in `free`
-  /// (points from the first camera's top left), at the depth of the parts.
+  /// Adds labels with the names of the parts that the list's first camera sees, and leader lines to the
+  /// parts. They are drawn for all cameras but insets, at the depth of the parts. Labels stay in `free`,
+  /// given in points from the first camera's top left.
   void add(DrawList& list, std::span<const NamedItem> named, const Eigen::AlignedBox2d& free);
 
  private:
-  /// A point on a surface, which moves with it.
+  /// Point on a part's surface to which its label's leader line points. It is stored by triangle and
+  /// barycentric coordinates, and so moves with the surface.
   struct Anchor {
     std::uint64_t mesh = 0, revision = 0;
     std::array<std::uint32_t, 3> vertices{};
@@ -40,7 +43,8 @@ class PartLabels {
     Eigen::Vector2d point;  // points of the first camera's viewport
     double depth;           // m, along the first camera's axis
   };
-  /// A part as visible in the first camera.
+  /// Part that the first camera sees: its name, the cells of the item-id buffer that show it, and its label's
+  /// size and anchor.
   struct Seen {
     std::string_view name;
     std::vector<Eigen::Vector2i> cells;

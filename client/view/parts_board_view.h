@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// The list and the board's pose: origin at its centre, +x to the reader's right, +y up, +z towards the
-/// reader; m.
+/// List of parts and the pose of the board in the room that shows it. The pose's frame, m, has its origin at
+/// the board's centre, +x to the reader's right, +y up, and +z towards the reader.
 struct PlacedPartsList {
   const PartsList* list;
   Pose pose;
@@ -18,10 +18,11 @@ inline constexpr double board_metres_per_point = 0.0008;
 // Size (points) of the area that a board's list is laid out in. Its centre is the board's centre.
 inline const Eigen::Vector2d parts_board_picture(parts_list_width + 2 * parts_list_gap, 470);
 
-/// Converts a position in the board's frame (m) to points of the list.
+/// Converts a position in the frame of the board with the list of parts (m) to points of the list's layout.
 Eigen::Vector2d board_point(const Vec3& place);
 
-/// Draws the board: all its plates are one mesh with vertex colours, with texts on it.
+/// View of the list of parts on a board in the room: one mesh with vertex colours for all its plates, and
+/// texts on it.
 class PartsBoardView {
  public:
   static constexpr std::uint64_t meshes = 1;  // ids, from the first one on

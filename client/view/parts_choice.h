@@ -13,7 +13,7 @@
 
 namespace prosector {
 
-/// How a viewer sees a part.
+/// Display of an anatomical part for one viewer: whether it is hidden, its opacity and its colour.
 struct PartLook {
   bool hidden = false;
   double opacity = 1;         // 0 … 1, factor of the shared opacity
@@ -21,11 +21,12 @@ struct PartLook {
   bool operator==(const PartLook&) const = default;
 };
 
-/// A command that changes one viewer's view of parts. Parts are named as in the scene file (authors_name()).
+/// Command that changes how one viewer sees anatomical parts. Parts are named as in the scene file
+/// (authors_name()).
 struct PartsOrder {
   enum class Kind : std::uint8_t { show, hide, isolate, isolate_next, opacity, color, reset_all, labels };
-  /// `isolate_next` cycles through three states: the other parts faint; the other parts hidden; all parts
-  /// back.
+  /// Kind of the command. `isolate_next` cycles through three states of the parts that are not named: nearly
+  /// transparent, hidden, and shown again.
   Kind kind = Kind::show;
   std::vector<std::string> parts = {};  // for `isolate`, empty: ends the isolation
   double opacity = 1;                   // for `opacity`; for `isolate`, that of the other parts: 0 hides them
@@ -35,7 +36,8 @@ struct PartsOrder {
 inline constexpr double least_opacity = 0.05;  // of a part that is not hidden
 inline constexpr double faint_opacity = 0.12;  // of the parts next to an isolated part
 
-/// A colour to choose from. The colours are distinguishable with any colour vision (Okabe and Ito 2008).
+/// Colour that a viewer can choose for a part, with its name. The colours are distinguishable with any colour
+/// vision (Okabe and Ito 2008).
 struct NamedColor {
   std::string_view name;
   Vec3 color;  // linear red, green, blue
@@ -46,13 +48,16 @@ class PartsChoice {
  public:
   void obey(const PartsOrder& order);
 
-  /// Returns how the part is seen. `in_anatomy`: it is hidden or faint while others are isolated.
+  /// Returns how the viewer sees the part, including the effect of isolating other parts. `in_anatomy`:
+  /// whether the part belongs to the anatomy; only then it is hidden or nearly transparent while others are
+  /// isolated.
   PartLook look_of(const std::string& part, bool in_anatomy) const;
-  /// Returns what was chosen for the part itself, without regard to isolation.
+  /// Returns the hiding, opacity and colour that the viewer chose for the part itself, ignoring isolation of
+  /// other parts.
   PartLook own_look(const std::string& part) const;
   bool is_isolated(const std::string& part) const { return isolated_.contains(part); }
   bool isolates() const { return !isolated_.empty(); }
-  /// Returns whether the anatomy is labelled.
+  /// Returns whether the viewer has switched on labels with the names of the anatomical parts.
   bool labels() const { return labels_; }
 
  private:
@@ -65,8 +70,8 @@ class PartsChoice {
   void change(const std::string& part, const PartsOrder& order);
 };
 
-/// Returns the original organ of each body, by body id: the body it was cut from, or itself. `piece_of`
-/// returns the body that a body was cut from; −1: none.
+/// Returns for each body, by body id, the organ that it was originally cut from, or its own id if it is no
+/// cut-off piece. `piece_of` returns the body that a body was cut from; −1: none.
 template <class PieceOf>
 std::vector<BodyId> organs_of(const SceneInfo& scene, const PieceOf& piece_of) {
   std::vector<BodyId> out(scene.bodies.size());

@@ -97,20 +97,20 @@ void scroll_to(PartsListState& state, const PartsList& list, std::size_t row) {
 std::string describe_spot(const PartsList& list, const PartsSpot& spot, const Catalogue& words) {
   using Kind = PartsSpot::Kind;
   if (spot.kind == Kind::search)
-    return list.state.in_room ? "" : words.tr("find by name or number, in any language");
-  if (spot.kind == Kind::reset) return words.tr("reset all to the scene's state");
+    return list.state.in_room ? "" : words.tr("find parts by name or number, in any language");
+  if (spot.kind == Kind::reset) return words.tr("reset all parts to the scene's state");
   if (spot.kind == Kind::board || spot.row >= list.rows.size()) return "";
   const PartRow& row = list.rows[spot.row];
   if (spot.kind == Kind::name && list.state.in_room) return words.tr("drag along the names to scroll");
-  if (spot.kind == Kind::name) return row.is_head ? "" : words.tr("fits it into the view");
+  if (spot.kind == Kind::name) return row.is_head ? "" : words.tr("fits the part into the view");
   if (spot.kind == Kind::eye && row.is_head)
     return row.look.hidden ? words.tr("shows all of them") : words.tr("hides all of them");
   if (spot.kind == Kind::eye) return row.look.hidden ? words.tr("shows it") : words.tr("hides it");
   if (spot.kind == Kind::isolate)
-    return row.isolated ? words.tr("hides or shows the others") : words.tr("fades the others");
+    return row.isolated ? words.tr("hides or shows the other parts") : words.tr("fades the others");
   if (spot.kind == Kind::slider) return words.tr("opacity: {:.0f} %", 100 * row.look.opacity);
   if (spot.kind == Kind::swatch)
-    return row.is_head ? words.tr("sets the colour of all") : words.tr("sets its colour");
+    return row.is_head ? words.tr("sets the colour of all its parts") : words.tr("sets its colour");
   const auto colors = part_colors();
   return spot.color < colors.size() ? words.tr(std::string(colors[spot.color].name))
                                     : words.tr("original colour");

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// A control of the list that can be pointed at.
+/// Control of the list of parts to which the user can point, and the row that it is in.
 struct PartsSpot {
   enum class Kind : std::uint8_t { board, search, reset, name, eye, isolate, slider, swatch, color };
   Kind kind = Kind::board;
@@ -17,7 +17,8 @@ struct PartsSpot {
   bool operator==(const PartsSpot&) const = default;
 };
 
-/// The user's interaction with the list.
+/// State of the user's interaction with the list of parts: search text, scroll position, and what the pointer
+/// is on.
 struct PartsListState {
   std::string search;                       // UTF-8
   bool typing = false;                      // keys are typed into the search field
@@ -28,9 +29,9 @@ struct PartsListState {
   std::optional<BodyId> pointed = {};  // in the room
 };
 
-/// Layout of the list in a view, in points from the view's top left.
+/// Layout of the list of parts in a view: its rows and their positions, in points from the view's top left.
 struct PartsList {
-  /// A row, or the colour palette below it.
+  /// Visible line of the list of parts: a row, or the colour palette below a row.
   struct Line {
     std::size_t row = 0;
     bool is_palette = false;
@@ -45,26 +46,29 @@ struct PartsList {
 
 inline constexpr double parts_list_width = 320, parts_list_gap = 10;  // points, at the right border
 
-/// Lays out the list at the right border of a view of the given size (points), above the messages. Clamps the
-/// scroll position.
+/// Returns the layout of the list of parts at the right border of a view, above the message lines. `picture`:
+/// width and height of the view, points. The scroll position in `state` is limited to the existing lines.
 PartsList lay_out_parts(std::vector<PartRow> rows, PartsListState state, const Eigen::Vector2d& picture);
 
-/// Returns how many lines fit.
+/// Returns the number of lines that the list of parts can show without scrolling.
 std::size_t line_capacity(const PartsList& list);
 
-/// Returns the control at a point; nullopt: outside the list.
+/// Returns the control of the list of parts at a position of the view, in points from the top left; nullopt
+/// outside the list.
 std::optional<PartsSpot> spot_at(const PartsList& list, const Eigen::Vector2d& point);
 
-/// Returns the opacity at a point of the row's slider.
+/// Returns the opacity, 0 … 1, that a row's slider has if its knob is moved to this position (points from the
+/// view's top left).
 double slider_opacity(const PartsList& list, const Eigen::Vector2d& point);
 
-/// Scrolls, if needed, until the row is visible.
+/// Changes the list's scroll position in `state`, if needed, so that the row becomes visible.
 void scroll_to(PartsListState& state, const PartsList& list, std::size_t row);
 
-/// Returns a description of what a click on the control does; empty: nothing.
+/// Returns a text that describes what a click on the control of the list of parts does; empty if it does
+/// nothing.
 std::string describe_spot(const PartsList& list, const PartsSpot& spot, const Catalogue& words = {});
 
-/// Adds the list to a view.
+/// Adds the list of parts to the overlay of a view, at the positions of its layout.
 void add_parts_list(DrawList& out, const PartsList& list);
 
 }  // namespace prosector

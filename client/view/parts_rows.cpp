@@ -140,7 +140,7 @@ std::string rows_as_text(const std::vector<PartRow>& rows) {
     if (row.isolated) out += ", isolated";
     for (const PartHolder& holder : row.holders) out += ", held by " + holder.name;
   }
-  return out.empty() ? "no part is called so" : out;
+  return out.empty() ? "no part has this name or number" : out;
 }
 
 }  // namespace prosector

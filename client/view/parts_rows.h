@@ -18,7 +18,8 @@ struct PartHolder {
   bool operator==(const PartHolder&) const = default;
 };
 
-/// The data that a list of parts is made from.
+/// Data from which the list of parts is built: the scene, the organ of each body, and the participants that
+/// hold each body.
 struct PartsData {
   SceneInfo scene;
   std::vector<BodyId> organs;                    // the body that each body was cut from (organs_of())
@@ -26,7 +27,8 @@ struct PartsData {
 };
 PartsData parts_data(const Replica& replica);
 
-/// Returns how each body is seen; pieces look like the organ that they were cut from.
+/// Returns, by body id, how the viewer sees each body. A piece that was cut off looks like the organ that it
+/// came from.
 std::vector<PartLook> looks_of(const Replica& replica, const PartsChoice& choice);
 
 struct PartRow {
@@ -40,16 +42,17 @@ struct PartRow {
   bool isolated = false;      // of a heading: all are
 };
 
-/// Returns the rows that match the search: by name in any language, or by id of Terminologia Anatomica.
-/// Letters match by search_key(). Omits groups without rows.
+/// Returns the rows of the list of parts that match the search text by name in any language, or by id of
+/// Terminologia Anatomica. Case and accents are ignored (search_key()). Groups without matching rows are
+/// omitted.
 std::vector<PartRow> part_rows(const PartsData& known, const PartsChoice& choice, std::string_view search,
                                const Catalogue& words = {});
 
-/// Returns the scene-file names of the parts that `name` means: the part with exactly that name, otherwise
-/// all search results.
+/// Returns the scene-file names of the parts that a user means by `name`. This is the part with exactly that
+/// name in any language, otherwise all parts that match it as a search text.
 std::vector<std::string> parts_called(const PartsData& known, std::string_view name);
 
-/// Returns the rows as lines for a terminal.
+/// Returns the rows of a list of parts as lines of text for a terminal.
 std::string rows_as_text(const std::vector<PartRow>& rows);
 
 }  // namespace prosector

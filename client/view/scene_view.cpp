@@ -10,13 +10,11 @@
 #include "client/view/body_statistics.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
-#include "client/view/force_arrow.h"
 #include "client/view/headset_text.h"
 #include "client/view/held_blades.h"
 #include "client/view/held_bodies.h"
 #include "client/view/help_board.h"
 #include "client/view/light_shaft.h"
-#include "client/view/near_fade.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
@@ -60,10 +58,6 @@ struct Overloaded : Functions... {
   using Functions::operator()...;
 };
 
-// Opacity of the local user's hand and sleeve at a desk while they cover anatomy or hold something; largest
-// change per frame.
-constexpr double covering_hand = 0.3, covering_sleeve = 0.3, opacity_step = 0.15;
-
 }  // namespace
 
 const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser& self,
@@ -72,8 +66,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.lines.clear();
   list_.plates.clear();
   list_.texts.clear();
-  body_items_.clear();
-  parts_.clear();
+  bodies_.clear();
   list_.scale = settings.scale;
   list_.strip = 0;
   list_.words = settings.words;
@@ -103,10 +96,10 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     parts_board_->add(list_, *settings.parts_board);
   }
   people_.add(list_, replica, tick, self, settings, next_mesh_id_);
-  if (self.present) update_own_hand_opacity(replica, self, tick);
-  if (self.at_desk) add_hand_cues(replica, self, tick);
+  if (self.present) own_hand_.update_opacity(list_, bodies_, people_, replica, self, tick);
+  if (self.at_desk) own_hand_.add_cues(list_, bodies_, people_, replica, self, tick, next_mesh_id_);
   cut_lines_.add(list_);
-  add_blades(replica, self, tick);
+  add_blades(list_, bodies_, replica, self, tick);
   add_guide(list_, settings.cut_guide);
   strokes_.look(replica, tick * replica.tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
@@ -211,7 +204,7 @@ void SceneView::replace_table(const Replica& replica, const CameraOverlay& throu
   const Pose& board = through.room_board;
   const Vec3 up = board.q * Vec3::UnitZ();
   const Vec3 shown = rendered_paper_color(list_, board.p, up);
-  for (const auto& [body, index, inner] : body_items_) {
+  for (const auto& [body, index, inner] : bodies_.items()) {
     const SceneBody& one = replica.scene()->bodies[body];
     DrawItem& item = list_.items[index];
     if (through.found && one.name == through.found->body) {
@@ -224,7 +217,8 @@ void SceneView::replace_table(const Replica& replica, const CameraOverlay& throu
       continue;
     }
     if (through.paper) match_lighting(item, shown, *through.paper);
-    if (one.kind != BodyKind::rigid || one.moves || one.part || !box_of(body).contains(board.p - below * up))
+    if (one.kind != BodyKind::rigid || one.moves || one.part ||
+        !bodies_.box_of(list_, body).contains(board.p - below * up))
       continue;
     item.showing = ItemRole::around;
     item.casts_shadow = false;
@@ -250,7 +244,7 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
     if (looks[id].hidden) continue;
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
     if (is_openable(item.appearance)) item.solid = id + 1;
-    if (bodies[id].part) parts_.insert(id);
+    if (bodies[id].part) bodies_.add_part(id);
     if (looks[id].color) item.appearance.color = *looks[id].color;
     std::shared_ptr<const DrawMesh> inner;
     const SoftReplica* cut = nullptr;
@@ -286,7 +280,7 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
       item.brightness *= highlighted_brightness;
     if (cut != nullptr) cut_lines_.put(id, *cut, *item.mesh, item.shape);
     const auto add = [&](DrawItem seen) {
-      body_items_.push_back({id, list_.items.size(), seen.mesh == inner});
+      bodies_.add(id, list_.items.size(), seen.mesh == inner);
       list_.items.push_back(std::move(seen));
     };
     add(item);
@@ -300,26 +294,27 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
 /// Closes what the viewer's section opens. The caps can be picked.
 void SceneView::close_section() {
   for (const auto& [solid, item] : section_caps_.add(list_, next_mesh_id_))
-    body_items_.push_back({solid - 1, item, true});
+    bodies_.add(solid - 1, item, true);
 }
 
 /// Colours all soft bodies with one scale.
 void SceneView::paint_bodies(const Replica& replica, Shown shown) {
   const auto& bodies = replica.scene()->bodies;
-  std::vector<const BodyItem*> soft;
-  for (const BodyItem& one : body_items_)
+  std::vector<const DrawnBodies::Item*> soft;
+  for (const DrawnBodies::Item& one : bodies_.items())
     if (bodies[one.body].kind == BodyKind::soft) soft.push_back(&one);
   scale_ = scale_of(shown);
   if (shown == Shown::strain) {
     std::vector<double> strains;
-    for (const BodyItem* one : soft) {
+    for (const DrawnBodies::Item* one : soft) {
       const DrawMesh& mesh = *list_.items[one->index].mesh;
       const std::vector<double>& of_mesh = painted_of(mesh).strains(mesh);
       strains.insert(strains.end(), of_mesh.begin(), of_mesh.end());
     }
     scale_.most = strain_range_.follow(std::move(strains));
   }
-  for (const BodyItem* one : soft) paint(list_.items[one->index], shown, replica.body_status(one->body));
+  for (const DrawnBodies::Item* one : soft)
+    paint(list_.items[one->index], shown, replica.body_status(one->body));
 }
 
 void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
@@ -345,102 +340,6 @@ SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube
   if (is_new) next_mesh_id_ += SoftBodyMesh::meshes;
   mesh->second.follow(soft, moved || is_new);
   return mesh->second;
-}
-
-std::optional<BodyId> SceneView::part_at(const Ray& ray) {
-  const auto nearest = nearest_item(ray, [&](BodyId body) { return parts_.contains(body); });
-  return nearest ? std::optional(nearest->body) : std::nullopt;
-}
-
-std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<BodyId>& without) {
-  return nearest_item(ray, [&](BodyId body) { return std::ranges::find(without, body) == without.end(); });
-}
-
-/// Returns where the ray first meets the part of the item that the section leaves.
-std::optional<SurfacePoint> SceneView::meet(const Ray& ray, const DrawItem& item) {
-  if (!is_opened(item, list_)) return trees_.meet(ray, item);
-  const SectionPlane& section = *list_.section;
-  const double height = section.height(ray.from), sinks = -section.normal.dot(ray.along);
-  if (height <= 0) {
-    const auto point = trees_.meet(ray, item);
-    return point && section.height(point->at) <= 0 ? point : std::nullopt;
-  }
-  if (sinks <= 0) return std::nullopt;
-  const double way = height / sinks;
-  auto point = trees_.meet({ray.from + way * ray.along, ray.along}, item);
-  if (point) point->distance += way;
-  return point;
-}
-
-template <class Counts>
-std::optional<Picked> SceneView::nearest_item(const Ray& ray, const Counts& counts) {
-  std::optional<Picked> nearest;
-  for (const auto& [body, index, inner] : body_items_) {
-    if (!counts(body)) continue;
-    const auto point = meet(ray, list_.items[index]);
-    if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body, inner};
-  }
-  return nearest;
-}
-
-FindSurface SceneView::finder_without(std::vector<BodyId> held) {
-  return [this, held = std::move(held)](const Ray& ray, std::optional<BodyId> only) {
-    return nearest_item(
-        ray, [&](BodyId body) { return only ? body == *only : std::ranges::find(held, body) == held.end(); });
-  };
-}
-
-/// Adds depth cues for a desk user's hand, because desk users have no haptics.
-void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, double tick) {
-  const auto user = replica.user(self.participant, tick);
-  if (people_.own_hand_items().empty() || !user || !user->hands[right_hand].tracked) return;
-  const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
-  const HandPose& hand = user->hands[right_hand];
-  const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
-  hand_cues_.add(list_, fingertips, finder_without(held), next_mesh_id_);
-  const ContactSample* contact = replica.contact(self.participant, right_hand);
-  if (contact != nullptr && contact->touching) add_force_arrow(list_, contact->point, -contact->force);
-}
-
-/// Fades a desk user's own hand and sleeve while they cover bodies that can be worked on, and a hand that
-/// holds something. Also fades the user's own items before the near plane clips them.
-void SceneView::update_own_hand_opacity(const Replica& replica, const LocalUser& self, double tick) {
-  if (people_.own_hand_items().empty()) own_hand_opacity_.reset();
-  if (self.at_desk && !people_.own_hand_items().empty()) {
-    const auto user = replica.user(self.participant, tick);
-    const bool is_physical = user && user->hands[right_hand].tracked;
-    const HandPose& hand = is_physical ? user->hands[right_hand] : self.input.hands[right_hand];
-    const bool holds = !held_by(replica, {self.participant, right_hand}).empty();
-    const double to = holds || occludes_anatomy(replica, hand) ? 0 : 1;
-    own_hand_opacity_ = own_hand_opacity_ ? *own_hand_opacity_ + std::clamp(to - *own_hand_opacity_,
-                                                                            -opacity_step, opacity_step)
-                                          : to;
-    for (const std::size_t item : people_.own_hand_items())
-      list_.items[item].opacity *= covering_hand + (1 - covering_hand) * *own_hand_opacity_;
-    for (const std::size_t item : people_.own_sleeves())
-      list_.items[item].opacity *= covering_sleeve + (1 - covering_sleeve) * *own_hand_opacity_;
-  }
-  fade_near_eyes(list_, people_.own_hand_items());
-  fade_near_eyes(list_, people_.own_sleeves());
-}
-
-/// Adds the edges of held blades, and predicted cut lines. Omits the line of the local desk user, because the
-/// pointer gives a better one.
-void SceneView::add_blades(const Replica& replica, const LocalUser& self, double tick) {
-  for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
-    if (!is_held_blade(replica, id)) continue;
-    add_edges(list_, replica.rigid(id)->edges, replica.rigid_pose(id, tick));
-    for (const HandRef& hand : replica.part(id)->holders)
-      if (!(self.at_desk && hand.participant == self.participant)) add_guide_of(replica, hand, tick);
-  }
-}
-
-void SceneView::add_guide_of(const Replica& replica, const HandRef& hand, double tick) {
-  const auto user = replica.user(hand.participant, tick);
-  const auto blade = held_blade(replica, hand, tick);
-  if (!user || !blade) return;
-  const FindSurface find = finder_without(held_by(replica, hand));
-  add_guide(list_, next_cut(replica, user->hands[hand.hand].pose * *blade, find));
 }
 
 /// Adds the statistics of the local user's stroke, next to the pointer or next to the tip of the held blade.
@@ -469,32 +368,6 @@ void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self
         {.text = text, .at = user->hands[hand].pose * blade->tip, .overlay = false, .height = height});
     return;
   }
-}
-
-/// Returns whether at least a quarter of the hand's joints are in front of bodies that can be worked on, as
-/// seen by the first eye.
-bool SceneView::occludes_anatomy(const Replica& replica, const HandPose& hand) {
-  const auto& bodies = replica.scene()->bodies;
-  const auto matters = [&](BodyId id) {
-    return id < bodies.size() && (bodies[id].kind == BodyKind::soft || bodies[id].part || bodies[id].moves);
-  };
-  const Vec3& eye = list_.cameras.front().pose.p;
-  std::size_t before = 0;
-  for (const Pose& joint : hand_pose(right_hand, hand.flexion)) {
-    const Vec3 way = hand.pose * joint.p - eye;
-    const auto point = nearest_item({eye, way.normalized()}, matters);
-    if (point && point->distance > way.norm()) ++before;
-  }
-  return before >= hand_joints / 4;
-}
-
-Eigen::AlignedBox3d SceneView::box_of(BodyId body) const {
-  Eigen::AlignedBox3d box;
-  for (const auto& [id, index, inner] : body_items_)
-    if (id == body)
-      for (const auto& x : list_.items[index].mesh->positions)
-        box.extend(list_.items[index].shape * (list_.items[index].pose * x.cast<double>().eval()));
-  return box;
 }
 
 /// Adds a light shaft from the surgical lamp, the first spot light; without one, from above.
@@ -581,7 +454,7 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
   if (!settings.notes.empty())
     top = notes_top + note_line * static_cast<double>(1 + std::ranges::count(settings.notes, '\n'));
   std::vector<NamedItem> named;
-  for (const auto& [body, item, inner] : body_items_)
+  for (const auto& [body, item, inner] : bodies_.items())
     if (const SceneBody& one = replica.scene()->bodies[body];
         one.part || one.moves || one.kind == BodyKind::soft)
       named.push_back({body, item, one.name});
@@ -598,7 +471,7 @@ void SceneView::add_body_figures(const Replica& replica) {
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
     const auto mesh = soft_meshes_.find(id);
-    if (status == nullptr || mesh == soft_meshes_.end() || box_of(id).isEmpty()) continue;
+    if (status == nullptr || mesh == soft_meshes_.end() || bodies_.box_of(list_, id).isEmpty()) continue;
     Eigen::AlignedBox3f box;
     for (const auto& x : mesh->second.outer()->positions) box.extend(x);
     if (box.isEmpty()) continue;

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -14,15 +13,15 @@
 #include "client/view/auto_range.h"
 #include "client/view/cut_lines.h"
 #include "client/view/draw_list.h"
-#include "client/view/hand_cues.h"
+#include "client/view/drawn_bodies.h"
 #include "client/view/level_of_detail.h"
+#include "client/view/own_hand_view.h"
 #include "client/view/panel_view.h"
 #include "client/view/part_labels.h"
 #include "client/view/parts_board_view.h"
 #include "client/view/pick.h"
 #include "client/view/section.h"
 #include "client/view/soft_body_mesh.h"
-#include "client/view/surface_tree.h"
 #include "client/view/user_avatars.h"
 #include "client/view/value_paint.h"
 #include "client/view/view_settings.h"
@@ -32,17 +31,23 @@ namespace prosector {
 
 class SceneView {
  public:
-  /// Rebuilds the list for the replica's `tick`. Updates deformed surfaces only if they moved.
+  /// Rebuilds the draw list of everything that the user sees at the replica's `tick`, and returns it. Meshes
+  /// of deformed bodies are updated only if the bodies moved. The list is valid until the next call.
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
-  /// Returns the part of the anatomy that the ray meets first in the latest list.
-  std::optional<BodyId> part_at(const Ray& ray);
-  /// Returns where the ray first meets a body in the latest list, except those of `without`.
-  std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {});
-  /// Returns how many lines of the local user's panel description do not fit.
+  /// Returns the anatomical part that the ray meets first in the list built last; nullopt if it meets none.
+  std::optional<BodyId> part_at(const Ray& ray) { return bodies_.part_at(list_, ray); }
+  /// Returns the point at which the ray first meets a body in the list built last, ignoring the bodies of
+  /// `without`; nullopt if it meets none.
+  std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {}) {
+    return bodies_.surface_at(list_, ray, without);
+  }
+  /// Returns the number of lines of the part's description that do not fit on the panel of the local user,
+  /// and must be scrolled.
   std::size_t hidden_panel_lines() const { return hidden_panel_lines_; }
-  /// Returns the bounding box of a body as drawn, m, world frame; empty: not drawn.
-  Eigen::AlignedBox3d box_of(BodyId body) const;
+  /// Returns the bounding box of a body as drawn in the list built last, m, world frame; an empty box if the
+  /// body is not drawn.
+  Eigen::AlignedBox3d box_of(BodyId body) const { return bodies_.box_of(list_, body); }
 
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
@@ -55,24 +60,15 @@ class SceneView {
   std::shared_ptr<const DrawMesh> table_;    // plane of the real table; null: not seen by a camera yet
   std::shared_ptr<const DrawMesh> phantom_;  // phantom with a custom shape; null: not seen yet
   std::shared_ptr<const DrawMesh> shaft_;
-  HandCues hand_cues_;
+  OwnHandView own_hand_;
   CutLines cut_lines_;
   StrokeTracker strokes_;
-  std::optional<double>
-      own_hand_opacity_;  // opacity of the local user's hand at a desk, 0: invisible; nullopt: not drawn yet
   std::optional<PanelView> panel_view_;
   std::optional<PartsBoardView> parts_board_;  // nullopt: not shown yet
   std::size_t hidden_panel_lines_ = 0;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() for which wires_ was built
-  struct BodyItem {
-    BodyId body = 0;
-    std::size_t index = 0;  // index in list_.items
-    bool inner = false;     // a cut surface
-  };
-  std::vector<BodyItem> body_items_;
-  std::set<BodyId> parts_;  // bodies of the anatomy
-  SurfaceTrees trees_;
+  DrawnBodies bodies_;
   SectionCaps section_caps_;
   LevelOfDetail level_of_detail_;
   PartLabels part_labels_;
@@ -91,15 +87,6 @@ class SceneView {
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   PaintedMesh& painted_of(const DrawMesh& mesh);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
-  std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
-  template <class Counts>
-  std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
-  FindSurface finder_without(std::vector<BodyId> held);
-  void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
-  void update_own_hand_opacity(const Replica& replica, const LocalUser& self, double tick);
-  bool occludes_anatomy(const Replica& replica, const HandPose& hand);
-  void add_blades(const Replica& replica, const LocalUser& self, double tick);
-  void add_guide_of(const Replica& replica, const HandRef& hand, double tick);
   void add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,
                           const ViewSettings& settings);
   void add_light_shaft(const DrawItem& item);

@@ -13,22 +13,25 @@
 
 namespace prosector {
 
-/// Returns whether a section opens bodies of this appearance: tissue, skin and bone, but no instrument, cloth
-/// or furniture.
+/// Returns whether a section plane opens bodies of this appearance: tissue, skin and bone, but no instrument,
+/// cloth or furniture.
 bool is_openable(const Appearance& appearance);
 
-/// Returns the plane through `middle` that removes the side towards the eye. `back`: unit, from the subject
-/// to the eye. The plane snaps to the nearest axis of the room if that is close.
+/// Returns the section plane through `middle` (m) that removes the side towards the eye. `back`: unit vector
+/// from the subject to the eye. If `back` is close to an axis of the room, the plane is perpendicular to that
+/// axis.
 SectionPlane section_facing(const Vec3& back, const Vec3& middle);
 
 class SectionCaps {
  public:
-  /// Closes the list's solids where its section opens them, with one item for each. Takes mesh ids from
-  /// `next_mesh_id`. Returns pairs of solid number and item index.
+  /// Adds caps that close the list's solids where its section plane opens them, one item for each solid.
+  /// Takes the ids of new meshes from `next_mesh_id`. Returns the solid number and the index of the new item
+  /// for each cap.
   std::vector<std::pair<std::uint32_t, std::size_t>> add(DrawList& list, std::uint64_t& next_mesh_id);
 
  private:
-  /// The state of a surface that its section depends on.
+  /// State of a surface (mesh revisions, pose and shape) on which its intersection with the section plane
+  /// depends. The cap is rebuilt when it changes.
   struct Face {
     std::uint64_t mesh, revision, positions_revision;
     Pose pose;

@@ -100,7 +100,7 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr
                 ? words.tr("view of {}", settings.follow)
-                : words.tr("{} is not in the session; own view", settings.follow));
+                : words.tr("{} is not in the session; showing your own view", settings.follow));
   add_messages(list, settings.messages);
   add_pointed_name(list, replica, settings);
   if (const RosterEntry* followed = find_by_name(replica, settings.follow))

@@ -7,10 +7,11 @@
 
 namespace prosector {
 
-/// Returns the participant with this name, preferring active users to observers; null: none.
+/// Returns the roster entry of the participant with this name, preferring active participants to observers;
+/// null if there is none.
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
 
-/// Returns a body's name and its holders: "scalpel, held by Ann".
+/// Returns a body's name with the names of the participants that hold it: "scalpel, held by Ann".
 std::string named_with_holders(const Replica& replica, BodyId body, const Catalogue& words = {});
 
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,

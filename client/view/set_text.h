@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Typesets the text; `scale`: units of the result per unit of the text, for instance pixels per point.
+/// Lays out the text with the size and limits of the DrawText. `scale`: units of the result per unit of the
+/// text, for instance pixels per point.
 inline SetText set_text(Typesetter& typesetter, const DrawText& text, double scale) {
   return typesetter.set(text.text, {.size = scale * text.height,
                                     .least_size = scale * text.least_height,

@@ -8,8 +8,9 @@
 
 namespace prosector {
 
-/// Returns the solver effort of a body; nullopt: it is rigid, or its status was not received yet. `viewer`:
-/// the participant to show it to.
+/// Returns the solver effort of a soft body, for the panel of its part. Returns nullopt if the body is rigid,
+/// or if its status was not received yet. `viewer`: the participant to which it is shown, as only the host
+/// may choose a model configuration.
 std::optional<ShownEffort> shown_effort(const Replica& replica, BodyId body, ParticipantId viewer);
 
 }  // namespace prosector

@@ -15,14 +15,16 @@ class SoftBodyMesh {
  public:
   static constexpr std::uint64_t meshes = 2;  // mesh ids per object
 
-  /// Takes `tube_diameter` as in soft_mesh().
+  /// Creates the render meshes of a soft body, with successive ids from `first_id`. `tube_diameter`, m, is
+  /// that of a rope, which is drawn as a tube; 0: not a rope.
   SoftBodyMesh(const SoftReplica& soft, double tube_diameter, std::uint64_t first_id);
 
-  /// Updates the meshes to the replica's current surface; `moved`: it moved since the last call.
+  /// Updates the render meshes to the replica's current surface. `moved`: whether the surface moved since the
+  /// last call.
   void follow(const SoftReplica& soft, bool moved);
 
   std::shared_ptr<const DrawMesh> outer() const { return outer_; }
-  /// Returns the mesh of the surface exposed by cuts; null: no cuts.
+  /// Returns the render mesh of the surface that cuts have exposed; null if there are no cuts.
   std::shared_ptr<const DrawMesh> inner() const { return inner_->triangles.empty() ? nullptr : inner_; }
 
  private:
@@ -34,7 +36,8 @@ class SoftBodyMesh {
   void reshape(const SoftReplica& soft);
 };
 
-/// Returns the inside's appearance for that of the outside: darker, wetter, without skin.
+/// Returns the appearance of a body's inside, which cuts expose, from that of its outside: darker, wetter,
+/// without skin.
 Appearance inner_appearance(const Appearance& outer);
 
 }  // namespace prosector

@@ -9,8 +9,9 @@
 
 namespace prosector {
 
-/// A head-mounted or other stereo display. The table in stereo_profile.cpp holds the ranges. Files give
-/// angles in degrees.
+/// Properties of a head-mounted or other stereo display that takes two views side by side: size, field of
+/// view, eye distance and convergence. The table in stereo_profile.cpp holds their ranges. Files give angles
+/// in degrees.
 struct StereoProfile {
   std::string description;
   double eye_width = 800, eye_height = 600;               // pixels, each eye
@@ -24,14 +25,16 @@ struct StereoProfile {
   int picture_height() const { return static_cast<int>(eye_height); }
 };
 
-/// Reads a profile. Throws InputError with file, line, key and allowed values; unknown keys are errors.
+/// Parses the TOML text of a stereo display's profile. `file` is its name, for errors. Throws InputError with
+/// file, line, key and allowed values; unknown keys are errors.
 StereoProfile parse_stereo_profile(std::string_view toml, const std::string& file);
 
-/// Loads `profile`: a file, or the name of a shipped profile ("5dt_hmd_800_26"). Throws InputError as
-/// parse_stereo_profile() does, or with the list of shipped profiles.
+/// Loads the profile of a stereo display. `profile` is a file, or the name of a shipped profile
+/// ("5dt_hmd_800_26"). Throws InputError if its text is invalid, or, with the list of shipped profiles, if
+/// there is no such profile.
 StereoProfile load_stereo_profile(const std::string& profile);
 
-/// Returns the names of the shipped profiles, sorted.
+/// Returns the names of the stereo-display profiles that are shipped with the program, sorted.
 std::vector<std::string> shipped_profiles();
 
 }  // namespace prosector

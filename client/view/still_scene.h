@@ -6,8 +6,9 @@
 
 namespace prosector {
 
-/// Makes room, bodies and lights of a scene; the caller adds cameras. Meshing reports its progress through
-/// `progress`. Throws InputError for the inputs that the server rejects.
+/// Returns a draw list with room, bodies and lights of a scene file, every body at its initial pose. The
+/// caller adds cameras. Meshing reports its progress through `progress`. Throws InputError for scenes that
+/// the server rejects.
 DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Progress& progress);
 
 }  // namespace prosector

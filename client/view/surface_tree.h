@@ -18,15 +18,16 @@ class SurfaceTree {
     std::uint32_t triangle = 0;
   };
 
-  /// Updates the tree for the mesh: rebuilds it if triangles changed, refits the boxes if vertices moved.
+  /// Updates the bounding volume hierarchy for the mesh: rebuilds it if triangles changed, refits the boxes
+  /// if vertices moved.
   void follow(const DrawMesh& mesh);
-  /// Returns where the ray first meets the front side of the mesh, in the mesh's frame. `mesh` must be the
-  /// one passed to the last follow().
+  /// Returns where the ray, given in the mesh's frame, first meets the front side of the mesh; nullopt if it
+  /// does not. `mesh` must be the one passed to the last follow().
   std::optional<Hit> meet(const DrawMesh& mesh, const Ray& ray) const;
 
  private:
-  /// A leaf with `count` triangles of order_, or, if 0, an inner node with the children "next node" and
-  /// `other`.
+  /// Node of the bounding volume hierarchy. If `count` is not 0, it is a leaf with `count` triangles of
+  /// order_, from `first` on. Otherwise it is an inner node, whose children are the next node and `other`.
   struct Node {
     Eigen::AlignedBox3f box;
     std::uint32_t first = 0, count = 0, other = 0;
@@ -40,10 +41,11 @@ class SurfaceTree {
   void fit(const DrawMesh& mesh);
 };
 
-/// The trees of all meshes that were ray-cast, by mesh id.
+/// Bounding volume hierarchies of all meshes that were ray-cast, by mesh id.
 class SurfaceTrees {
  public:
-  /// Returns where the ray first meets the front side of the item, in the world frame.
+  /// Returns where the ray (world frame) first meets the front side of the item, in the world frame; nullopt
+  /// if it does not.
   std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
 
  private:

@@ -13,23 +13,26 @@
 
 namespace prosector {
 
-/// Height in points that is reserved for the bar at the lower border.
+/// Height, in points, of the strip at the view's lower border that is reserved for the time bar of a
+/// recording.
 inline constexpr double time_bar_strip = 30;
 
-/// Layout of the bar in a view.
+/// Layout of a recording's time bar in a view: converts between ticks of the recording and positions in
+/// points.
 class TimeBar {
  public:
-  /// Takes the recording's length in ticks.
+  /// Lays out the time bar at the lower border of the view. `last_tick`: length of the recording in ticks.
   TimeBar(const OverlayFrame& frame, std::uint64_t last_tick);
 
   double left() const { return left_; }
   double right() const { return right_; }
   double middle() const { return middle_; }  // of its height, points from the top
-  /// Returns the position of a tick, points from the left.
+  /// Returns the horizontal position of a tick on the time bar, points from the view's left.
   double place_of(double tick) const;
-  /// Returns the tick at `x`, points from the left, clamped to the recording.
+  /// Returns the tick at the position `x` on the time bar, points from the view's left, limited to the
+  /// recording.
   std::uint64_t tick_at(double x) const;
-  /// Returns whether a position, points from the top left, is on the bar.
+  /// Returns whether a position, in points from the view's top left, is on the time bar.
   bool is_on(const Eigen::Vector2d& at) const;
 
  private:
@@ -37,7 +40,7 @@ class TimeBar {
   double last_tick_;
 };
 
-/// State of the playback that the bar shows.
+/// State of the playback of a recording that the time bar shows.
 struct WatchedTime {
   Recording recording;
   double tick = 0;
@@ -47,12 +50,13 @@ struct WatchedTime {
   Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // points from the top left
 };
 
-/// Returns a time of a recording as text: "1:02.5".
+/// Returns the time of a recording's tick as text in minutes and seconds: "1:02.5".
 std::string clock_time(double tick, double tick_rate);
-/// Returns the description of a mark's event.
+/// Returns a text that describes the event of a mark on a recording's time bar.
 std::string in_words(const RecordingMark& mark, const Catalogue& words = {});
 
-/// Adds the bar, with a description above it of the mark at the pointer.
+/// Adds a recording's time bar to the view's lower border. If the pointer is on an event's mark, a
+/// description of the event is above the bar.
 void add_time_bar(DrawList& list, const WatchedTime& time);
 
 }  // namespace prosector

@@ -12,8 +12,8 @@ struct PointOnTriangle {
   Eigen::Vector3f at = Eigen::Vector3f::Zero();
 };
 
-/// Returns the projection onto the triangle's plane. If it is outside the triangle, returns a point on the
-/// border, not necessarily the nearest.
+/// Returns the projection of `x` onto the plane of the triangle a, b, c. If it is outside the triangle,
+/// returns a point on the triangle's border, not necessarily the nearest.
 inline PointOnTriangle point_on_triangle_near(const Eigen::Vector3f& x, const Eigen::Vector3f& a,
                                               const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
   const Eigen::Vector3f u = b - a, v = c - a, w = x - a;

@@ -19,14 +19,20 @@ namespace prosector {
 
 class UserAvatars {
  public:
-  /// Adds all users at the state that the server reports. The local user's hands come from the local devices,
-  /// which have less latency and match the haptics. A desk user feels nothing and is drawn at the server's
-  /// state, too. The followed user has no head. In see-through mode, the local user's hands are real. Sleeves
-  /// of the user whose eyes the view uses are half transparent, because they would hide the workspace. Takes
-  /// mesh ids from `next_mesh_id`. Adds nobody until the shapes of hands, sleeves and heads are made.
+  /// Adds hands, sleeves and heads of all users at the state that the server reports.
+  ///
+  /// The local user's hands come from the local devices instead, which have less latency and match the
+  /// haptics. A desk user (with a pointer instead of tracked hands) feels nothing and is drawn at the
+  /// server's state, too. The head of a user whose view is followed is omitted. Over a camera image, the
+  /// local user's hands are real and only occlude. Sleeves of the user whose eyes the view uses are half
+  /// transparent, because they would hide the workspace.
+  ///
+  /// Takes the ids of new meshes from `next_mesh_id`. Adds nobody until background threads have computed the
+  /// shapes.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const ViewSettings& settings, std::uint64_t& next_mesh_id);
-  /// Returns the list's item indices of the local user's hands with nails, and of the sleeves.
+  /// Returns the indices, in the draw list, of the items of the local user's hands with nails; own_sleeves()
+  /// returns those of the sleeves.
   const std::vector<std::size_t>& own_hand_items() const { return own_hands_; }
   const std::vector<std::size_t>& own_sleeves() const { return own_sleeves_; }
 
@@ -36,7 +42,7 @@ class UserAvatars {
   };
   std::map<std::pair<ParticipantId, std::size_t>, HandMeshes> hands_;
   std::shared_ptr<DrawMesh> ghost_;
-  /// Shapes shared by all avatars.
+  /// Shapes of hands and figures, which all avatars share.
   struct Shapes {
     std::array<HandSkin, 2> skins;
     FigureMeshes figure;

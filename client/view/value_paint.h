@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-/// The quantity that a body's colour shows; `none`: its own colour.
+/// Quantity that the colours of soft bodies show; `none`: bodies have their normal colours.
 enum class Shown : std::uint8_t { none, strain, residual, error };
 
 struct ValueScale {
@@ -36,26 +36,27 @@ constexpr const ValueScale& scale_of(Shown shown) {
   return value_scales[static_cast<std::size_t>(shown)];
 }
 
-/// Returns the linear colour under direct light. Values beyond the scale have the colour of its end; unknown
-/// values (NaN) are gray.
+/// Returns the linear RGB colour of a value on the scale, under direct light. Values beyond the scale have
+/// the colour of its end; unknown values (NaN) are gray.
 Vec3 value_color(const ValueScale& scale, double value);
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the largest principal stretch − 1 of the drawn surface relative to its rest positions, at each
-/// vertex. It is the mean of the adjacent triangles, weighted by rest area. Triangles without rest area are
-/// ignored.
+/// Returns the surface strain at each vertex: the largest principal stretch − 1 relative to the rest
+/// positions. It is the mean of the adjacent triangles, weighted by rest area. Triangles without rest area
+/// are ignored.
 std::vector<double> surface_strains(const DrawMesh& mesh);
 
-/// The vertex colours of one mesh, cached until the mesh, the scale or the value changes.
+/// Vertex colours of one mesh that show a quantity, cached until the mesh, the colour scale or the value
+/// changes.
 class PaintedMesh {
  public:
   explicit PaintedMesh(std::uint64_t id) { mesh_->id = id; }
-  /// Returns `mesh` with colours instead of rest positions, for DrawItem::painted. `value`: of the whole
-  /// mesh; nullopt: shows its strains. `map`: values by rest position that replace `value` at vertices; null
-  /// or empty: none.
+  /// Returns a copy of `mesh` with colours instead of rest positions, for DrawItem::painted. `value`: value
+  /// of the whole mesh; nullopt: the strains of its vertices. `map`: values by rest position that replace
+  /// `value` at vertices; null or empty: none.
   std::shared_ptr<const DrawMesh> of(const DrawMesh& mesh, const ValueScale& scale,
                                      std::optional<double> value, const ErrorMap* map = nullptr);
-  /// Returns surface_strains() of the mesh, cached.
+  /// Returns the strains at the mesh's vertices, as surface_strains() computes them, cached.
   const std::vector<double>& strains(const DrawMesh& mesh);
 
  private:
@@ -69,7 +70,7 @@ class PaintedMesh {
   std::array<std::uint64_t, 2> revisions_{};
 };
 
-/// Adds a bar of the scale's colours with its numbers, at the lower right of the view.
+/// Adds a legend at the lower right of the view: a bar of the scale's colours with its numbers.
 void add_legend(DrawList& list, const ValueScale& scale);
 
 }  // namespace prosector

@@ -25,13 +25,13 @@ struct ViewSettings : Outlook {
   std::vector<std::string> insets;  // names of users whose views are shown as insets, where they fit
 };
 
-/// The local user, at the current state of the local devices.
+/// Local user at the current state of the input devices: participant, hands and head.
 struct LocalUser {
   ParticipantId participant = 0;
   HandInput input;
   bool present = false;  // false: an observer without hands
-  /// The user moves the hand with a pointer and has no haptics. The hand is then drawn at its simulated pose,
-  /// with a ghost at the target pose and with depth cues.
+  /// Whether the user moves the hand with a pointer and has no haptics. The hand is then drawn at its
+  /// simulated pose, with a half-transparent ghost at the pose that the pointer sets, and with depth cues.
   bool at_desk = false;
 };
 

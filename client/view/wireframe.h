@@ -11,13 +11,14 @@ namespace prosector {
 
 using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Returns every edge once, except edges between coplanar faces.
+/// Returns every edge of the mesh once, as pairs of vertices, except edges between coplanar faces.
 Edges visible_edges(const TriangleMesh& mesh);
 
-/// Returns every edge once; triangles with coincident corners have none.
+/// Returns every edge of the triangles once, as pairs of vertices. Triangles with coincident corners have
+/// none.
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// Adds the edges as lines; `place(vertex)` returns m, world frame.
+/// Adds the edges as white lines to the list. `place(vertex)` returns a vertex's position, m, world frame.
 template <class Place>
 void add_wireframe(DrawList& list, const Edges& edges, const Place& place) {
   for (const auto& [a, b] : edges)

@@ -13,18 +13,20 @@ namespace prosector {
 inline constexpr std::size_t headset_joints = 26;  // in the order of XrHandJointEXT
 using HeadsetJoints = std::array<Pose, headset_joints>;
 
-/// Returns the hand fitted to the joints, which are in the room frame. Returns nullopt for non-finite poses.
+/// Returns wrist pose and finger flexions fitted to the 26 hand joints that a headset tracks, in the frame of
+/// `joints`. Returns nullopt if a pose is not finite.
 std::optional<TrackedHand> hand_of_joints(const HeadsetJoints& joints);
 
-/// A controller's state. Its grip pose is OpenXR's, at the palm's surface: +x goes into the right palm and
-/// out of the left one, −z from the little finger to the thumb.
+/// State of a headset's hand controller. Its grip pose is OpenXR's, at the palm's surface: +x goes into the
+/// right palm and out of the left one, −z from the little finger to the thumb.
 struct ControllerState {
   Pose grip;
   double trigger = 0, squeeze = 0;  // 0 … 1
 };
 
-/// Returns the hand around a controller. The trigger closes all fingers, for grasping; the squeeze control
-/// closes all but the index finger, which then points. Returns nullopt for non-finite values.
+/// Returns wrist pose and flexions of the hand that holds a controller. `hand`: left_hand or right_hand. The
+/// trigger closes all fingers, for grasping; the squeeze control closes all but the index finger, which then
+/// points. Returns nullopt for non-finite values.
 std::optional<TrackedHand> hand_of_controller(std::size_t hand, const ControllerState& state);
 
 }  // namespace prosector

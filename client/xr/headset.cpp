@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds follow_interval(8);
 /// Returns the context if an OpenXR runtime can render with it, else throws InputError.
 const GlContext& shared(const GlContext& context) {
   if (!std::holds_alternative<std::monostate>(context.handles())) return context;
-  throw InputError("--display openxr: needs OpenGL by EGL; install libegl1");
+  throw InputError("--display openxr needs an OpenGL context by EGL: install libegl1");
 }
 
 }  // namespace

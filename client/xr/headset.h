@@ -17,49 +17,54 @@
 
 namespace prosector {
 
-/// Request for a frame of both eyes side by side, each of this size.
+/// Headset frame to render: both eyes side by side, each of `width` × `height` pixels, with the user's poses
+/// at the display time.
 struct HeadsetFrame {
   std::array<EyeView, 2> eyes;  // left, right, room frame, at the display time
   int width = 0, height = 0;    // pixels, each eye
   TrackedUser user;             // at the display time
 
-  /// Returns the cameras of both eyes in one image.
+  /// Returns the render cameras of the left and the right eye, whose viewports are side by side in one frame.
   std::array<DrawCamera, 2> cameras() const {
     return {camera_of(eyes[0], 0, width, height), camera_of(eyes[1], width, width, height)};
   }
 };
 
-/// Message about the headset, for the terminal and, if for_wearer, also for the headset's display.
+/// Message about the headset's state for the terminal, and, if for_wearer is true, also for the headset's
+/// display.
 struct HeadsetNews {
   std::string line;
   bool for_wearer = false;
 };
 
-/// Reports whether the runtime supports EGL, not only GLX; true if no runtime answers. Throws InputError if
-/// the OpenXR loader is missing.
+/// Returns whether the OpenXR runtime supports rendering by EGL, not only by GLX; true if no runtime answers.
+/// Throws InputError if the OpenXR loader is missing.
 bool headset_takes_egl();
 
 class Headset {
  public:
-  /// Connects to the headset. `context` renders and must outlive this; `room_stage`: pose of the headset's
-  /// stage in the room frame. Throws InputError if loader or runtime are missing or unsuitable; a headset
-  /// that isn't connected is awaited. An own thread calls `take_user` with the user's current poses in the
-  /// room frame, independently of the frame rate.
+  /// Connects to the headset. `context` renders and must outlive this object; `room_stage` is the pose of the
+  /// headset's stage (its floor origin) in the room frame. Throws InputError if loader or runtime are missing
+  /// or unsuitable. If the headset isn't connected, next_frame() retries until it is. A separate thread calls
+  /// `take_user` with the user's current poses in the room frame, independently of the frame rate.
   Headset(const GlContext& context, const Pose& room_stage,
           std::function<void(const TrackedUser& user)> take_user);
   ~Headset();
 
-  /// Waits for the next frame and begins it. Returns it if it must be rendered: then show() must follow.
+  /// Waits for the headset's next frame and begins it. If the frame must be rendered, returns it, and show()
+  /// must follow. Returns nullopt if there is nothing to render: no connection, or an invisible frame.
   std::optional<HeadsetFrame> next_frame();
-  /// Submits the image of both eyes side by side that `draw` copies into the texture.
+  /// Submits the frame of both eyes side by side to the headset. `draw` must copy it into the OpenGL texture
+  /// that it is called with.
   void show(const std::function<void(unsigned texture)>& draw);
-  /// Reports whether next_frame() waited for the headset's frame timing; false while it has none.
+  /// Returns whether the last next_frame() waited for the headset's frame timing. If false, the caller must
+  /// limit its frame rate differently.
   bool keeps_time() const { return keeps_time_; }
-  /// Returns the timing of all frames.
+  /// Returns the statistics of the headset's frame timing since the start.
   const FramePacing& pacing() const { return pacing_; }
-  /// Reports whether the program was ended in the headset's own menu.
+  /// Returns whether the user ended the program in the headset's own menu.
   bool closed() const { return closed_; }
-  /// Returns the messages since the last call.
+  /// Returns and removes the messages about the headset that were added since the last call.
   std::vector<HeadsetNews> take_news() { return std::exchange(news_, {}); }
 
  private:

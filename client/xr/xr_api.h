@@ -41,8 +41,8 @@ using GLXDrawable = unsigned long;
 
 namespace prosector {
 
-/// OpenXR functions: xr.WaitFrame(…) is xrWaitFrame(…). Functions of an extension are null if the runtime
-/// lacks it.
+/// Function pointers of OpenXR, named without the prefix: xr.WaitFrame(…) calls xrWaitFrame(…). Functions of
+/// an extension are null if the runtime lacks the extension.
 struct XrFunctions {
   PFN_xrGetInstanceProcAddr GetInstanceProcAddr = nullptr;
   PFN_xrCreateInstance CreateInstance = nullptr;
@@ -55,26 +55,27 @@ struct XrFunctions {
 #undef PROSECTOR_XR_MEMBER
 };
 
-/// Failure of an OpenXR call: session, instance or runtime are lost or unusable.
+/// Exception for a failed OpenXR call, or for a session or instance that the runtime reports as lost.
 struct XrFailure : std::runtime_error {
   XrFailure(const char* function, XrResult why);
   XrResult result;
 };
 
-/// Returns a text for a result.
+/// Returns an English description of an OpenXR result code, for error messages.
 std::string name_of(XrResult result);
 
-/// Throws XrFailure if the result is an error or announces the loss of the session.
+/// Throws XrFailure if the result of the OpenXR function is an error or announces the loss of the session.
 void check_xr(const char* function, XrResult result);
 #define PROSECTOR_XR_CHECK(XR, NAME, ...) check_xr("xr" #NAME, (XR).NAME(__VA_ARGS__))
 
-/// Opens the loader and gets the functions that need no instance. Throws InputError with the package to
-/// install.
+/// Loads the OpenXR loader library and returns the functions that need no instance; the others are null.
+/// Throws InputError with the package to install if the loader is missing.
 XrFunctions load_openxr();
-/// Gets the functions of an instance.
+/// Sets the function pointers of `xr` that belong to an OpenXR instance. Those of the extensions for hand
+/// tracking and time conversion are set only if `hands` and `time` are true.
 void load_functions(XrInstance instance, XrFunctions& xr, bool hands, bool time);
 
-/// Returns a zero-initialised OpenXR structure of this type.
+/// Returns an OpenXR structure whose `type` member is set and whose other members are zero.
 template <class T>
 T typed(XrStructureType type) {
   T out{};

@@ -13,9 +13,11 @@ class XrInput {
   XrInput(const XrInput&) = delete;
   XrInput& operator=(const XrInput&) = delete;
 
-  /// Reads the controllers' inputs; `focused`: this program has the input focus.
+  /// Updates the state of the controllers' buttons and triggers. `focused`: whether this program has the
+  /// headset's input focus, without which locate() returns no hands.
   void sync(bool focused);
-  /// Returns the user at `time` in the space `base`; hands only while this program has the input focus.
+  /// Returns the poses of the user's head and hands at `time`, relative to the OpenXR space `base`. Hands are
+  /// included only while this program has the input focus.
   TrackedUser locate(XrSpace base, XrTime time) const;
 
  private:

@@ -11,41 +11,47 @@ namespace prosector {
 
 class HeadsetSession {
  public:
-  /// Creates a session that renders with the context; `tell` receives messages on its state.
+  /// Creates an OpenXR session that renders with the context. `tell` receives messages for the user on the
+  /// session's state.
   HeadsetSession(const XrSystem& system, const GlContext& context,
                  std::function<void(const std::string&)> tell);
   ~HeadsetSession();
   HeadsetSession(const HeadsetSession&) = delete;
   HeadsetSession& operator=(const HeadsetSession&) = delete;
 
-  /// Processes the runtime's events, which begin and end the session. Throws XrFailure if session or runtime
-  /// are lost.
+  /// Processes the OpenXR runtime's events, which begin and end the session's frames. Throws XrFailure if
+  /// session or runtime are lost.
   void follow_events();
-  /// Reports whether the runtime requests frames: then end() or end_without_image() must follow each wait().
+  /// Returns whether the OpenXR runtime requests frames. While it does, end() or end_without_image() must
+  /// follow each wait().
   bool running() const { return running_; }
-  /// Reports whether the runtime asks the program to exit.
+  /// Returns whether the OpenXR runtime asks the program to exit.
   bool over() const { return over_; }
 
-  /// Waits for the next frame and begins it. Returns whether to render it.
+  /// Waits until the OpenXR runtime requests the next frame, and begins that frame. Returns whether to render
+  /// it; false if it would be invisible.
   bool wait();
-  /// Returns the frame's predicted display time; period_ns() returns the display period. Both in ns of the
-  /// runtime's clock.
+  /// Returns the current frame's predicted display time; period_ns() returns the display period. Both are in
+  /// ns of the OpenXR runtime's clock.
   std::int64_t seen_ns() const { return frame_.predictedDisplayTime; }
   std::int64_t period_ns() const { return frame_.predictedDisplayPeriod; }
-  /// Reads the controllers' inputs.
+  /// Updates the state of the controllers' buttons and triggers for the current frame.
   void sync();
-  /// Returns both eyes at the frame's display time, in the stage frame; nullopt: not tracked.
+  /// Returns pose and field of view of both eyes, left first, at the frame's display time, in the frame of
+  /// the headset's stage. Returns nullopt if the headset is not tracked.
   std::optional<std::array<EyeView, 2>> eyes();
-  /// Returns the user at the frame's display time, in the stage frame.
+  /// Returns the poses of the user's head and hands at the frame's predicted display time, in the frame of
+  /// the headset's stage.
   TrackedUser user_at_display() const { return input_.locate(stage_, frame_.predictedDisplayTime); }
-  /// Reports whether user_now() can be called.
+  /// Returns whether user_now() can be called: the session runs, and the inputs were read at least once.
   bool has_user() const { return running_ && synced_ns_ != 0; }
-  /// Returns the user now, in the stage frame; if the runtime can't convert times, at the last frame's
-  /// display time.
+  /// Returns the poses of the user's head and hands at the present time, in the frame of the headset's stage.
+  /// If the runtime can't convert times, returns those at the last frame's display time.
   TrackedUser user_now() const;
-  /// Ends the frame with the image of both eyes that `draw` copies into the texture.
+  /// Ends the frame and submits the image of both eyes side by side. `draw` must copy the image into the
+  /// OpenGL texture that it is called with.
   void end(const std::function<void(unsigned texture)>& draw);
-  /// Ends the frame without an image.
+  /// Ends the begun frame without submitting an image; the headset then shows nothing of this program.
   void end_without_image();
 
   int eye_width() const { return width_; }

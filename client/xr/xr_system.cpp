@@ -39,7 +39,9 @@ void XrSystem::create(bool by_egl) {
   std::vector<const char*> wanted = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
   if (by_egl) wanted.push_back(XR_MNDX_EGL_ENABLE_EXTENSION_NAME);
   for (const char* name : wanted)
-    if (!has(name)) throw InputError(fmt::format("--display openxr: the runtime lacks {}", name));
+    if (!has(name))
+      throw InputError(fmt::format(
+          "--display openxr: the OpenXR runtime lacks the extension {}; use another runtime", name));
   const bool hands = has(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
   const bool time = has(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME);
   if (hands) wanted.push_back(XR_EXT_HAND_TRACKING_EXTENSION_NAME);

@@ -8,13 +8,14 @@
 
 namespace prosector {
 
-/// Returns the names of the runtime's extensions. Throws XrFailure if no runtime answers.
+/// Returns the names of the OpenXR extensions that the runtime supports. Throws XrFailure if no runtime
+/// answers.
 std::vector<std::string> extensions_of(const XrFunctions& xr);
 
 class XrSystem {
  public:
-  /// Connects to a stereo headset; `by_egl`: the renderer uses EGL. Throws XrFailure if the headset is
-  /// temporarily unavailable, InputError if it is unsuitable.
+  /// Creates an OpenXR instance and finds a stereo headset. `by_egl`: the renderer uses EGL rather than GLX.
+  /// Throws XrFailure if the headset is temporarily unavailable, InputError if the runtime is unsuitable.
   explicit XrSystem(bool by_egl);
   ~XrSystem();
   XrSystem(const XrSystem&) = delete;
@@ -26,9 +27,11 @@ class XrSystem {
   bool tracks_hands() const { return tracks_hands_; }
   bool converts_time() const { return xr_.ConvertTimespecTimeToTimeKHR != nullptr; }
   const std::array<XrViewConfigurationView, 2>& views() const { return views_; }
-  /// Returns the headset's preferred mode of blending the image with the environment.
+  /// Returns the OpenXR mode in which the headset prefers to blend rendered frames with its view of the
+  /// environment.
   XrEnvironmentBlendMode blend_mode() const { return blend_mode_; }
-  /// Returns the names of runtime and headset, for display.
+  /// Returns a description of the headset for the terminal: its name, its runtime, the pixels per eye, and
+  /// whether it tracks hands.
   std::string description() const;
 
  private:

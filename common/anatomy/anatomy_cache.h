@@ -17,16 +17,17 @@ struct CachedAnatomy {
   double expected_volume = 0;        // m³: volume enclosed or labelled in the source file; 0: unknown
 };
 
-/// Result of a cache look-up: a mesh, or none and the reason ("" if there is no cached file). The caller then
-/// rebuilds the mesh.
+/// Result of looking up a mesh in the disk cache: the mesh, or none and the reason ("" if there is no cached
+/// file). Without a mesh, the caller builds it from its source.
 struct CachedAnatomyResult {
   std::optional<CachedAnatomy> made;
   std::string trouble;
 };
 CachedAnatomyResult load_cached(const std::filesystem::path& dir, const ContentHash& key);
 
-/// Stores the mesh under its key. Writes a temporary file and renames it, so that readers never see a partial
-/// file. Returns false if the folder isn't writable, which is not an error for a cache.
+/// Stores the mesh in the cache directory `dir` under its key. Writes a temporary file and renames it, so
+/// that readers never see a partial file. Returns false if the folder isn't writable, which is not an error
+/// for a cache.
 bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made);
 
 }  // namespace prosector

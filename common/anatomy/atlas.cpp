@@ -9,6 +9,7 @@
 
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
+#include "common/scene/body_groups.h"
 #include "common/scene/label_table.h"
 #include "common/scene/material.h"
 #include "common/scene/suggest.h"
@@ -81,7 +82,8 @@ class AtlasReader {
     if (progress)
       progress(fmt::format(
           "{}: {} of {} labels of {}{}", where_, taken.size(), voxels_.size(), atlas_.volume,
-          unnamed > 0 ? fmt::format("; {} has no name for {} of them", atlas_.labels, unnamed) : ""));
+          unnamed > 0 ? fmt::format("; the table {} has no name for {} of the labels", atlas_.labels, unnamed)
+                      : ""));
   }
 
  private:
@@ -109,8 +111,9 @@ class AtlasReader {
     for (const Label& label : table_.labels) {
       known.push_back(label.name);
       if (label.id == 0)
-        throw InputError(fmt::format("{}: {}: \"{}\" has no id; a label map's table needs a column \"id\"",
-                                     where_, table_.file, label.name));
+        throw InputError(
+            fmt::format("{}: {}: label \"{}\" has no id; a label map's table needs a column \"id\"", where_,
+                        table_.file, label.name));
     }
     const auto check = [&](const char* key, const std::vector<std::string>& list) {
       for (const std::string& name : list) {
@@ -120,8 +123,9 @@ class AtlasReader {
                                        atlas_.labels.empty() ? atlas_.volume : atlas_.labels,
                                        suggest(name, known)));
         if (!has(*label))
-          throw InputError(fmt::format("{}: {}: label {} (\"{}\") does not occur in {}, which has {}", where_,
-                                       key, label->id, name, atlas_.volume, listed()));
+          throw InputError(
+              fmt::format("{}: {}: label {} (\"{}\") does not occur in {}, which has the labels {}", where_,
+                          key, label->id, name, atlas_.volume, listed()));
       }
     };
     check("only", atlas_.only);
@@ -176,13 +180,13 @@ class AtlasReader {
     }
     SoftDesc& body = scene.soft.emplace_back();
     describe(label, made_of, color, body);
-    body.cell = cell(label);
-    body.surface_cell = atlas_.surface_cell;
-    body.model = atlas_.model;
-    body.element = atlas_.element;
-    body.integrator = atlas_.integrator;
-    body.solver = atlas_.solver;
-    body.damping_mass = atlas_.damping_mass;
+    body.geometry.cell = cell(label);
+    body.geometry.surface_cell = atlas_.surface_cell;
+    body.configuration.model = atlas_.model;
+    body.configuration.element = atlas_.element;
+    body.configuration.integrator = atlas_.integrator;
+    body.configuration.solver = atlas_.solver;
+    body.material.damping_mass = atlas_.damping_mass;
     body.gravity = atlas_.gravity;
     if (atlas_.hold > 0) body.attach = {{atlas_.pose.p, reach(), atlas_.hold}};
   }
@@ -192,15 +196,15 @@ class AtlasReader {
     body.name = label.name;
     body.names = label.names;
     body.term = label.term;
-    body.volume = atlas_.volume;
-    body.label = label.id;
-    body.smoothing = atlas_.smoothing;
-    body.max_volume_error = atlas_.max_volume_error;
+    geometry_of(body).volume = atlas_.volume;
+    geometry_of(body).label = label.id;
+    geometry_of(body).smoothing = atlas_.smoothing;
+    geometry_of(body).max_volume_error = atlas_.max_volume_error;
     body.pose = atlas_.pose;
     body.part = true;
     body.from_atlas = true;
-    body.group = atlas_.group;
-    body.touches = atlas_.touches;
+    contact_of(body).group = atlas_.group;
+    contact_of(body).touches = atlas_.touches;
     apply_material(made_of, body);
     body.appearance.color = color;
   }
@@ -234,7 +238,8 @@ void check_bodies(const SceneDesc& scene) {
   for (const SoftDesc& body : scene.soft) check(body.name);
   if (names.size() > max_bodies)
     throw InputError(
-        fmt::format("{}: {} bodies with those of its atlases: at most {} are allowed; see `only`",
+        fmt::format("{}: the scene has {} bodies, those of its atlases included: at most {} are allowed; "
+                    "list fewer labels in `only`",
                     scene.file.string(), names.size(), max_bodies));
 }
 

@@ -31,8 +31,9 @@ double lattice_points(const Vec3& extent, double cell) {
 void require_sizes(const SolidField& field, double cell) {
   const Vec3 extent = field.box.size();
   if (!(cell > 0) || !std::isfinite(cell) || !extent.allFinite() || !(extent.minCoeff() > 0))
-    throw InputError(fmt::format("mesh: cell {} m around a box of {} x {} x {} m; allowed: positive sizes",
-                                 cell, extent[0], extent[1], extent[2]));
+    throw InputError(fmt::format(
+        "mesh: the cell is {} m and the shape's bounding box {} x {} x {} m; allowed: positive sizes", cell,
+        extent[0], extent[1], extent[2]));
 }
 
 BccLattice::BccLattice(const SolidField& field, double cell, const Vec3& offset, double max_points) {

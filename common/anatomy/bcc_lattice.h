@@ -10,29 +10,33 @@
 
 namespace prosector {
 
-/// Returns the number of points of a lattice of short edge `cell` (m) that covers a box of `extent` (m).
+/// Returns the number of points of a body-centred cubic lattice with the short edge `cell` (m) that covers a
+/// box with sides `extent` (m).
 double lattice_points(const Vec3& extent, double cell);
 
-/// Throws InputError unless `cell` and the box's sizes are positive and finite.
+/// Throws InputError unless `cell` and the sides of the field's box are positive and finite.
 void require_sizes(const SolidField& field, double cell);
 
 class BccLattice {
  public:
-  /// Covers field.box with a margin; `cell` (m) is the short edge; `offset` is in lattice constants.
-  /// Allocates nothing. Throws InputError if `cell` isn't positive, or if more than `max_points` would be
-  /// needed; the message then states the finest allowed cell.
+  /// Defines a lattice that covers field.box with a margin. `cell` (m) is the short edge between adjacent
+  /// points; `offset` shifts the lattice, in lattice constants. Allocates nothing. Throws InputError if
+  /// `cell` isn't positive, or if more than `max_points` would be needed; the message then states the finest
+  /// allowed cell.
   BccLattice(const SolidField& field, double cell, const Vec3& offset, double max_points);
 
   std::size_t size() const { return 2 * grid_; }
   Vec3 position(std::size_t point) const;
   double edge_length(bool is_long) const { return is_long ? a_ : 0.86602540378443865 * a_; }
-  /// Returns whether the edge between two adjacent points is a long one, which connects points of the same
-  /// grid.
+  /// Returns whether the edge between two adjacent lattice points (by index) is a long one. Long edges
+  /// connect points of the same of the two cubic grids that form the lattice.
   bool is_long(std::size_t a, std::size_t b) const { return (a < grid_) == (b < grid_); }
-  /// Returns whether an even number of coordinates increases from p to n along a short edge.
+  /// Returns whether an even number of coordinates increases from lattice point p to its neighbour n along a
+  /// short edge.
   bool parity(std::size_t p, std::size_t n) const;
 
-  /// Calls visit(neighbour, is_long) for each neighbour of the point, in a fixed order.
+  /// Calls visit(neighbour, is_long) for each neighbour of a lattice point, in a fixed order. `neighbour` is
+  /// its index; `is_long` states whether the edge to it is one of the lattice's long edges.
   template <class Visit>
   void for_neighbors(std::size_t point, Visit&& visit) const {
     const bool center = point >= grid_;
@@ -50,8 +54,9 @@ class BccLattice {
     }
   }
 
-  /// Calls visit({c, c', v, v'}) for each tetrahedron: the centres of two cells that share a face, and an
-  /// edge of that face.
+  /// Calls visit({c, c', v, v'}) for each tetrahedron of the lattice, with the indices of its points. Points
+  /// c and c' are the centres of two cubic cells that share a face. Points v and v' are the ends of an edge
+  /// of that face.
   template <class Visit>
   void for_tets(Visit&& visit) const {
     Index i;

@@ -20,8 +20,8 @@ struct ChildOutcome {
   std::string trouble;               // reason of the failure; empty: exit code 0
 };
 
-/// Runs `program` with `arguments`, with empty standard input and discarded standard error. Kills it if it
-/// exceeds a limit. Measures time on the monotonic clock.
+/// Runs `program` with `arguments` and waits for its end. Standard input is empty, and standard error is
+/// discarded. Kills the program if it exceeds a limit. Measures time on the monotonic clock.
 ChildOutcome run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                        const ChildLimits& limits);
 

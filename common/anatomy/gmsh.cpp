@@ -15,7 +15,8 @@ class GmshReader {
   TetMesh read(const Progress& report) {
     std::string_view first = in_.word();
     while (!first.empty() && first != "$MeshFormat" && first != "$NOD") first = in_.word();
-    if (first.empty()) in_.fail("neither $MeshFormat nor $NOD; allowed: Gmsh 1, 2.2 or 4.1 ASCII");
+    if (first.empty())
+      in_.fail("the file has neither $MeshFormat nor $NOD; allowed: Gmsh 1, 2.2 or 4.1 ASCII");
     first == "$NOD" ? read_1() : read_2_or_4();
     cells_.report(report);
     return std::move(mesh_);
@@ -61,7 +62,8 @@ class GmshReader {
     for (std::size_t left = corners_of(kind.shape); left > 0; --left) {
       const auto tag = in_.number<std::uint64_t>("a node number");
       const auto it = numbers_.find(tag);
-      if (it == numbers_.end()) in_.fail(fmt::format("element uses node {}, which does not exist", tag));
+      if (it == numbers_.end())
+        in_.fail(fmt::format("an element uses node {}, which does not exist in the file", tag));
       corners_.push_back(it->second);
     }
     for (std::size_t k = corners_.size(); k < kind.nodes; ++k) in_.number<std::uint64_t>("a node number");
@@ -95,7 +97,8 @@ class GmshReader {
     for (int k = 0; k < 3; ++k) in_.number<std::uint64_t>("a node count");
     for (; blocks > 0; --blocks) {
       for (int k = 0; k < 2; ++k) in_.number<int>("an entity");
-      if (in_.number<int>("parametric flag") != 0) in_.fail("parametric nodes; allowed: plain ones");
+      if (in_.number<int>("parametric flag") != 0)
+        in_.fail("the file has parametric nodes; allowed: nodes without parameters");
       std::vector<std::uint64_t> tags(in_.count("number of nodes"));
       for (auto& tag : tags) tag = in_.number<std::uint64_t>("a node number");
       for (const auto tag : tags) add_node(tag);

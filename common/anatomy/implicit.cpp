@@ -156,11 +156,11 @@ Box measured_box(const ImplicitShape& shape) {
 
 const std::vector<ImplicitShape>& implicit_shapes() {
   static const std::vector<ImplicitShape> table = {
-      {"liver", "two lobes, the right one larger, hollow below", {0.21, 0.16, 0.14}, liver},
-      {"kidney", "a bean with its hilum at +x", {0.06, 0.11, 0.045}, kidney},
+      {"liver", "a liver of two lobes, the right one larger, hollow below", {0.21, 0.16, 0.14}, liver},
+      {"kidney", "a bean-shaped kidney with its hilum at +x", {0.06, 0.11, 0.045}, kidney},
       {"gallbladder", "a pear, neck up", {0.027, 0.07, 0.027}, gallbladder},
       {"femur", "a thigh bone, head at +x", {0.11, 0.45, 0.07}, femur},
-      {"foot", "the bones of a right foot as one, toes at +z", {0.09, 0.075, 0.24}, foot},
+      {"foot", "the bones of a right foot as one solid, toes at +z", {0.09, 0.075, 0.24}, foot},
       {"block", "a cube with rounded edges", {0.1, 0.1, 0.1}, block},
       {"ball", "a sphere", {0.1, 0.1, 0.1}, ball},
       {"beam", "a bar along x with rounded edges", {0.4, 0.1, 0.1}, beam},

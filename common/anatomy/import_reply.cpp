@@ -37,7 +37,7 @@ ImportReply decode_import_reply(std::span<const std::uint8_t> bytes) {
   const std::size_t vertices = out.mesh.positions.size();
   for (const auto& t : out.mesh.triangles)
     if (std::ranges::any_of(t, [&](std::uint32_t v) { return v >= vertices; }))
-      throw InputError("its reader returned an invalid vertex");
+      throw InputError("the program that reads it returned a triangle with a vertex that does not exist");
   return out;
 }
 

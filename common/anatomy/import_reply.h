@@ -19,8 +19,8 @@ struct ImportReply {
 
 std::vector<std::uint8_t> encode(const ImportReply& reply);
 
-/// Decodes a reply. Throws InputError if the bytes are not exactly one reply or a triangle refers to a
-/// missing vertex.
+/// Decodes the output of prosector-import, a mesh or the reason why there is none. Throws InputError if the
+/// bytes are not exactly one reply or a triangle refers to a missing vertex.
 ImportReply decode_import_reply(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector

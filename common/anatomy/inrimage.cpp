@@ -59,7 +59,7 @@ VolumeHeader parse_inrimage_header(std::span<const std::uint8_t> head, const std
   }
   if (number<int>(fields, "VDIM", 1, name) != 1)
     throw InputError(
-        fmt::format("{}: header: VDIM={}; allowed: 1 (one value a voxel)", name, fields["VDIM"]));
+        fmt::format("{}: header: VDIM={}; allowed: 1 (one value per voxel)", name, fields["VDIM"]));
   const int bits = number<int>(fields, "PIXSIZE", 8, name);
   const std::string type = fields.contains("TYPE") ? fields["TYPE"] : "unsigned fixed";
   const std::map<std::pair<std::string, int>, VoxelType> types = {

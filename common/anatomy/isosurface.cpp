@@ -151,9 +151,10 @@ TriangleMesh largest_piece(const TriangleMesh& mesh) {
 TriangleMesh isosurface(const SolidField& field, double cell) {
   TriangleMesh mesh = march(field, cell);
   if (mesh.triangles.empty())
-    throw InputError(fmt::format(
-        "surface: empty at a surface cell of {:.3g} mm; allowed: finer than the shape's thinnest part",
-        1000 * cell));
+    throw InputError(
+        fmt::format("surface: it has no triangles at a surface cell of {:.3g} mm; allowed: surface_cell "
+                    "below the thickness of the shape's thinnest part",
+                    1000 * cell));
   mesh = simplify(largest_piece(mesh), cell, [&](const Vec3& x) { return project(field, x, cell); });
   relax(mesh, field, cell);
   untangle(mesh);

@@ -6,12 +6,12 @@
 
 namespace prosector {
 
-/// Extracts the surface by marching tetrahedra on a BCC lattice; the result is a closed manifold. Then
-/// collapses short edges and relaxes vertices along the surface until edges are about `cell` metres long.
-/// Keeps the largest piece only. Throws InputError if there is no surface.
+/// Extracts the surface of the solid by marching tetrahedra on a BCC lattice; the result is a closed
+/// manifold. Then collapses short edges and relaxes vertices along the surface until edges are about `cell`
+/// metres long. Keeps the largest piece only. Throws InputError if there is no surface.
 TriangleMesh isosurface(const SolidField& field, double cell);
 
-/// Returns the piece with the largest enclosed volume.
+/// Returns the connected piece of the mesh with the largest enclosed volume.
 TriangleMesh largest_piece(const TriangleMesh& mesh);
 
 }  // namespace prosector

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Binary mask of a structure: 1 inside, 0 outside, cropped to the structure with a margin of zeros.
+/// Binary mask of a structure in a medical volume: 1 inside, 0 outside, cropped to the structure with a
+/// margin of zeros.
 struct Mask {
   Volume volume;                   // values 0 or 1
   Vec3 origin = Vec3::Zero();      // m: the cropped volume's centre in the whole volume's frame
@@ -17,23 +18,27 @@ struct Mask {
   std::size_t dropped_pieces = 0;
   std::size_t filled_voxels = 0;  // in cavities, which are counted as inside
 
-  /// Returns the volume of the voxels inside (m³), cavities included.
+  /// Returns the total volume (m³) of the voxels inside the structure, filled cavities included.
   double inside_volume() const;
 };
 
-/// Returns the mask of voxels equal to `label`: the largest face-connected piece, with a border of `margin`
-/// voxels. Throws InputError that lists the labels present if no voxel has this one.
+/// Returns the mask of the volume's voxels equal to `label`: the largest face-connected piece, with a border
+/// of `margin` voxels. Throws InputError that lists the labels present if no voxel has this one. `name` is
+/// used in messages.
 Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name);
 
-/// Returns the mask of voxels above `threshold`: the largest face-connected piece. Throws InputError with the
-/// volume's range of values if none or all voxels are above it.
+/// Returns the mask of the volume's voxels above `threshold`: the largest face-connected piece, with a border
+/// of `margin` voxels. Throws InputError with the volume's range of values if none or all voxels are above
+/// it. `name` is used in messages.
 Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name);
 
-/// Smooths the mask by a Gaussian of σ `sigma` voxels along each axis. Returns the field level − mask,
-/// negative inside. The level is chosen to preserve the structure's volume.
+/// Smooths the mask by a Gaussian with a standard deviation of `sigma` voxels along each axis. Returns a
+/// solid whose field is level − smoothed mask, negative inside. The level is chosen to preserve the
+/// structure's volume.
 SolidField smooth_solid(const Mask& mask, double sigma);
 
-/// Returns the border (voxels) around the structure that smooth_solid() needs.
+/// Returns the width (voxels) of the border of zeros around the structure that smooth_solid() needs for a
+/// Gaussian of `sigma` voxels.
 int smoothing_margin(double sigma);
 
 }  // namespace prosector

@@ -158,7 +158,7 @@ void CellCollector::report(const Progress& to) const {
   for (const auto& [plural, count] : split_)
     to(fmt::format("repaired: {} {} are split into tetrahedra", count, plural));
   for (const auto& [plural, count] : straightened_)
-    to(fmt::format("repaired: {} {} are replaced by linear ones with straight edges", count, plural));
+    to(fmt::format("repaired: {} {} are replaced by linear elements with straight edges", count, plural));
   std::string skipped;
   for (const auto& [plural, count] : skipped_)
     skipped += fmt::format("{}{} {}", skipped.empty() ? "" : ", ", count, plural);
@@ -167,8 +167,8 @@ void CellCollector::report(const Progress& to) const {
 
 std::string unknown_cell(std::uint64_t number) {
   return fmt::format(
-      "elements of type {}; allowed: tetrahedra, hexahedra, prisms and pyramids. Save the mesh with "
-      "tetrahedra only",
+      "the file has elements of type {}; allowed: tetrahedra, hexahedra, prisms and pyramids. Save the mesh "
+      "with tetrahedra only",
       number);
 }
 

@@ -23,21 +23,23 @@ struct TetQuality {
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 TetQuality tet_quality(const TetMesh& mesh);
 
-/// Returns the boundary faces (those of only one tetrahedron), counter-clockwise from outside. Indices refer
-/// to the mesh's nodes.
+/// Returns the mesh's boundary faces (those of only one tetrahedron), counter-clockwise seen from outside, as
+/// indices of the mesh's nodes.
 std::vector<std::array<std::uint32_t, 3>> boundary_faces(const TetMesh& mesh);
 
-/// Returns the face-connected component of each tetrahedron, numbered from 0 in order of first appearance.
+/// Returns, for each tetrahedron, the index of its face-connected component. Components are numbered from 0
+/// in order of first appearance.
 std::vector<std::uint32_t> tet_components(const TetMesh& mesh);
 
-/// Returns the mesh of the tetrahedra with keep[i] true, without unused nodes.
+/// Returns the mesh that consists of the tetrahedra i with keep[i] true, without unused nodes.
 TetMesh subset(const TetMesh& mesh, const std::vector<bool>& keep);
 
-/// Counts the edges of a triangle surface that do not have exactly two triangles of consistent orientation: 0
-/// for a closed, orientable 2-manifold.
+/// Returns the number of edges of a triangle surface that do not have exactly two triangles of consistent
+/// orientation. It is 0 for a closed, orientable 2-manifold.
 std::size_t non_manifold_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// Returns a summary for progress lines: "3,912 tets, 1,603 ml, dihedral 14.1-151 deg, ...".
+/// Returns a summary of the mesh's quality for progress lines, such as "3,912 tets, 1,603 ml, dihedral
+/// 14.1-151 deg, ...".
 std::string describe(const TetQuality& quality);
 
 }  // namespace prosector

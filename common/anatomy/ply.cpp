@@ -73,7 +73,8 @@ class PlyReader {
         for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, [](std::size_t, double) {});
       }
     }
-    if (!vertices || !faces) throw InputError("no elements \"vertex\" and \"face\": not a polygon surface");
+    if (!vertices || !faces)
+      throw InputError("the file has no elements \"vertex\" and \"face\", so it is not a polygon surface");
     check_corners();
     if (unlike_polygons_ > 0)
       notes_.push_back(fmt::format("{} faces of fewer than three vertices are not used", unlike_polygons_));
@@ -97,15 +98,17 @@ class PlyReader {
         in_.fail(fmt::format("\"{}\" found; expected: element, property or end_header", w.substr(0, 32)));
     }
     in_.end_line();
-    if (!encoded_) in_.fail("no format; allowed: ascii, binary_little_endian, binary_big_endian");
+    if (!encoded_)
+      in_.fail("the header has no format; allowed: ascii, binary_little_endian, binary_big_endian");
     for (const Element& element : elements_) check_size(element);
   }
 
   void format() {
     const std::string_view w = in_.word();
     if (w != "ascii" && w != "binary_little_endian" && w != "binary_big_endian")
-      in_.fail(fmt::format("format \"{}\"; allowed: ascii, binary_little_endian, binary_big_endian",
-                           w.substr(0, 32)));
+      in_.fail(
+          fmt::format("the header has format \"{}\"; allowed: ascii, binary_little_endian, binary_big_endian",
+                      w.substr(0, 32)));
     encoded_ = true;
     binary_ = w != "ascii";
     swap_ = (w == "binary_big_endian") != (std::endian::native == std::endian::big);
@@ -128,7 +131,8 @@ class PlyReader {
   const Scalar& scalar(std::string_view name) const {
     for (const Scalar& s : scalars)
       if (std::ranges::find(s.names, name) != s.names.end()) return s;
-    in_.fail(fmt::format("type \"{}\"; allowed: such as float, double, uchar, int", name.substr(0, 32)));
+    in_.fail(fmt::format("unknown type \"{}\" of a property; allowed: e.g. float, double, uchar, int",
+                         name.substr(0, 32)));
   }
 
   /// Throws InputError if the rest of the file can't hold the number of elements.
@@ -150,7 +154,7 @@ class PlyReader {
     const double n = next(*list.count, "a list's length");
     const std::size_t least = binary_ ? list.type->bytes : 2;
     if (!(n >= 0 && n == std::floor(n) && n <= static_cast<double>(in_.left() / least + 1)))
-      in_.fail(fmt::format("a list of {} values exceeds the file", n));
+      in_.fail(fmt::format("a list should have {} values, which exceeds the rest of the file", n));
     return static_cast<std::uint64_t>(n);
   }
 
@@ -210,8 +214,8 @@ class PlyReader {
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       for (const std::uint32_t v : polygons_[i])
         if (v >= mesh_.positions.size())
-          throw InputError(
-              fmt::format("face {} refers to vertex {}; allowed: below {}", i, v, mesh_.positions.size()));
+          throw InputError(fmt::format("face {} refers to vertex {}; allowed: vertices below {}", i, v,
+                                       mesh_.positions.size()));
       add_fan(polygons_[i]);
     }
   }

@@ -12,21 +12,22 @@
 
 namespace prosector {
 
-/// Field of V over the rest shape, constant in each tetrahedron of the original mesh. Elements that later
-/// subdivide these tetrahedra inherit V.
+/// Field of the elastic stretch V of prestressed tissue over its rest shape, constant in each tetrahedron of
+/// the original mesh. Elements that later subdivide these tetrahedra inherit V.
 class RestStretch {
  public:
-  /// Takes the mesh and V of each tetrahedron: symmetric, positive definite.
+  /// Stores the elastic stretch V of each tetrahedron of the mesh at rest. Each V is a symmetric, positive
+  /// definite 3 × 3 matrix.
   RestStretch(const TetMesh& mesh, std::vector<Mat3> stretch);
 
-  /// Returns V of the tetrahedron that contains p (m), or else of the one in which p's smallest barycentric
-  /// coordinate is largest.
+  /// Returns the elastic stretch V of the tetrahedron that contains p (m, rest shape). If none does, returns
+  /// that of the tetrahedron in which p's smallest barycentric coordinate is largest.
   const Mat3& at(const Vec3& p) const;
-  /// Returns V of each tetrahedron of the original mesh.
+  /// Returns the elastic stretch V at rest of each tetrahedron of the mesh that the constructor was given.
   const std::vector<Mat3>& stretch() const { return stretch_; }
 
  private:
-  /// A tetrahedron as a map to its barycentric coordinates.
+  /// A tetrahedron as an affine map from positions to its barycentric coordinates.
   struct Place {
     std::uint32_t tet;
     Vec3 origin;
@@ -44,7 +45,7 @@ class RestStretch {
   std::vector<std::uint32_t> begin_, listed_;  // by grid cell: tetrahedra whose boxes intersect it
 };
 
-/// Returns the centroid of a tetrahedron, m.
+/// Returns the centroid (m) of a tetrahedron, given by four node indices of the mesh.
 Vec3 middle_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& tet);
 
 }  // namespace prosector

@@ -14,11 +14,12 @@ struct SourcePaths {
   std::filesystem::path cache_dir;  // empty: no cache
 };
 
-/// Returns the file in the first directory that has it; empty if none has. Throws InputError if none has it
-/// but one has a folder, pipe or device of that name.
+/// Returns the path of a file that a scene refers to, in the first search directory that has it; empty if
+/// none has. Throws InputError if none has it but one has a folder, pipe or device of that name.
 std::filesystem::path find_source(const std::string& file, const SourcePaths& paths);
 
-/// Returns the message for a missing file: the directories searched, and how to get the file.
+/// Returns the error message for a missing file that a scene refers to: the directories searched, and how to
+/// get the file.
 std::string missing_source(const std::string& file, const SourcePaths& paths);
 
 }  // namespace prosector

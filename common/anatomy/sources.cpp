@@ -25,6 +25,7 @@
 #include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
+#include "common/scene/body_groups.h"
 #include "common/scene/primitives.h"
 #include "common/scene/scene_curves.h"
 #include "common/surface_files.h"
@@ -76,15 +77,16 @@ auto with_body_name(const std::string& name, const Make& make) {
 CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const SoftDesc& desc,
                          const Progress& progress) {
   constexpr double takes_a_while = 2e5;  // tetrahedra
-  if (const double tets = expected_tets(field, desc.cell); tets > takes_a_while && tets < max_tets)
+  if (const double tets = expected_tets(field, desc.geometry.cell); tets > takes_a_while && tets < max_tets)
     say(progress, fmt::format("{}: meshing with about {:.2g} tetrahedra, which takes a while; Ctrl-C cancels",
                               name, tets));
-  TetMesh tets = stuff_solid(field, desc.cell);
+  TetMesh tets = stuff_solid(field, desc.geometry.cell);
   say(progress, fmt::format("{}: {}", name, describe(tet_quality(tets))));
-  Embedding embedded = embed(std::move(tets), isosurface(field, desc.surface_cell));
+  Embedding embedded = embed(std::move(tets), isosurface(field, desc.geometry.surface_cell));
   const Anatomy& a = embedded.anatomy;
-  say(progress, fmt::format("{}: surface of {} triangles, {} of {} vertices outside the tetrahedra", name,
-                            a.surface.triangles.size(), embedded.outside, a.surface.positions.size()));
+  say(progress,
+      fmt::format("{}: the surface has {} triangles; {} of its {} vertices are outside the tetrahedra", name,
+                  a.surface.triangles.size(), embedded.outside, a.surface.positions.size()));
   CachedAnatomy out;
   if (embedded.drawn_in > 0)
     out.remarks.push_back(
@@ -106,28 +108,29 @@ struct Structure {
 /// Extracts the structure of a SoftDesc or a RigidDesc.
 template <class Desc>
 Structure structure_of(const std::filesystem::path& file, const Desc& desc, const Progress& progress) {
+  const auto& keys = geometry_of(desc);
   const Volume volume = load_volume(file);
   const std::string name = file.string();
-  const int margin = smoothing_margin(desc.smoothing);
-  const bool labelled = desc.label >= 0;
-  const Mask mask = labelled ? mask_of_label(volume, desc.label, margin, name)
-                             : mask_above(volume, desc.threshold, margin, name);
+  const int margin = smoothing_margin(keys.smoothing);
+  const bool labelled = keys.label >= 0;
+  const Mask mask = labelled ? mask_of_label(volume, keys.label, margin, name)
+                             : mask_above(volume, keys.threshold, margin, name);
   if (mask.dropped_pieces > 0)
-    say(progress, fmt::format("{}: kept the largest of {} pieces ({} voxels dropped)", desc.name,
-                              mask.dropped_pieces + 1, mask.dropped_voxels));
+    say(progress, fmt::format("{}: only the largest of {} separate pieces is used ({} voxels dropped)",
+                              desc.name, mask.dropped_pieces + 1, mask.dropped_voxels));
   if (mask.filled_voxels > 0)
     say(progress, fmt::format("{}: {} voxels of cavities filled", desc.name, mask.filled_voxels));
   const double voxel = volume.voxel_size.prod();
   const double of_label = mask.inside_volume() + voxel * (static_cast<double>(mask.dropped_voxels) -
                                                           static_cast<double>(mask.filled_voxels));
-  return {smooth_solid(mask, desc.smoothing), labelled ? of_label : mask.inside_volume(),
+  return {smooth_solid(mask, keys.smoothing), labelled ? of_label : mask.inside_volume(),
           volume.voxel_size.maxCoeff(), desc.from_atlas ? std::vector<std::string>() : volume.notes};
 }
 
 // Whether the surface of a mesh file needs a vertex on each edge, since quadratic elements have a node there.
 // A load on the corner nodes alone doesn't suit them.
 bool needs_edge_vertices(const SoftDesc& desc) {
-  return desc.element == "tet10";
+  return desc.configuration.is_quadratic();
 }
 
 void add(std::vector<std::string>& all, const std::vector<std::string>& more) {
@@ -148,15 +151,17 @@ double volume_within(const SolidShells& shells, std::size_t crossings) {
 
 void warn_of_crossings(std::size_t pairs, std::vector<std::string>& remarks) {
   if (pairs > 0)
-    remarks.push_back(fmt::format("warning: its surface intersects itself: {} pairs of triangles", pairs));
+    remarks.push_back(fmt::format(
+        "warning: its surface intersects itself: {} pairs of triangles cross. Correct it in a mesh editor",
+        pairs));
 }
 
 // Reads a tetrahedral mesh file; the surface is the mesh's boundary.
 CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
   CachedAnatomy out;
-  TetMesh tets = load_tets(
-      file, desc.scale,
-      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { out.remarks.push_back(line); }});
+  TetMesh tets = load_tets(file, desc.geometry.scale,
+                           {.origin = desc.geometry.mesh_origin,
+                            .report = [&](const std::string& line) { out.remarks.push_back(line); }});
   say(progress, fmt::format("{}: {}", desc.name, describe(tet_quality(tets))));
   const TetOverlap tangles = find_tet_overlap(tets);
   if (tangles.tets > 0)
@@ -180,9 +185,10 @@ CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc,
 CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& desc,
                            const Progress& progress) {
   std::vector<std::string> remarks;
-  RepairedSurface whole = repaired(load_surface(
-      file, desc.scale,
-      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { remarks.push_back(line); }}));
+  RepairedSurface whole =
+      repaired(load_surface(file, desc.geometry.scale,
+                            {.origin = desc.geometry.mesh_origin,
+                             .report = [&](const std::string& line) { remarks.push_back(line); }}));
   add(remarks, whole.notes);
   if (const SurfaceFaults faults = surface_faults(whole.surface))
     throw InputError(fmt::format("{}: {}", file.string(), faults.in_words()));
@@ -205,9 +211,9 @@ CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& de
 
 CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, const std::string& shape,
                     const Progress& progress) {
-  if (!shape.empty()) return mesh_solid(desc.name, implicit_shape(shape, desc.size), desc, progress);
-  if (is_surface_file(desc.mesh)) return fill_surface(file, desc, progress);
-  if (desc.volume.empty()) return mesh_file(file, desc, progress);
+  if (!shape.empty()) return mesh_solid(desc.name, implicit_shape(shape, desc.geometry.size), desc, progress);
+  if (is_surface_file(desc.geometry.mesh)) return fill_surface(file, desc, progress);
+  if (desc.geometry.volume.empty()) return mesh_file(file, desc, progress);
   const Structure structure = structure_of(file, desc, progress);
   CachedAnatomy out = mesh_solid(desc.name, structure.field, desc, progress);
   add(out.remarks, structure.remarks);
@@ -253,12 +259,14 @@ CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, co
 
 /// Makes a sheet or rope, straight or along the curve or patch in the scene.
 Anatomy make_fabric(const SoftDesc& desc) {
-  if (desc.shape == "rope" && !desc.curves.empty())
-    return make_rope(make_curve(desc.curves.front()), desc.curves.front().diameter, desc.cell);
-  if (desc.shape == "rope") return make_rope(desc.size, desc.cell);
-  if (!desc.patches.empty())
-    return make_sheet(*make_patch(desc.patches.front()), desc.patches.front().thickness, desc.cell);
-  return make_sheet(desc.size, desc.cell);
+  if (desc.geometry.is_rope() && !desc.geometry.curves.empty())
+    return make_rope(make_curve(desc.geometry.curves.front()), desc.geometry.curves.front().diameter,
+                     desc.geometry.cell);
+  if (desc.geometry.is_rope()) return make_rope(desc.geometry.size, desc.geometry.cell);
+  if (!desc.geometry.patches.empty())
+    return make_sheet(*make_patch(desc.geometry.patches.front()), desc.geometry.patches.front().thickness,
+                      desc.geometry.cell);
+  return make_sheet(desc.geometry.size, desc.geometry.cell);
 }
 
 void say_remarks(const std::string& name, const std::vector<std::string>& remarks, const Progress& progress) {
@@ -269,10 +277,11 @@ void say_remarks(const std::string& name, const std::vector<std::string>& remark
 /// `desc` is a SoftDesc or a RigidDesc.
 template <class Desc>
 void report_volume_error(const Desc& desc, double made, double expected, const Progress& progress) {
-  const bool labelled = !desc.volume.empty();
+  const bool labelled = !geometry_of(desc).volume.empty();
   const std::string warning = with_body_name(desc.name, [&] {
     return check_volume(
-        made, expected, desc.max_volume_error.value, labelled ? "of its voxels" : "that its file encloses",
+        made, expected, geometry_of(desc).max_volume_error.value,
+        labelled ? "of its voxels" : "that its file encloses",
         labelled ? "If a label has several pieces, the largest is used, and cavities are filled; thin parts "
                    "need a smaller cell, and parts as thin as a voxel need a finer volume."
                  : "A body is one piece: write separate solids to separate files; thin parts need a smaller "
@@ -293,28 +302,31 @@ std::optional<CachedAnatomy> load_cached_mesh(const std::string& name, const Sou
 }  // namespace
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
-  if (desc.shape == "sheet" || desc.shape == "rope") {
+  if (!desc.geometry.is_solid()) {
     Anatomy made = with_body_name(desc.name, [&] { return make_fabric(desc); });
     for (Vec3& x : made.tets.positions) x = desc.pose * x;
     apply_embedding(made);
     return made;
   }
-  std::string shape = desc.shape;
+  std::string shape = desc.geometry.shape;
   std::filesystem::path file;
   if (shape.empty()) {
-    const std::string& source = desc.volume.empty() ? desc.mesh : desc.volume;
+    const std::string& source = desc.geometry.volume.empty() ? desc.geometry.mesh : desc.geometry.volume;
     if (source.empty())
-      throw InputError(fmt::format("{}: no geometry; allowed: volume, mesh or shape", desc.name));
-    file = resolve(desc.name, source, desc.fallback, paths, progress);
-    if (file.empty()) shape = desc.fallback;
+      throw InputError(
+          fmt::format("{}: the body has no geometry; allowed: volume, mesh or shape", desc.name));
+    file = resolve(desc.name, source, desc.geometry.fallback, paths, progress);
+    if (file.empty()) shape = desc.geometry.fallback;
   }
   const std::string made_from = shape.empty() ? file_hash(file) : shape;
-  const bool own_boundary = shape.empty() && desc.volume.empty() && !is_surface_file(desc.mesh);
+  const bool own_boundary =
+      shape.empty() && desc.geometry.volume.empty() && !is_surface_file(desc.geometry.mesh);
   const ContentHash key = hash_of(fmt::format(
-      "soft {} {} {} {} {} {} {} {} {} {} {} {}{}{}", recipe, made_from, desc.volume.empty(), desc.label,
-      desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell, desc.surface_cell,
-      desc.smoothing, own_boundary && needs_edge_vertices(desc) ? " halved edges" : "",
-      origin_key(desc.mesh_origin)));
+      "soft {} {} {} {} {} {} {} {} {} {} {} {}{}{}", recipe, made_from, desc.geometry.volume.empty(),
+      desc.geometry.label, desc.geometry.threshold, desc.geometry.size[0], desc.geometry.size[1],
+      desc.geometry.size[2], desc.geometry.scale, desc.geometry.cell, desc.geometry.surface_cell,
+      desc.geometry.smoothing, own_boundary && needs_edge_vertices(desc) ? " halved edges" : "",
+      origin_key(desc.geometry.mesh_origin)));
   CachedAnatomy made;
   if (auto cached = load_cached_mesh(desc.name, paths, key, progress)) {
     made = std::move(*cached);
@@ -326,8 +338,8 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
   say_remarks(desc.name, made.remarks, progress);
   report_volume_error(desc, tet_quality(made.anatomy.tets).volume, made.expected_volume, progress);
   Anatomy anatomy = std::move(made.anatomy);
-  const bool stands_in = desc.shape.empty() && file.empty();
-  const Pose pose = stands_in ? desc.pose * desc.fallback_pose : desc.pose;
+  const bool stands_in = desc.geometry.shape.empty() && file.empty();
+  const Pose pose = stands_in ? desc.pose * desc.geometry.fallback_pose : desc.pose;
   for (Vec3& x : anatomy.tets.positions) x = pose * x;
   apply_embedding(anatomy);
   return anatomy;

@@ -58,7 +58,7 @@ TriangleMesh parse_text(std::string_view bytes) {
     if (is_word(w, "solid") || is_word(w, "endsolid")) {
       in.rest();  // name
     } else if (is_word(w, "vertex")) {
-      if (++corners > 3) in.fail("a facet of more than three vertices; allowed: triangles");
+      if (++corners > 3) in.fail("a facet has more than three vertices; allowed: triangles");
       Vec3 x;
       for (int k = 0; k < 3; ++k) x[k] = in.number<double>("a coordinate");
       out.positions.push_back(x);
@@ -69,7 +69,7 @@ TriangleMesh parse_text(std::string_view bytes) {
       out.triangles.push_back({end - 3, end - 2, end - 1});
     }
   }
-  if (corners != 0) in.fail("ends within a facet: the file is truncated");
+  if (corners != 0) in.fail("the text ends within a facet: the file is truncated");
   return out;
 }
 
@@ -87,11 +87,12 @@ TriangleMesh parse_stl(std::string_view bytes, std::vector<std::string>& notes) 
   if (!whole)
     throw InputError(
         claimed == 0
-            ? fmt::format(
-                  "{} bytes: neither a text that begins with \"solid\" nor long enough for a binary STL",
-                  bytes.size())
-            : fmt::format("its {} triangles need {} bytes, it has {}: the file is truncated, or not an STL",
-                          (claimed - head_bytes) / triangle_bytes, claimed, bytes.size()));
+            ? fmt::format("the file has {} bytes: it is neither a text that begins with \"solid\" nor long "
+                          "enough for a binary STL",
+                          bytes.size())
+            : fmt::format(
+                  "its {} triangles need {} bytes, but it has {}: the file is truncated, or not an STL",
+                  (claimed - head_bytes) / triangle_bytes, claimed, bytes.size()));
   if (claimed < bytes.size())
     notes.push_back(fmt::format("{} bytes after its last triangle are ignored", bytes.size() - claimed));
   return parse_binary(bytes);

@@ -92,9 +92,10 @@ SurfaceReport check_surface(const TriangleMesh& mesh) {
 std::string SurfaceReport::warning() const {
   std::string out;
   const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
-  if (open_edges > 0) add(fmt::format("not closed: {} open or non-manifold edges", open_edges));
+  if (open_edges > 0)
+    add(fmt::format("not closed: the surface has {} open or non-manifold edges", open_edges));
   if (intersecting_pairs > 0)
-    add(fmt::format("intersects itself: {} pairs of triangles", intersecting_pairs));
+    add(fmt::format("intersects itself: {} pairs of the surface's triangles cross", intersecting_pairs));
   if (volume < 0) add("its triangles face inward");
   return out;
 }

@@ -17,14 +17,16 @@ struct SurfaceReport {
   Vec3 center_of_mass = Vec3::Zero();  // m, of the enclosed solid
   Mat3 inertia = Mat3::Zero();         // kg m² per kg/m³, about the centre of mass
 
-  /// Returns a warning for the scene's author; empty if there is no fault.
+  /// Returns a warning about the surface's faults for the scene's author; empty if there is none.
   std::string warning() const;
 };
 
-/// Finds the pairs of intersecting triangles that have no common vertex.
+/// Finds the pairs of intersecting triangles that have no common vertex. Returns them as pairs of triangle
+/// indices.
 std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh);
 
-/// Computes mass properties by the divergence theorem (exact for closed surfaces).
+/// Checks a surface: counts open edges and intersecting pairs of triangles, and computes its mass properties
+/// by the divergence theorem (exact for closed surfaces).
 SurfaceReport check_surface(const TriangleMesh& mesh);
 
 }  // namespace prosector

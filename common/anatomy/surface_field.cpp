@@ -164,13 +164,13 @@ class DistanceTree {
 std::string SurfaceFaults::in_words() const {
   std::string out;
   const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) out += fmt::format("{}{} edges {}", out.empty() ? "" : ", ", count, what);
+    if (count > 0) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, what);
   };
-  add(hole_edges, "at the borders of holes");
-  add(crowded_edges, "with more than two triangles (not manifold)");
-  add(opposed_edges, "between triangles of opposite orientation");
+  add(hole_edges, "edges at the borders of holes");
+  add(crowded_edges, "edges with more than two triangles (not manifold)");
+  add(opposed_edges, "edges between triangles of opposite orientation");
   return fmt::format(
-      "not closed: {}; the first near [{:.4g}, {:.4g}, {:.4g}]. Close it in a mesh editor; as a "
+      "not closed: {}; the first is near [{:.4g}, {:.4g}, {:.4g}]. Close the surface in a mesh editor; as a "
       "[[rigid]] body it may be open",
       out, first[0], first[1], first[2]);
 }

@@ -66,7 +66,7 @@ void report_rounding(const TriangleMesh& mesh, const Progress& report) {
   if (report && step > visible * extent)
     report(
         fmt::format("warning: its coordinates reach {:.6g}: single precision rounds them to {:.2g}, at a "
-                    "size of {:.4g}. Move it to its origin in a mesh editor",
+                    "size of {:.4g} (file units). Move it to its origin in a mesh editor",
                     largest, step, extent));
 }
 
@@ -95,14 +95,15 @@ TriangleMesh load_surface(const std::filesystem::path& file, double scale, const
   const double extent = box.sizes().maxCoeff();
   constexpr double max_extent = 100, min_extent = 1e-4;
   if (!(extent >= min_extent && extent <= max_extent))
-    throw InputError(fmt::format(
-        "{}: {} m across at scale {}; allowed: {} to {} m (is the file in millimetres? scale = 0.001)",
-        file.string(), extent, scale, min_extent, max_extent));
+    throw InputError(
+        fmt::format("{}: the mesh is {} m across at scale {}; allowed: {} to {} m (is the file in "
+                    "millimetres? scale = 0.001)",
+                    file.string(), extent, scale, min_extent, max_extent));
   if (const Vec3 middle = box.center(); middle.cwiseAbs().maxCoeff() > max_coordinate) {
     const Vec3 in_file = middle / scale + how.origin;
     throw InputError(
-        fmt::format("{}: is {:.4g} m from its origin at scale {}; allowed: at most {:.4g} m. Set the origin: "
-                    "mesh_origin = [{:.6g}, {:.6g}, {:.6g}]",
+        fmt::format("{}: the mesh is {:.4g} m from the file's origin at scale {}; allowed: at most {:.4g} m. "
+                    "Set the origin: mesh_origin = [{:.6g}, {:.6g}, {:.6g}]",
                     file.string(), middle.norm(), scale, max_coordinate, in_file[0], in_file[1], in_file[2]));
   }
   return mesh;

@@ -65,7 +65,8 @@ void merge_rounded(RepairedSurface& out) {
   drop_unused(merged);
   out.surface = std::move(merged);
   out.notes.push_back(fmt::format(
-      "repaired: {} vertices within {:.2g} of another (rounding error) are merged", moved, tolerance));
+      "repaired: {} vertices within {:.2g} (rounding error, file units) of another vertex are merged with it",
+      moved, tolerance));
 }
 
 /// Drops all but one of triangles with the same corners. Drops all of them if equally many face either side:
@@ -226,6 +227,91 @@ bool is_inside_of(const Shell& shell, Shell& other) {
   return true;
 }
 
+/// A shell that is kept, and its solid.
+struct KeptShell {
+  Shell* shell;
+  std::size_t solid;  // index in ShellsBySolid::volumes of the solid that the shell bounds or is a cavity of
+  bool is_solid;
+};
+
+/// The kept shells of a surface, and how many of all shells were flipped, are cavities or were omitted.
+struct ShellsBySolid {
+  std::vector<KeptShell> kept;
+  std::vector<double> volumes;  // of solids, without their cavities
+  bool overlapping = false;     // some kept shells overlap, judged by their boxes
+  std::size_t turned = 0, within = 0, cavities = 0;
+  double within_volume = 0;  // of the omitted shells
+};
+
+/// How larger shells enclose a shell.
+struct Enclosure {
+  int depth = 0;           // solids less cavities around the shell
+  std::size_t around = 0;  // the smallest solid around it, if any
+  bool overlaps = false;   // a larger shell that doesn't enclose it overlaps it, judged by their boxes
+};
+
+Enclosure enclosure_of(const Shell& shell, const std::vector<KeptShell>& larger) {
+  Enclosure out;
+  for (const KeptShell& other : larger) {
+    if (!is_inside_of(shell, *other.shell)) {
+      out.overlaps = out.overlaps || (shell.box.intersection(other.shell->box).sizes().array() > 0).all();
+      continue;
+    }
+    out.depth += other.is_solid ? 1 : -1;
+    out.around = other.solid;  // the last one is the smallest
+  }
+  return out;
+}
+
+/// Assigns each shell to the solid that it bounds or is a cavity of; the shells must be in order of their
+/// size, the largest first. Flips shells that face inward outside all solids, and omits shells that face
+/// outward inside a solid.
+ShellsBySolid by_solid(std::vector<Shell>& shells) {
+  ShellsBySolid out;
+  for (Shell& shell : shells) {
+    const Enclosure enclosure = enclosure_of(shell, out.kept);
+    if (shell.volume < 0 && enclosure.depth < 1) {
+      shell.turn();
+      ++out.turned;
+    } else if (shell.volume >= 0 && enclosure.depth >= 1) {
+      ++out.within;
+      out.within_volume += shell.volume;
+      continue;
+    }
+    out.overlapping = out.overlapping || enclosure.overlaps;
+    const bool is_cavity = shell.volume < 0;
+    if (!is_cavity) out.volumes.push_back(0);
+    const std::size_t solid = is_cavity ? enclosure.around : out.volumes.size() - 1;
+    out.volumes[solid] += shell.volume;
+    out.cavities += is_cavity ? 1 : 0;
+    out.kept.push_back({&shell, solid, !is_cavity});
+  }
+  return out;
+}
+
+/// Returns the notes for users on shells that were flipped, are cavities or were omitted; `total` is the
+/// sum of the signed volumes of all shells.
+std::vector<std::string> notes_on(const ShellsBySolid& sorted, double total) {
+  std::vector<std::string> out;
+  const auto shells_that = [](std::size_t count, const char* one, const char* several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+  };
+  if (sorted.turned > 0)
+    out.push_back("repaired: " + shells_that(sorted.turned, "shell facing inward is flipped",
+                                             "shells facing inward are flipped"));
+  if (sorted.cavities > 0)
+    out.push_back(shells_that(sorted.cavities, "shell within another faces inward: a cavity",
+                              "shells within others face inward: cavities"));
+  if (sorted.within > 0)
+    out.push_back(fmt::format(
+        "warning: {} and enclose{} nothing: omitted. If a cavity is intended, flip the triangles "
+        "inward ({:.2g} % of the volume)",
+        shells_that(sorted.within, "shell is inside another and faces outward like it",
+                    "shells are inside others and face outward like them"),
+        sorted.within == 1 ? "s" : "", 100 * sorted.within_volume / std::max(std::abs(total), 1e-300)));
+  return out;
+}
+
 }  // namespace
 
 RepairedSurface repaired(TriangleMesh surface) {
@@ -245,65 +331,16 @@ SolidShells solid_shells(const TriangleMesh& closed) {
   for (const Shell& shell : shells) total += shell.volume;
   if (total < 0)
     for (Shell& shell : shells) shell.turn();
-  struct Placed {
-    std::size_t solid;  // index in `solids` of the solid that the shell bounds or is a cavity of
-    bool is_solid;
-  };
-  std::vector<std::pair<Shell*, Placed>> placed;  // shells that are kept
-  std::size_t turned = 0, within = 0, cavities = 0;
-  double within_volume = 0;
-  std::vector<double> solids;
-  for (Shell& shell : shells) {
-    int depth = 0;
-    std::size_t around = 0;
-    bool overlaps = false;
-    for (auto& [other, place] : placed) {
-      if (!is_inside_of(shell, *other)) {
-        overlaps = overlaps || (shell.box.intersection(other->box).sizes().array() > 0).all();
-        continue;
-      }
-      depth += place.is_solid ? 1 : -1;
-      around = place.solid;  // the last one is the smallest
-    }
-    if (shell.volume < 0 && depth < 1) {
-      shell.turn();
-      ++turned;
-    } else if (shell.volume >= 0 && depth >= 1) {
-      ++within;
-      within_volume += shell.volume;
-      continue;
-    }
-    out.overlapping = out.overlapping || overlaps;
-    const bool is_cavity = shell.volume < 0;
-    if (!is_cavity) solids.push_back(0);
-    const std::size_t solid = is_cavity ? around : solids.size() - 1;
-    solids[solid] += shell.volume;
-    cavities += is_cavity ? 1 : 0;
-    placed.push_back({&shell, {solid, !is_cavity}});
-  }
-  if (placed.size() == 1 && shells.size() == 1) {
+  ShellsBySolid sorted = by_solid(shells);
+  out.overlapping = sorted.overlapping;
+  if (sorted.kept.size() == 1 && shells.size() == 1) {
     out.surface = std::move(shells.front().mesh);
   } else {
-    for (const auto& [shell, place] : placed) append(out.surface, shell->mesh);
+    for (const KeptShell& kept : sorted.kept) append(out.surface, kept.shell->mesh);
   }
-  std::ranges::sort(solids, std::greater<>());
-  out.solids = std::move(solids);
-  const auto shells_that = [](std::size_t count, const char* one, const char* several) {
-    return fmt::format("{} shell{} {}", count, count == 1 ? "" : "s", count == 1 ? one : several);
-  };
-  if (turned > 0)
-    out.notes.push_back("repaired: " +
-                        shells_that(turned, "facing inward is flipped", "facing inward are flipped"));
-  if (cavities > 0)
-    out.notes.push_back(shells_that(cavities, "within another faces inward: a cavity",
-                                    "within others face inward: cavities"));
-  if (within > 0)
-    out.notes.push_back(
-        fmt::format("warning: {} and enclose{} nothing: omitted. If a cavity is intended, flip the triangles "
-                    "inward ({:.2g} % of the volume)",
-                    shells_that(within, "is inside another and faces outward like it",
-                                "are inside others and face outward like them"),
-                    within == 1 ? "s" : "", 100 * within_volume / std::max(std::abs(total), 1e-300)));
+  out.notes = notes_on(sorted, total);
+  out.solids = std::move(sorted.volumes);
+  std::ranges::sort(out.solids, std::greater<>());
   return out;
 }
 

@@ -33,7 +33,9 @@ TetMesh load_tets(const std::filesystem::path& file, double scale, const MeshRea
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     mesh.positions[v] = scale * (mesh.positions[v] - how.origin);
     if (!(mesh.positions[v].norm() <= max_coordinate))
-      throw InputError(fmt::format("{}: point {} is not within 1000 m at scale {}", name, v, scale));
+      throw InputError(fmt::format(
+          "{}: point {} is not within 1000 m of the origin at scale {}; reduce scale or set mesh_origin",
+          name, v, scale));
   }
   return repaired(std::move(mesh), name, how.report);
 }

@@ -95,14 +95,14 @@ void merge_coincident_nodes(TetMesh& mesh, const Progress& report) {
   const std::size_t after = count == 0 ? before : pieces(merged);
   if (after < before) {
     mesh = subset(merged, std::vector<bool>(merged.tets.size(), true));
-    say(report,
-        fmt::format(
-            "repaired: {} nodes are merged with another at the same position, which joins {} pieces to {}",
-            count, before, after));
+    say(report, fmt::format("repaired: {} nodes are merged with another node at the same position, which "
+                            "joins {} pieces to {}",
+                            count, before, after));
   }
   if (after > 1)
-    say(report,
-        fmt::format("warning: its tetrahedra are {} pieces without common faces, which move apart", after));
+    say(report, fmt::format("warning: its tetrahedra form {} pieces without common faces, which will move "
+                            "apart; join them in a mesh editor",
+                            after));
 }
 
 /// A face (sorted nodes) and a tetrahedron that has it.
@@ -188,7 +188,8 @@ TetMesh repaired(TetMesh mesh, const std::string& name, const Progress& report) 
   drop_duplicates(mesh, report);
   turn_and_drop_flat(mesh, report);
   if (mesh.tets.empty())
-    throw InputError(fmt::format("{}: no tetrahedra; at least one that is not flat is needed", name));
+    throw InputError(
+        fmt::format("{}: the mesh has no tetrahedra; at least one that is not flat is needed", name));
   merge_coincident_nodes(mesh, report);
   drop_duplicates(mesh, report);
   refuse_misfits(mesh, name);

@@ -9,12 +9,14 @@
 
 namespace prosector {
 
-/// Drops flat and duplicate tetrahedra, flips inverted ones, and merges coincident nodes if that connects
-/// pieces; reports each repair in one line. Throws InputError, beginning with `name`, if no tetrahedron is
-/// left, if more than two tetrahedra share a face, or if two cells split their common face differently.
+/// Returns the tetrahedral mesh with common faults repaired, and reports each repair in one line. Removes
+/// flat and duplicate tetrahedra, flips inverted ones, and merges coincident nodes if that connects pieces.
+/// Throws InputError, beginning with `name`, if no tetrahedron is left, if more than two tetrahedra share a
+/// face, or if two cells split their common face differently.
 TetMesh repaired(TetMesh mesh, const std::string& name, const Progress& report);
 
-/// Overlap of tetrahedra of positive volume.
+/// Result of testing whether tetrahedra of a mesh overlap: the number of tetrahedra that are folded over
+/// others, and the enclosed volume.
 struct TetOverlap {
   std::size_t tets = 0;  // number of tetrahedra in the smaller of two groups that are folded over each other
   double enclosed = 0;   // m³: inside the boundary, if no pieces cross; without overlap, the total

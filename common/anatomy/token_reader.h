@@ -15,23 +15,25 @@ namespace prosector {
 
 class TokenReader {
  public:
-  /// Reads `text`. Messages begin with the file's name and the line; if `name` is empty, with the line only.
+  /// Reads from `text`, the content of a file. Error messages begin with `name`, the file's name, and the
+  /// line; if `name` is empty, with the line only.
   TokenReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Returns the next word; empty at the end.
+  /// Returns the next word (up to white space) of the text, and moves past it; empty at the end of the text.
   std::string_view word() {
     while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
     const std::size_t start = at_;
     while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
     return text_.substr(start, at_ - start);
   }
-  /// Returns the rest of the line.
+  /// Returns the rest of the current line without its line break, and moves past it.
   std::string_view rest() {
     const std::size_t start = at_;
     while (at_ < text_.size() && text_[at_] != '\n') ++at_;
     return text_.substr(start, at_ - start);
   }
-  /// Returns the line after the current one, without its line break; empty at the end of the text.
+  /// Returns the line after the current one, without its line break, and moves past it. Empty at the end of
+  /// the text.
   std::string_view next_line() {
     end_line();
     const std::string_view line = rest();
@@ -48,14 +50,15 @@ class TokenReader {
       fail(fmt::format("\"{}\" found; expected: {}", w.substr(0, 32), what));
     return value;
   }
-  /// Skips to the start of the next line.
+  /// Moves past the rest of the current line, to the start of the next line of the text.
   void end_line() {
     rest();
     if (at_ == text_.size()) return;
     ++at_;
     ++line_;
   }
-  /// Returns the next bytes.
+  /// Returns the next `count` bytes of the text, and moves past them. Throws InputError, naming `what`, if
+  /// the text is shorter.
   std::string_view bytes(std::size_t count, const char* what) {
     if (left() < count)
       fail(fmt::format("truncated: {} need {} bytes, {} are left in the file", what, count, left()));
@@ -64,15 +67,16 @@ class TokenReader {
     at_ += count;
     return out;
   }
-  /// Returns the bytes from the start of the next line.
+  /// Returns `count` bytes from the start of the next line, and moves past them. Throws InputError, naming
+  /// `what`, if the text is shorter.
   std::string_view raw(std::size_t count, const char* what) {
     end_line();
     return bytes(count, what);
   }
-  /// Returns the number of remaining bytes.
+  /// Returns the number of bytes of the text that have not been read yet.
   std::size_t left() const { return text_.size() - at_; }
-  /// Reads a count of records, each at least `bytes` long. Throws InputError if the remaining text can't hold
-  /// them, so that a false count can't cause a large allocation.
+  /// Reads the number of records that follow, each at least `bytes` bytes long. Throws InputError, naming
+  /// `what`, if the remaining text can't contain them, so that a false count can't cause a large allocation.
   std::uint64_t count(const char* what, std::size_t bytes = 2) {
     const auto n = number<std::uint64_t>(what);
     if (n > (text_.size() - at_) / bytes) fail(fmt::format("{} {} exceeds the file size", what, n));

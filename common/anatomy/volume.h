@@ -14,8 +14,8 @@ inline constexpr std::int64_t max_volume_voxels = std::int64_t{1} << 29;  // 512
 inline constexpr std::int64_t max_volume_dim = 8192;
 inline constexpr double max_voxel_size = 0.1;  // m
 
-/// A volume. Voxel (i, j, k) is values[i + dims[0](j + dims[1] k)], centred at voxel_size·((i, j, k) − (dims
-/// − 1)/2): the frame's origin is the volume's centre. Axes are the file's. NIfTI files with patient
+/// A medical volume. Voxel (i, j, k) is values[i + dims[0](j + dims[1] k)], centred at voxel_size·((i, j, k)
+/// − (dims − 1)/2): the frame's origin is the volume's centre. Axes are the file's. NIfTI files with patient
 /// orientation are permuted and flipped to the nearest of right, anterior, superior.
 struct Volume {
   std::array<std::int64_t, 3> dims{};
@@ -35,7 +35,8 @@ struct Volume {
   }
 };
 
-/// Interpolates trilinearly between voxel centres; outside them, the nearest border value is used.
+/// Returns the volume's value at x (m, volume's frame), interpolated trilinearly between voxel centres.
+/// Outside them, the nearest border value is used.
 double sample(const Volume& volume, const Vec3& x);
 
 }  // namespace prosector

@@ -76,29 +76,31 @@ std::size_t check_header(const VolumeHeader& h, const std::string& name) {
   std::int64_t voxels = 1;
   for (const std::int64_t d : h.dims) {
     if (d < 1 || d > max_volume_dim)
-      throw InputError(fmt::format("{}: {} x {} x {} voxels; allowed: 1 to {} along each axis", name,
-                                   h.dims[0], h.dims[1], h.dims[2], max_volume_dim));
+      throw InputError(fmt::format("{}: the volume has {} x {} x {} voxels; allowed: 1 to {} along each axis",
+                                   name, h.dims[0], h.dims[1], h.dims[2], max_volume_dim));
     voxels *= d;
   }
   if (voxels > max_volume_voxels)
-    throw InputError(fmt::format("{}: {} x {} x {} voxels; allowed: at most {} in all", name, h.dims[0],
-                                 h.dims[1], h.dims[2], max_volume_voxels));
+    throw InputError(fmt::format("{}: the volume has {} x {} x {} voxels; allowed: at most {} in all", name,
+                                 h.dims[0], h.dims[1], h.dims[2], max_volume_voxels));
   for (int k = 0; k < 3; ++k)
     if (!(h.voxel_size[k] > 0 && h.voxel_size[k] <= max_voxel_size))
-      throw InputError(fmt::format("{}: voxel size {} mm along axis {}; allowed: above 0, at most {} mm",
-                                   name, 1000 * h.voxel_size[k], k, 1000 * max_voxel_size));
+      throw InputError(
+          fmt::format("{}: the voxel size is {} mm along axis {}; allowed: above 0, at most {} mm", name,
+                      1000 * h.voxel_size[k], k, 1000 * max_voxel_size));
   if (!std::isfinite(h.slope) || !std::isfinite(h.intercept))
-    throw InputError(fmt::format("{}: voxel scaling {} and offset {}; allowed: finite numbers", name, h.slope,
-                                 h.intercept));
+    throw InputError(
+        fmt::format("{}: the scaling of voxel values is {} and their offset {}; allowed: finite numbers",
+                    name, h.slope, h.intercept));
   return static_cast<std::size_t>(voxels) * voxel_bytes(h.type);
 }
 
 Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, const std::string& name) {
   const std::size_t size = check_header(h, name);
   if (bytes.size() < h.offset || bytes.size() - h.offset < size)
-    throw InputError(fmt::format("{}: truncated: {} bytes of voxels; {} x {} x {} need {}", name,
-                                 bytes.size() - std::min(bytes.size(), h.offset), h.dims[0], h.dims[1],
-                                 h.dims[2], size));
+    throw InputError(
+        fmt::format("{}: truncated: the file has {} bytes of voxels, but {} x {} x {} voxels need {}", name,
+                    bytes.size() - std::min(bytes.size(), h.offset), h.dims[0], h.dims[1], h.dims[2], size));
   Volume out;
   out.notes = h.notes;
   out.oriented = h.oriented;
@@ -116,8 +118,8 @@ Volume read_voxels(const VolumeHeader& h, std::span<const std::uint8_t> bytes, c
       for (i[0] = 0; i[0] < h.dims[0]; ++i[0], p += voxel_bytes(h.type)) {
         const auto value = static_cast<float>(h.slope * decode_voxel(p, swap) + h.intercept);
         if (!std::isfinite(value))
-          throw InputError(
-              fmt::format("{}: voxel ({}, {}, {}) is not a finite number", name, i[0], i[1], i[2]));
+          throw InputError(fmt::format("{}: the value of voxel ({}, {}, {}) is not a finite number", name,
+                                       i[0], i[1], i[2]));
         std::array<std::int64_t, 3> to;
         for (std::size_t k = 0; k < 3; ++k) {
           const auto a = static_cast<std::size_t>(h.axis[k]);
@@ -136,9 +138,10 @@ Volume parse_volume(std::span<const std::uint8_t> bytes, const std::string& name
   } else if (is_nifti(head)) {
     header = parse_nifti_header(head, name);
   } else {
-    throw InputError(fmt::format(
-        "{}: not a volume{}; allowed: INRIMAGE-4 (.inr), single-file NIfTI-1 (.nii), either gzipped", name,
-        unsupported_nifti(head)));
+    throw InputError(
+        fmt::format("{}: not a volume file{}; allowed: INRIMAGE-4 (.inr), single-file NIfTI-1 (.nii), either "
+                    "also gzipped",
+                    name, unsupported_nifti(head)));
   }
   const std::size_t size = check_header(header, name);
   if (!is_gzip(bytes)) return read_voxels(header, bytes, name);

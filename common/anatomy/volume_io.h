@@ -9,14 +9,16 @@
 
 namespace prosector {
 
-/// Reads a volume; the format is detected from the content. Throws InputError with the file and the error:
-///   truncated or corrupt
-///   dimensions or voxel size out of range (checked before memory is allocated for them)
-///   unknown voxel type
-///   NaN or infinite voxel, with its index
+/// Reads a medical volume file; the format is detected from the content. Throws InputError that names the
+/// file for
+///   truncated or corrupt content,
+///   dimensions or a voxel size out of range (checked before memory is allocated for them),
+///   an unknown voxel type, and
+///   a NaN or infinite voxel, with its index.
 Volume load_volume(const std::filesystem::path& file);
 
-/// Parses a volume file's bytes as load_volume() does; `name` is used in messages.
+/// Parses the bytes of a medical volume file, with the same checks as load_volume(); `name` is used in
+/// messages.
 Volume parse_volume(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace prosector

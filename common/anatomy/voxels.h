@@ -24,7 +24,7 @@ enum class VoxelType : std::uint8_t {
 };
 std::size_t voxel_bytes(VoxelType type);
 
-/// Content of a volume file's header.
+/// Content of the header of a medical volume file: dimensions, voxel size and type, scaling, and axes.
 struct VolumeHeader {
   std::array<std::int64_t, 3> dims{};
   Vec3 voxel_size = Vec3::Zero();  // m
@@ -38,20 +38,21 @@ struct VolumeHeader {
   std::vector<std::string> notes;       // as in Volume
 };
 
-/// Checks the header. Throws InputError if dimensions, voxel size or scaling are out of range. Returns the
-/// number of bytes of all voxels.
+/// Checks the header of a medical volume file. Throws InputError, naming `name`, if dimensions, voxel size or
+/// scaling are out of range. Returns the number of bytes of all voxels.
 std::size_t check_header(const VolumeHeader& header, const std::string& name);
 
-/// Reads the voxels; `bytes` is the whole decompressed file. Throws InputError if it is too short or a voxel
-/// isn't finite.
+/// Converts the voxels of a medical volume file; `bytes` is the whole decompressed file. Throws InputError,
+/// naming `name`, if it is too short or a voxel isn't finite.
 Volume read_voxels(const VolumeHeader& header, std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Maximum size of a header, which is parsed from the file's first bytes.
+/// Number of bytes from the start of a medical volume file in which its whole header is contained.
 inline constexpr std::size_t max_header_bytes = 64 * 1024;
 bool is_inrimage(std::span<const std::uint8_t> head);
 VolumeHeader parse_inrimage_header(std::span<const std::uint8_t> head, const std::string& name);
 bool is_nifti(std::span<const std::uint8_t> head);
-/// Returns the name of an unsupported NIfTI variant and a remedy, in parentheses; "" for other files.
+/// Returns the name of an unsupported variant of NIfTI and a remedy, in parentheses, if `head` is the start
+/// of such a file; "" for other files.
 std::string unsupported_nifti(std::span<const std::uint8_t> head);
 VolumeHeader parse_nifti_header(std::span<const std::uint8_t> head, const std::string& name);
 

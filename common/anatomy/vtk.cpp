@@ -116,7 +116,8 @@ class VtkReader {
     numbers(count, type, what, [&](double value) {
       constexpr double limit = 4294967296;  // point numbers have 32 bits
       if (!(value >= 0 && value < limit && value == std::floor(value)))
-        in_.fail(fmt::format("{} in {}; allowed: whole numbers from 0 to below {}", value, what, limit));
+        in_.fail(fmt::format("the number {} occurs in {}; allowed: whole numbers from 0 to below {}", value,
+                             what, limit));
       out.push_back(static_cast<std::uint64_t>(value));
     });
     return out;
@@ -151,7 +152,8 @@ class VtkReader {
     for (std::size_t at = 0; starts_.size() <= cells;) {
       const std::uint64_t points = at < list.size() ? list[at] : 0;
       if (at >= list.size() || points > list.size() - at - 1)
-        in_.fail(fmt::format("cell {} exceeds the cell list's {} numbers", starts_.size() - 1, size));
+        in_.fail(fmt::format("cell {} extends beyond the end of the cell list, which has {} numbers",
+                             starts_.size() - 1, size));
       const auto first = list.begin() + static_cast<std::ptrdiff_t>(at + 1);
       connectivity_.insert(connectivity_.end(), first, first + static_cast<std::ptrdiff_t>(points));
       starts_.push_back(connectivity_.size());
@@ -180,13 +182,14 @@ class VtkReader {
     const std::size_t corners = corners_of(kind.shape);
     if (end > connectivity_.size() || begin > end || (kind.nodes > 0 && end - begin != kind.nodes) ||
         end - begin < corners)
-      in_.fail(fmt::format("cell {} of the {} does not have {} points", cell, kind.plural,
+      in_.fail(fmt::format("cell {}, one of the {}, does not have {} points", cell, kind.plural,
                            std::max(kind.nodes, corners)));
     corners_.clear();
     for (std::size_t k = 0; k < corners; ++k) {
       const std::uint64_t point = connectivity_[begin + k];
       if (point >= mesh_.positions.size())
-        in_.fail(fmt::format("cell uses point {}; allowed: below {}", point, mesh_.positions.size()));
+        in_.fail(
+            fmt::format("a cell uses point {}; allowed: points below {}", point, mesh_.positions.size()));
       corners_.push_back(static_cast<std::uint32_t>(point));
     }
     cells_.add(kind, corners_, mesh_);

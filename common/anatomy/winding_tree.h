@@ -9,8 +9,9 @@
 namespace prosector {
 
 /// Generalised winding numbers of a surface (Jacobson et al. 2013), accelerated by a tree whose far nodes are
-/// approximated by one dipole each (Barill et al. 2018). For a closed, outward-facing surface it is 1 inside
-/// and 0 outside; nested and overlapping shells add up. Within about 0.03 of the exact sum of solid angles.
+/// approximated by one dipole each (Barill et al. 2018). For a closed, outward-facing surface the winding
+/// number is 1 inside and 0 outside; those of nested and overlapping shells add up. They are within about
+/// 0.03 of the exact sum of solid angles.
 class WindingTree {
  public:
   explicit WindingTree(const TriangleMesh& surface);

@@ -63,15 +63,17 @@ void check_knots(std::span<const double> knots, std::size_t points, int degree) 
     throw InputError(fmt::format("degree {}: must be 1 to {}", degree, max_degree));
   const auto p = static_cast<std::size_t>(degree);
   if (points < p + 1)
-    throw InputError(
-        fmt::format("{} points are too few for degree {}: it needs {} at least", points, degree, degree + 1));
+    throw InputError(fmt::format("{} control points are too few for degree {}: it needs {} at least", points,
+                                 degree, degree + 1));
   if (knots.size() != points + p + 1)
-    throw InputError(fmt::format("{} knots: {} points of degree {} need {}", knots.size(), points, degree,
-                                 points + p + 1));
+    throw InputError(fmt::format("{} knots are given, but a curve of {} points and degree {} needs {}",
+                                 knots.size(), points, degree, points + p + 1));
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (!std::isfinite(knots[k])) throw InputError(fmt::format("knot {} is not a finite number", k + 1));
     if (k > 0 && knots[k] < knots[k - 1])
-      throw InputError(fmt::format("knot {} is {}, below the one before, {}", k + 1, knots[k], knots[k - 1]));
+      throw InputError(
+          fmt::format("knot {} is {}, which is below the knot before it, {}; knots must not decrease", k + 1,
+                      knots[k], knots[k - 1]));
     // The first and the last degree + 1 knots may be equal.
     if (k > p && k + 1 < knots.size() && knots[k] == knots[k - p])
       throw InputError(fmt::format("knots {} to {} are all {}: at most {} within the curve may be equal",
@@ -79,7 +81,8 @@ void check_knots(std::span<const double> knots, std::size_t points, int degree) 
   }
   if (!(knots[points] > knots[p]))
     throw InputError(
-        fmt::format("knots {} to {} are all {}: the curve has no length in u", p + 1, points + 1, knots[p]));
+        fmt::format("knots {} to {} are all {}, so the curve has no length in u; they must differ", p + 1,
+                    points + 1, knots[p]));
 }
 
 std::size_t find_span(std::span<const double> knots, std::size_t points, int degree, double u) {

@@ -13,7 +13,7 @@ void check_arc(double a, double b, double from, double to) {
   if (!(a > 0) || !(b > 0) || !std::isfinite(a) || !std::isfinite(b))
     throw InputError(fmt::format("a conic with a = {} and b = {}: both must be above 0", a, b));
   if (!std::isfinite(from) || !std::isfinite(to) || !(to > from))
-    throw InputError(fmt::format("an arc from t = {} to {}: must end after it begins", from, to));
+    throw InputError(fmt::format("a conic's arc from t = {} to t = {} must end after it begins", from, to));
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ NurbsCurve ellipse_arc(double a, double b, double from, double to) {
   check_arc(a, b, from, to);
   if (to - from > turn * (1 + 1e-12))
     throw InputError(
-        fmt::format("an ellipse's arc from t = {} to {}: must be at most one full turn", from, to));
+        fmt::format("an ellipse's arc from t = {} to t = {} must be at most one full turn (2π)", from, to));
   const int arcs = std::max(1, static_cast<int>(std::ceil((to - from) / (turn / 4) - 1e-9)));
   const double half = (to - from) / arcs / 2;
   std::vector<Vec3> points;

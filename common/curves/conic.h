@@ -7,11 +7,12 @@
 
 namespace prosector {
 
-/// Returns (a cos t, b sin t), from < to <= from + 2π, split into arcs of at most a quarter turn.
+/// Returns the elliptic arc (a cos t, b sin t) for t from `from` to `to`, with from < to <= from + 2π, split
+/// into arcs of at most a quarter turn.
 NurbsCurve ellipse_arc(double a, double b, double from, double to);
-/// Returns (a t², 2 a t), with its focus at x = a.
+/// Returns the parabolic arc (a t², 2 a t) for t from `from` to `to`. The parabola's focus is at x = a.
 NurbsCurve parabola_arc(double a, double from, double to);
-/// Returns (a cosh t, b sinh t).
+/// Returns the hyperbolic arc (a cosh t, b sinh t) for t from `from` to `to`.
 NurbsCurve hyperbola_arc(double a, double b, double from, double to);
 
 }  // namespace prosector

@@ -10,11 +10,13 @@ namespace prosector {
 
 void check_points(std::span<const Vec3> points, std::vector<double>& weights) {
   if (points.size() > max_control_points)
-    throw InputError(fmt::format("{} points: at most {} are allowed", points.size(), max_control_points));
+    throw InputError(fmt::format("a curve or patch has {} control points: at most {} are allowed",
+                                 points.size(), max_control_points));
   if (weights.empty()) weights.assign(points.size(), 1.0);
   if (weights.size() != points.size())
     throw InputError(
-        fmt::format("{} weights for {} points: give one each, or none", weights.size(), points.size()));
+        fmt::format("{} weights are given for {} control points: give one for each point, or none",
+                    weights.size(), points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!is_finite(points[k])) throw InputError(fmt::format("point {} is not finite", k + 1));
     if (!std::isfinite(weights[k]) || !(weights[k] > 0))
@@ -35,7 +37,8 @@ NurbsCurve::NurbsCurve(int degree, std::vector<double> knots, std::vector<Vec3> 
 
 NurbsCurve NurbsCurve::bezier(std::vector<Vec3> points, std::vector<double> weights) {
   if (points.size() < 2 || points.size() > max_degree + 1)
-    throw InputError(fmt::format("a bezier of {} points: must have 2 to {}", points.size(), max_degree + 1));
+    throw InputError(
+        fmt::format("a bezier curve has {} points: it must have 2 to {}", points.size(), max_degree + 1));
   const int degree = static_cast<int>(points.size()) - 1;
   return {degree, bezier_knots(degree), std::move(points), std::move(weights)};
 }

@@ -36,7 +36,8 @@ NurbsSurface::NurbsSurface(Direction u, Direction v, std::size_t columns, std::s
     : directions_{std::move(u), std::move(v)} {
   check_points(points, weights);
   if (columns == 0 || points.size() % columns != 0)
-    throw InputError(fmt::format("{} points do not fill rows of {} columns", points.size(), columns));
+    throw InputError(
+        fmt::format("{} control points do not fill whole rows of {} columns", points.size(), columns));
   counts_ = {columns, points.size() / columns};
   for (const std::size_t k : {0U, 1U}) try {
       check_knots(directions_[k].knots, counts_[k], directions_[k].degree);
@@ -125,8 +126,10 @@ CoonsPatch::CoonsPatch(std::array<NurbsCurve, 4> sides) : sides_(std::move(sides
       const Vec3 along_u = evaluate_fraction(sides_[v > 0], u).x,
                  along_v = evaluate_fraction(sides_[2 + (u > 0)], v).x;
       if ((along_u - along_v).norm() <= 1e-6 * box.sizes().norm()) continue;
-      throw InputError(fmt::format("sides {} and {} are {:.3g} m apart at the corner u = {}, v = {}",
-                                   v > 0 ? 2 : 1, u > 0 ? 4 : 3, (along_u - along_v).norm(), u, v));
+      throw InputError(
+          fmt::format("sides {} and {} of a Coons patch are {:.3g} m apart at the corner u = {}, v = {}; "
+                      "they must meet there",
+                      v > 0 ? 2 : 1, u > 0 ? 4 : 3, (along_u - along_v).norm(), u, v));
     }
 }
 

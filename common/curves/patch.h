@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// A point on a surface, and the derivatives by u and v.
+/// A point on a surface patch, and the derivatives of the position by the parameters u and v.
 struct PatchPoint {
   Vec3 x = Vec3::Zero(), u = Vec3::Zero(), v = Vec3::Zero();
 };
@@ -16,22 +16,24 @@ struct PatchPoint {
 class Patch {
  public:
   virtual ~Patch() = default;
-  /// Evaluates the surface at u and v in 0 … 1.
+  /// Returns the point and derivatives of the surface patch at the parameters u and v in 0 … 1.
   virtual PatchPoint evaluate(double u, double v) const = 0;
-  /// Returns the increasing parameters at which derivatives may be discontinuous, 0 and 1 included: first
-  /// along u, then along v.
+  /// Returns the parameters of the patch at which its derivatives may be discontinuous, increasing, 0 and 1
+  /// included. The first list is along u, the second along v.
   virtual std::array<std::vector<double>, 2> seams() const = 0;
 };
 
-/// A tensor product of rational B-splines (Piegl & Tiller, The NURBS Book, 2nd ed. 1997, A4.4).
+/// Surface patch that is a tensor product of rational B-splines (Piegl & Tiller, The NURBS Book, 2nd ed.
+/// 1997, A4.4).
 class NurbsSurface final : public Patch {
  public:
   struct Direction {
     int degree;
     std::vector<double> knots;
   };
-  /// Takes `points` row by row, `columns` points along u in each row. Throws InputError as NurbsCurve does,
-  /// naming `u` or `v`, and for points that don't fill whole rows.
+  /// Makes a surface from its control points, row by row, with `columns` points along u in each row. Empty
+  /// `weights` are all 1. Throws InputError as NurbsCurve does, naming `u` or `v`, and for points that don't
+  /// fill whole rows.
   NurbsSurface(Direction u, Direction v, std::size_t columns, std::span<const Vec3> points,
                std::vector<double> weights = {});
 
@@ -44,11 +46,12 @@ class NurbsSurface final : public Patch {
   std::vector<Eigen::Vector4d> points_;
 };
 
-/// Surface of revolution: a profile curve in the x-y plane, along v, rotated once about the y axis, along u
-/// from x towards −z (Piegl & Tiller, 8.5).
+/// Surface of revolution: a profile curve in the x-y plane is rotated once about the y axis. The parameter v
+/// runs along the profile, and u along the rotation, from x towards −z (Piegl & Tiller, 8.5).
 class RevolvedPatch final : public Patch {
  public:
-  /// Throws InputError for a curve that leaves the plane or crosses the axis.
+  /// Makes the surface of revolution of a profile curve in the x-y plane about the y axis. Throws InputError
+  /// for a curve that leaves the plane or crosses the axis.
   explicit RevolvedPatch(NurbsCurve profile);
 
   PatchPoint evaluate(double u, double v) const override;
@@ -62,8 +65,9 @@ class RevolvedPatch final : public Patch {
 /// for CAGD, 5th ed. 2002, ch. 22).
 class CoonsPatch final : public Patch {
  public:
-  /// Takes the sides along u at v = 0 and v = 1, then along v at u = 0 and u = 1. Throws InputError that
-  /// names the corner if two sides are farther apart there than 1e-6 of their extent.
+  /// Makes the surface from its four sides: those along u at v = 0 and at v = 1, then those along v at u = 0
+  /// and at u = 1. Throws InputError that names the corner if two sides are farther apart there than 1e-6 of
+  /// their extent.
   explicit CoonsPatch(std::array<NurbsCurve, 4> sides);
 
   PatchPoint evaluate(double u, double v) const override;

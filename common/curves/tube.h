@@ -15,10 +15,10 @@ namespace prosector {
 std::vector<Vec3> rotation_minimising_sides(std::span<const Vec3> places, std::span<const Vec3> tangents,
                                             const Vec3& first);
 
-/// Builds a closed tube of `diameter` around the curve. It is within `tolerance` (m) of the exact tube where
-/// the curve's radius of curvature exceeds the tube's radius. Ends are flat. A smoothly closed curve gives a
-/// ring, whose frames are twisted evenly until they match. Throws InputError for a curve without length, or
-/// if `tolerance` needs too many triangles.
+/// Builds a closed tube of `diameter` (m) around the curve. It is within `tolerance` (m) of the exact tube
+/// where the curve's radius of curvature exceeds the tube's radius. Ends are flat. A smoothly closed curve
+/// gives a ring, whose frames are twisted evenly until they match. Throws InputError for a curve without
+/// length, or if `tolerance` needs too many triangles.
 TriangleMesh tube_around(const NurbsCurve& curve, double diameter, double tolerance);
 
 /// Returns positions along the curve that divide it into segments of equal arc length of about `length` m (at

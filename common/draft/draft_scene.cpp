@@ -25,6 +25,7 @@
 #include "common/file_endings.h"
 #include "common/ids.h"
 #include "common/regular_file.h"
+#include "common/scene/body_groups.h"
 #include "common/scene/label_table.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
@@ -91,8 +92,9 @@ std::string name_of(const std::filesystem::path& file) {
     while (!valid_utf8(name) || name.ends_with(' ')) name.pop_back();
   }
   if (!valid_name(name))
-    throw InputError(fmt::format("{}: its name must be usable as a body's name: 1 to {} bytes of UTF-8",
-                                 file.string(), max_name_length));
+    throw InputError(
+        fmt::format("{}: the file's name becomes the body's name, so it must have 1 to {} bytes of UTF-8",
+                    file.string(), max_name_length));
   return name;
 }
 
@@ -116,7 +118,8 @@ std::vector<std::filesystem::path> bodies_in(const std::filesystem::path& folder
                     folder.string(), fmt::join(surface_endings, " "), fmt::join(tet_endings, " ")));
   if (out.size() >= max_bodies)
     throw InputError(
-        fmt::format("{}: {} bodies; a scene may have {} bodies", folder.string(), out.size(), max_bodies));
+        fmt::format("{}: the folder has {} meshes, each of which would be a body; a scene may have {} bodies",
+                    folder.string(), out.size(), max_bodies));
   std::ranges::sort(out);
   return out;
 }
@@ -140,7 +143,7 @@ void find_solid(Part& part) {
       "contains {} separate solids, the largest with {:.3g} % of their volume. A body is one piece: write "
       "each to its own file",
       shells.solids.size(), 100 - left_out);
-  if (left_out > accepted_volume_error) throw InputError(said + ", or make it rigid (--rigid)");
+  if (left_out > accepted_volume_error) throw InputError(said + ", or make the body rigid (--rigid)");
   part.notes.push_back(said);
 }
 
@@ -161,8 +164,8 @@ Part read_part(const std::filesystem::path& file, bool rigid) {
     out.surface = std::move(whole.surface);
   }
   if (const std::string full = spaced_name(file); full != out.name)
-    out.notes.push_back(
-        fmt::format("its name is longer than {} bytes: shortened to \"{}\"", max_name_length, out.name));
+    out.notes.push_back(fmt::format("the body's name is longer than {} bytes: shortened to \"{}\"",
+                                    max_name_length, out.name));
   out.material = &material_for_part(spaced_name(file));
   if (out.tets > 0 && out.material->rigid) out.material = &materials().back();  // it is soft
   out.rigid = rigid || out.material->rigid;
@@ -204,8 +207,9 @@ Vec3 origin_for(const Eigen::AlignedBox3d& box, double unit, std::vector<std::st
   constexpr double far = 10;  // m
   if (unit * box.center().norm() <= far) return Vec3::Zero();
   const Vec3 out = box.center().array().round();
-  notes.push_back(fmt::format("{:.4g} m from the origin of the file: mesh_origin = {}",
-                              unit * box.center().norm(), exact_numbers(out)));
+  notes.push_back(
+      fmt::format("the mesh is {:.4g} m from the origin of the file, so the scene has mesh_origin = {}",
+                  unit * box.center().norm(), exact_numbers(out)));
   return out;
 }
 
@@ -221,15 +225,15 @@ double unit_of(const std::vector<Part>& parts, const DraftOptions& options, std:
   if (!options.unit) unit = guess_unit(usual, extents);
   const auto known = std::ranges::find(units, unit, &Unit::metres);
   const Vec3 size = all.sizes();
-  notes.push_back(
-      fmt::format("{:.4g} x {:.4g} x {:.4g} in the file{}: {} {}, {:.3g} m across{}", size[0], size[1],
-                  size[2], parts.size() > 1 ? "s" : "", options.unit ? "in" : "assumed to be",
-                  known == units.end() ? fmt::format("units of {} m", unit) : known->name,
-                  unit * size.maxCoeff(), options.unit ? "" : "; if that is wrong: --unit mm, cm or m"));
+  notes.push_back(fmt::format(
+      "{:.4g} x {:.4g} x {:.4g} in the file{}: {} {}, {:.3g} m across{}", size[0], size[1], size[2],
+      parts.size() > 1 ? "s" : "", options.unit ? "in" : "assumed to be",
+      known == units.end() ? fmt::format("units of {} m", unit) : known->name, unit * size.maxCoeff(),
+      options.unit ? "" : "; if the unit is wrong, set it: --unit mm, cm or m"));
   const double across = unit * size.maxCoeff();
   if (!(across >= least_size && across <= most_size))
-    throw InputError(fmt::format("{} m across; allowed: {} to {} m; choose --unit mm, cm or m", across,
-                                 least_size, most_size));
+    throw InputError(fmt::format("the bodies are {} m across; allowed: {} to {} m; choose --unit mm, cm or m",
+                                 across, least_size, most_size));
   return unit;
 }
 
@@ -268,12 +272,12 @@ std::string body_text(const char* table, const Part& part, double unit, const Ve
   Desc desc;
   apply_material(*part.material, desc);
   return fmt::format(
-      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\n{}position = {}\n{}anatomy = true\n"
-      "group = \"anatomy\"  # what lies against each other at rest needs no contacts\n"
-      "touches = [\"default\", \"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
+      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\n{}position = {}\n{}anatomy = true\ngroup = \"anatomy\"  # "
+      "adjacent bodies of this group need no contacts with each other\ntouches = [\"default\", "
+      "\"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
       table, toml_text(part.name), toml_text(path_in_scene(part.file, folder)), toml_number(unit),
       origin.isZero() ? "" : fmt::format("mesh_origin = {}\n", exact_numbers(origin)), toml_numbers(pose.p),
-      rotation_text(z_up), toml_number(desc.density), part.material->rigid ? "bone" : "tissue",
+      rotation_text(z_up), toml_number(material_of(desc).density), part.material->rigid ? "bone" : "tissue",
       toml_numbers(desc.appearance.color), toml_number(desc.appearance.wetness));
 }
 
@@ -284,26 +288,29 @@ std::string soft_text(const Part& part, double unit, const Pose& pose, double te
   const double volume = part.volume * unit * unit * unit;
   const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
   const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
-  notes.push_back(fmt::format("{}: {:.4g} ml of {}{}, {}", part.name, 1e6 * volume, part.material->name,
-                              part.material == &materials().back() ? " (no known material in its name)" : "",
-                              part.tets > 0 ? fmt::format("{} tetrahedra as in the file", part.tets)
-                                            : fmt::format("cell {:.2g} mm", 1e3 * cell)));
+  notes.push_back(
+      fmt::format("{}: {:.4g} ml of {}{}, {}", part.name, 1e6 * volume, part.material->name,
+                  part.material == &materials().back() ? " (its name contains no known material)" : "",
+                  part.tets > 0 ? fmt::format("{} tetrahedra as in the file", part.tets)
+                                : fmt::format("cell {:.2g} mm", 1e3 * cell)));
   const std::string cells = part.tets > 0 ? ""
                                           : fmt::format("cell = {}\nsurface_cell = {}\n", toml_number(cell),
                                                         toml_number(0.5 * cell));
   return fmt::format(
-      "{}youngs_modulus = {}\ntoughness = {}  # J/m²: a drawn blade cuts it; real: {}\ndamping_mass = 4\n"
-      "gravity = false  # the file's shape already carries its weight\n\n"
-      "  [[soft.attach]]\n  center = {}\n  radius = {}\n  stiffness = {}\n",
-      cells, toml_number(desc.youngs_modulus), toml_number(drawn_toughness), toml_number(desc.toughness),
-      toml_numbers(box.center()), toml_number(0.55 * box.sizes().norm()), toml_number(hold));
+      "{}youngs_modulus = {}\ntoughness = {}  # J/m²: low enough for a drawn blade; of real tissue: "
+      "{}\ndamping_mass = 4\ngravity = false  # the file's shape already carries its weight\n\n  "
+      "[[soft.attach]]\n  center = {}\n  radius = {}\n  stiffness = {}\n",
+      cells, toml_number(desc.material.youngs_modulus), toml_number(drawn_toughness),
+      toml_number(desc.material.toughness), toml_numbers(box.center()),
+      toml_number(0.55 * box.sizes().norm()), toml_number(hold));
 }
 
 /// Adds a scalpel next to the bodies, unless disabled.
 void add_scalpel(const Eigen::AlignedBox3d& box, const DraftOptions& options, Draft& out) {
   if (!options.scalpel) return;
   out.toml += scalpel_toml(box);
-  out.notes.emplace_back("a scalpel is on the table, to the right (omit it with --no-scalpel)");
+  out.notes.emplace_back(
+      "a scalpel was added on the table, to the right of the bodies (omit it with --no-scalpel)");
 }
 
 Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
@@ -399,7 +406,9 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   const auto voxels = count_labels(volume, map.string());
   const auto is_structure = [](const auto& entry) { return entry.second >= min_structure_voxels; };
   if (std::ranges::none_of(voxels, is_structure))
-    throw InputError(fmt::format("{}: no label has {} voxels or more", map.string(), min_structure_voxels));
+    throw InputError(
+        fmt::format("{}: no label has {} voxels or more, so there is no structure that could be a body",
+                    map.string(), min_structure_voxels));
   if (unequal_neighbour_fraction(volume) > 0.5)
     throw InputError(fmt::format(
         "{}: not a label map: most neighbouring voxels differ, as in grey values. Write a [[soft]] or "
@@ -408,7 +417,8 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   const auto labels = options.labels.empty() ? find_label_table(map) : options.labels;
   out.notes.push_back(
       labels.empty()
-          ? fmt::format("{} labels, by number: provide their names in a table (--labels FILE)", voxels.size())
+          ? fmt::format("{} labels, named by number: provide their names in a table (--labels FILE)",
+                        voxels.size())
           : fmt::format("{} labels, names from {}", voxels.size(), labels.string()));
   if (!labels.empty()) (void)load_labels(labels);
   const bool z_up = options.z_up.value_or(true);

@@ -21,19 +21,19 @@ struct Draft {
   std::vector<std::string> notes;  // messages for users: assumptions made, and how to change them
 };
 
-/// Creates a scene from `source`: a surface, a tetrahedral mesh, a folder of both, or a label map. The scene
-/// has bodies with material by file name and cell size by body size, a table, a scalpel next to bodies that
-/// can be cut, a camera and lights. Paths in the scene are relative to `folder`, where it will be written.
-/// Throws InputError for
-///   a source that is none of these, or has no surface or tetrahedral mesh
-///   surfaces that aren't closed, unless they may be open; all such files of a folder are named
-///   two files with the same name
-///   sizes for which no unit gives a body of 1 mm to 10 m
+/// Creates the text of a draft scene from `source`: a surface, a tetrahedral mesh, a folder of both, or a
+/// label map. The scene has bodies with material by file name and cell size by body size, a table, a scalpel
+/// next to bodies that can be cut, a camera and lights. Paths in the scene are relative to `folder`, where it
+/// will be written. Throws InputError for
+///   a source that is none of these, or has no surface or tetrahedral mesh,
+///   surfaces that aren't closed, unless they may be open; all such files of a folder are named,
+///   two files with the same name, and
+///   sizes for which no unit gives a body of 1 mm to 10 m.
 Draft draft_scene(const std::filesystem::path& source, const std::filesystem::path& folder,
                   const DraftOptions& options);
 
-/// Guesses the unit (m) of files from the usual sizes (m) of their parts and the extents in the file: the one
-/// of mm, cm and m that fits best.
+/// Guesses the unit (m) of geometry files from the usual sizes (m) of the anatomical parts in them and the
+/// extents in file units. Returns the one of mm, cm and m that fits best.
 double guess_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents);
 
 }  // namespace prosector

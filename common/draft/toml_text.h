@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-/// Returns a quoted string with TOML escapes.
+/// Returns the text as a quoted TOML string, with escapes.
 std::string toml_text(std::string_view text);
 
-/// Returns a number rounded to five significant digits.
+/// Returns a number as TOML, rounded to five significant digits.
 std::string toml_number(double x);
 std::string toml_numbers(const Vec3& v);
 

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Approximate signed distances (m) at one point of the right hand's wrist frame, negative inside.
+/// Approximate signed distances (m) of the right hand's surfaces from one point of its wrist frame, negative
+/// inside.
 struct HandField {
   double solid = 0;                    // of the whole hand
   std::array<double, fingers> finger;  // of each finger's flesh alone, thumb first

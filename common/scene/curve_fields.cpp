@@ -12,7 +12,7 @@ constexpr Range degree{1, max_degree};
 constexpr Range size{0, 10, true};
 constexpr Range tolerance{1e-6, 1, false};
 constexpr const char* about_knots =
-    "bspline: points + degree + 1 values, non-decreasing; default: uniform and clamped at the ends";
+    "bspline knots: points + degree + 1 values, non-decreasing; default: uniform, clamped at the ends";
 
 template <class Struct, auto... Path>
 Field list(std::string_view key, Hashed hashed, std::string_view unit, Range range,
@@ -25,7 +25,7 @@ Field list(std::string_view key, Hashed hashed, std::string_view unit, Range ran
 template <class Struct>
 Table with_tolerance(Table table) {
   table.fields.push_back(number<Struct, &Struct::tolerance>(
-      "tolerance", compiled, "m", tolerance, "maximum distance of its triangles from the true surface"));
+      "tolerance", compiled, "m", tolerance, "maximum distance of the triangles from the exact surface"));
   return table;
 }
 
@@ -54,18 +54,18 @@ Table curve_table(std::string_view name, std::string_view about) {
   Table t{name,
           about,
           spline_rows({"bezier", "bspline", "ellipse", "parabola", "hyperbola"},
-                      "conics lie in the x-y plane: ellipse (a cos t, b sin t), parabola (a t², 2 a t), "
-                      "hyperbola (a cosh t, b sinh t)"),
+                      "type of curve; conics in the x-y plane: ellipse (a cos t, b sin t), parabola (a t², 2 "
+                      "a t), hyperbola (a cosh t, b sinh t)"),
           {},
           fresh<C>};
-  for (Field& field :
-       std::vector<Field>{number<C, &C::a>("a", compiled, "m", size, "conics"),
-                          number<C, &C::b>("b", compiled, "m", size, "ellipse, hyperbola"),
-                          number<C, &C::from>("from", compiled, "", {-10, 10},
-                                              "conics: t where the arc begins; ellipse: rad"),
-                          number<C, &C::to>("to", compiled, "", {-10, 10},
-                                            "conics: t where it ends; ellipse: at most 2π more"),
-                          number<C, &C::diameter>("diameter", compiled, "m", size, "diameter of the tube")})
+  for (Field& field : std::vector<Field>{
+           number<C, &C::a>("a", compiled, "m", size, "conics"),
+           number<C, &C::b>("b", compiled, "m", size, "ellipse, hyperbola"),
+           number<C, &C::from>("from", compiled, "", {-10, 10},
+                               "conics: parameter t where the arc begins; ellipse: rad"),
+           number<C, &C::to>("to", compiled, "", {-10, 10},
+                             "conics: parameter t where the arc ends; ellipse: at most 2π more than `from`"),
+           number<C, &C::diameter>("diameter", compiled, "m", size, "diameter of the tube")})
     t.fields.push_back(std::move(field));
   add_pose<C>(t.fields, "the curve's origin in the body's frame");
   return t;
@@ -82,22 +82,23 @@ Table side_table(std::string_view name) {
 
 Table patch_table(std::string_view name, std::string_view about, const Table& (*side)()) {
   using P = PatchDesc;
-  Table t{
-      name,
-      about,
-      {words<P, &P::kind>("kind", compiled, {"bezier", "bspline", "coons", "revolved"},
-                          "a tensor product, a Coons patch between four sides, or one profile in the x-y "
-                          "plane, at x >= 0, revolved about y"),
-       list<P, &P::points>("points", compiled, "m", coordinate, "control points, row by row along u"),
-       number<P, &P::columns>("columns", compiled, "", {2, max_control_points}, "number of points in a row"),
-       list<P, &P::weights>("weights", compiled, "", weight, "weights of the points; default: all 1"),
-       number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline"),
-       number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline"),
-       list<P, &P::knots_u>("knots_u", compiled, "", knot, about_knots),
-       list<P, &P::knots_v>("knots_v", compiled, "", knot, about_knots),
-       number<P, &P::thickness>("thickness", compiled, "m", size, "thickness, half of it on either side")},
-      {{"side", side, true, 4, items<P, &P::sides>}},
-      fresh<P>};
+  Table t{name,
+          about,
+          {words<P, &P::kind>("kind", compiled, {"bezier", "bspline", "coons", "revolved"},
+                              "bezier, bspline: tensor product; coons: between four sides; revolved: one "
+                              "profile in the x-y plane, at x >= 0, rotated about y"),
+           list<P, &P::points>("points", compiled, "m", coordinate, "control points, row by row along u"),
+           number<P, &P::columns>("columns", compiled, "", {2, max_control_points},
+                                  "number of control points in a row"),
+           list<P, &P::weights>("weights", compiled, "", weight, "weights of the points; default: all 1"),
+           number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline"),
+           number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline"),
+           list<P, &P::knots_u>("knots_u", compiled, "", knot, about_knots),
+           list<P, &P::knots_v>("knots_v", compiled, "", knot, about_knots),
+           number<P, &P::thickness>("thickness", compiled, "m", size,
+                                    "thickness of the patch, half of it on either side of the surface")},
+          {{"side", side, true, 4, items<P, &P::sides>}},
+          fresh<P>};
   add_pose<P>(t.fields, "the patch's origin in the body's frame");
   return t;
 }

@@ -5,10 +5,12 @@
 
 namespace prosector {
 
-/// Returns the tables of rigid bodies' curves (tubes) and patches (slabs).
+/// Returns the table of scene keys for rigid bodies' curves (tubes). rigid_patch_table() returns that for
+/// their surface patches (slabs).
 const Table& rigid_curve_table();
 const Table& rigid_patch_table();
-/// Returns the tables of soft bodies' curves (the line of a rope) and patches (the surface of a sheet).
+/// Returns the table of scene keys for soft bodies' curves (the line of a rope). soft_patch_table() returns
+/// that for their surface patches (the surface of a sheet).
 const Table& soft_curve_table();
 const Table& soft_patch_table();
 

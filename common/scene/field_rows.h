@@ -1,6 +1,7 @@
 #pragma once
 // Functions that make the rows of the field tables, one per value type. Private to common/scene.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -18,11 +19,18 @@ inline constexpr Range coordinate{-max_coordinate, max_coordinate};
 inline constexpr Range unit_interval{0, 1};
 inline constexpr Range friction{0, 10};
 
-/// Returns a pointer to the member reached by a chain of member pointers: in<RigidDesc, &RigidDesc::pose,
-/// &Pose::p>.
+/// Returns a pointer to the member of `*object`, a Struct, that a chain of member pointers reaches. Example:
+/// in<RigidDesc, &RigidDesc::pose, &Pose::p>.
 template <class Struct, auto... Path>
 FieldRef in(void* object) {
-  return &(*static_cast<Struct*>(object).*....*Path);
+  auto& member = (*static_cast<Struct*>(object).*....*Path);
+  using Member = std::decay_t<decltype(member)>;
+  if constexpr (std::is_enum_v<Member>) {
+    static_assert(std::is_same_v<std::underlying_type_t<Member>, std::uint8_t>, "stored as one byte");
+    return reinterpret_cast<std::uint8_t*>(&member);
+  } else {
+    return &member;
+  }
 }
 
 template <class Struct>
@@ -39,10 +47,12 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Appends a struct to the list `Member`, or emplaces the optional `Member`; returns the struct.
-template <class Struct, auto Member>
+/// Makes the member at the end of `Path`, in the Struct `*object`, ready to be filled. Appends an element to
+/// a list, or emplaces an optional without a value. Returns a pointer to the element, the value, or the
+/// member itself.
+template <class Struct, auto... Path>
 void* add_item(void* object) {
-  auto& member = static_cast<Struct*>(object)->*Member;
+  auto& member = (*static_cast<Struct*>(object).*....*Path);
   using T = std::decay_t<decltype(member)>;
   if constexpr (is_list<T>)
     return &member.emplace_back();
@@ -52,10 +62,11 @@ void* add_item(void* object) {
     return &member;
 }
 
-/// Returns the structs in `Member`: a list's elements, an optional's value, or the member itself.
-template <class Struct, auto Member>
+/// Returns pointers to the structs in the member at the end of `Path`, in the Struct `*object`. These are a
+/// list's elements, an optional's value if there is one, or the member itself.
+template <class Struct, auto... Path>
 std::vector<void*> present_items(void* object) {
-  auto& member = static_cast<Struct*>(object)->*Member;
+  auto& member = (*static_cast<Struct*>(object).*....*Path);
   using T = std::decay_t<decltype(member)>;
   std::vector<void*> out;
   if constexpr (is_list<T>) {
@@ -68,8 +79,8 @@ std::vector<void*> present_items(void* object) {
   return out;
 }
 
-template <class Struct, auto Member>
-inline constexpr Items items = {add_item<Struct, Member>, present_items<Struct, Member>};
+template <class Struct, auto... Path>
+inline constexpr Items items = {add_item<Struct, Path...>, present_items<Struct, Path...>};
 
 template <class Struct, auto... Path>
 Field number(std::string_view key, Hashed hashed, std::string_view unit, Range range,
@@ -141,7 +152,8 @@ Field names(std::string_view key, Hashed hashed, std::string_view description) {
           .description = description};
 }
 
-/// Adds the pose fields shared by rigid parts, rigid bodies and soft bodies.
+/// Appends the scene keys for a pose (position and rotation), which rigid parts, rigid bodies and soft bodies
+/// share. `frames` describes the frame of the position.
 template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
   fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", compiled, "m", coordinate, frames));

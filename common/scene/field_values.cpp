@@ -21,10 +21,13 @@ void add(ByteWriter& out, const std::vector<T>& list) {
   for (const T& value : list) out.add(value);
 }
 
-/// Returns a field's value as bytes; a list is preceded by its length.
-std::vector<std::uint8_t> bytes_of(const FieldRef& ref) {
+/// Returns a field's value as bytes. A list is preceded by its length. An enumeration is written as its word.
+std::vector<std::uint8_t> bytes_of(const Field& field, const FieldRef& ref) {
   ByteWriter out;
-  std::visit([&](const auto* value) { add(out, *value); }, ref);
+  if (std::uint8_t* const* word = std::get_if<std::uint8_t*>(&ref))
+    out.add(std::string(field.words.at(**word)));
+  else
+    std::visit([&](const auto* value) { add(out, *value); }, ref);
   return out.take();
 }
 
@@ -32,8 +35,8 @@ void add_table(const Table& table, void* object, ByteWriter& out) {
   const std::shared_ptr<void> defaults = table.fresh();
   for (const Field& field : table.fields) {
     if (field.hashed != Hashed::by_value) continue;
-    const auto value = bytes_of(field.in(object));
-    if (value == bytes_of(field.in(defaults.get()))) continue;
+    const auto value = bytes_of(field, field.in(object));
+    if (value == bytes_of(field, field.in(defaults.get()))) continue;
     out.add(std::string(field.key));
     out.raw(value.data(), value.size());
   }

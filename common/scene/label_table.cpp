@@ -126,7 +126,7 @@ class LabelReader {
     if (seen.size() > max_local_names) {
       const auto local = std::ranges::count(columns_, Kind::local, &Column::kind);
       if (local > static_cast<std::ptrdiff_t>(max_local_names))
-        fail(fmt::format("names in {} languages; allowed: {} at most", local, max_local_names));
+        fail(fmt::format("the table has names in {} languages; allowed: {} at most", local, max_local_names));
     }
   }
 
@@ -149,7 +149,8 @@ class LabelReader {
   void read_row() {
     const std::vector<std::string> row = cells();
     if (row.size() != columns_.size())
-      fail(fmt::format("{} cells; the header row has {} columns", row.size(), columns_.size()));
+      fail(fmt::format("this row has {} cells, but the header row has {} columns; the numbers must be equal",
+                       row.size(), columns_.size()));
     Label label;
     for (std::size_t i = 0; i < row.size(); ++i)
       if (!row[i].empty()) read_cell(columns_[i], row[i], label);
@@ -166,7 +167,7 @@ class LabelReader {
         return;
       case Kind::term:
         if (cell.size() > max_term_length || !valid_name(cell))
-          fail(fmt::format("ta: must be text of at most {} bytes", max_term_length));
+          fail(fmt::format("column ta: must be text of at most {} bytes", max_term_length));
         label.term = cell;
         return;
       case Kind::color:
@@ -203,7 +204,8 @@ class LabelReader {
       words.push_back(rest.substr(0, end));
       rest = trimmed(rest.substr(end));
     }
-    if (words.size() < 2) fail("a number without a name; allowed: a number, a name, a code or a colour");
+    if (words.size() < 2)
+      fail("this line has a number without a name; allowed: a number, a name, then a code or a colour");
     if (words.front() == "0") return;  // background
     Label label;
     label.id = id(words[0]);
@@ -215,11 +217,13 @@ class LabelReader {
 
   std::optional<Vec3> parse_listed_color(const std::vector<std::string_view>& words) const {
     if (words.size() <= 3) return std::nullopt;  // a code, or nothing
-    if (words.size() > 6) fail("more than a number, a name and a colour; write spaces in names as _");
+    if (words.size() > 6)
+      fail("this line has more than a number, a name and a colour; write spaces in names as _");
     Vec3 color;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::optional<int> byte = words.size() > 2 + k ? parse_integer(words[2 + k]) : std::nullopt;
-      if (!byte || *byte < 0 || *byte > 255) fail("a colour is three or four whole numbers in [0, 255]");
+      if (!byte || *byte < 0 || *byte > 255)
+        fail("the colour must be three or four whole numbers in [0, 255]");
       color[static_cast<int>(k)] = linear(*byte);
     }
     return color;

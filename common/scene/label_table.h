@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// One row: a structure or body and its names.
+/// One row of a label table: a structure of a label map or a body of a scene, with its names.
 struct Label {
   int id = 0;  // number in the label map; 0: identified by name only
   std::string name;
@@ -25,21 +25,21 @@ struct LabelTable {
   std::string file;  // for error messages
   std::vector<Label> labels;
 
-  /// Returns the row with this number, or this name; null if there is none.
+  /// Returns the row of the label table with this number, or this name; null if there is none.
   const Label* find(int id) const;
   const Label* find(std::string_view name) const;
 };
 
-/// Parses a table; `file` is used in messages. Two formats are accepted:
-///   CSV whose first row names the columns: name, and optionally id, ta, color, name.LANGUAGE. Colours are
+/// Parses a label table from text; `file` is used in messages. Two formats are accepted:
+///   CSV whose first row names the columns: name, and optionally id, ta, color, name.LANGUAGE; colours are
 ///   #rrggbb (sRGB).
-///   lines of a number and a name, as supplied with atlases: "12 Frontal_Inf", optionally followed by a code,
+///   Lines of a number and a name, as supplied with atlases: "12 Frontal_Inf", optionally followed by a code,
 ///   or by red, green, blue (and alpha) in 0 … 255. Underscores become spaces.
 /// Empty lines and lines that begin with # are skipped. Throws InputError with file, line and the allowed
 /// values.
 LabelTable parse_labels(std::string_view text, const std::string& file);
 
-/// Reads a table from a file of at most 4 MiB.
+/// Reads a label table (names of structures or bodies) from a file of at most 4 MiB.
 LabelTable load_labels(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "common/error.h"
@@ -199,13 +200,11 @@ class Reader {
     return rest == field.unit && std::isfinite(out.value) && field.range.contains(out.value);
   }
 
-  template <class Enumeration>
-  requires std::is_enum_v<Enumeration>
-  static bool store(const toml::node& node, const Field& field, Enumeration& out) {
+  static bool store(const toml::node& node, const Field& field, std::uint8_t& out) {
     if (!node.is_string()) return false;
     const auto word = std::find(field.words.begin(), field.words.end(), *node.value<std::string>());
     if (word == field.words.end()) return false;
-    out = static_cast<Enumeration>(word - field.words.begin());
+    out = static_cast<std::uint8_t>(word - field.words.begin());
     return true;
   }
 
@@ -268,6 +267,24 @@ std::string read_scene_text(const std::filesystem::path& file) {
 
 SceneDesc load_scene(const std::filesystem::path& file) {
   return parse_scene(read_scene_text(file), file);
+}
+
+std::vector<std::string> referenced_files(const SceneDesc& scene) {
+  std::set<std::string> out = {scene.labels};
+  for (const RigidDesc& body : scene.rigid) out.insert({body.mesh, body.volume});
+  for (const SoftDesc& body : scene.soft) out.insert({body.geometry.mesh, body.geometry.volume});
+  for (const AtlasDesc& atlas : scene.atlases) out.insert({atlas.volume, atlas.labels});
+  out.erase("");
+  return {out.begin(), out.end()};
+}
+
+std::vector<std::string> scene_hints(const SceneDesc& scene) {
+  std::vector<std::string> out;
+  if (scene.lights.empty())
+    out.emplace_back(
+        "hint: this scene has no light, so it is rendered dark; add a [[light]], e.g. with kind = "
+        "\"directional\" and direction = [0, -1, -0.5]");
+  return out;
 }
 
 }  // namespace prosector

@@ -24,14 +24,14 @@ std::vector<std::string> words_in_name(std::string_view part) {
   return out;
 }
 
-}  // namespace
-
 // Stiffness, density, toughness and size are starting values. Stiffness of liver, kidney, spleen and
 // pancreas: magnetic resonance elastography (E = 3G). Densities: Kaye & Laby. Toughness: liver from Gokgol et
 // al. 2012, also used for soft parts without a measured value. Hollow organs are modelled as solid, since
 // their walls are thinner than a cell.
-const std::vector<Material>& materials() {
-  static const std::vector<Material> table = {
+
+/// Returns the materials of organs of the abdomen and pelvis.
+std::vector<Material> abdominal_organs() {
+  return {
       {"liver", {"liver", "hepar"}, false, 5400, 1060, 164, {0.35, 0.08, 0.055}, 0.5, 0.22},
       {"kidney", {"kidney", "kidneys", "ren"}, false, 15000, 1050, 164, {0.33, 0.1, 0.08}, 0.4, 0.11},
       {"spleen", {"spleen", "lien"}, false, 10800, 1054, 164, {0.28, 0.06, 0.09}, 0.4, 0.12},
@@ -55,27 +55,36 @@ const std::vector<Material>& materials() {
        {0.62, 0.3, 0.26},
        0.5,
        0.4},
-      {"bladder", {"bladder", "uterus", "prostate"}, false, 10000, 1040, 500, {0.6, 0.34, 0.3}, 0.5, 0.1},
-      {"heart",
-       {"heart", "cor", "myocardium", "atrium", "ventricle"},
-       false,
-       20000,
-       1044,
-       550,
-       {0.38, 0.07, 0.06},
-       0.5,
-       0.13},
-      {"lung", {"lung", "lungs", "pulmo"}, false, 3000, 288, 164, {0.62, 0.33, 0.33}, 0.3, 0.25},
-      {"brain",
-       {"brain", "cerebrum", "cerebellum", "brainstem", "cortex", "gyrus", "hippocampus", "thalamus",
-        "amygdala", "putamen", "caudate"},
-       false,
-       3000,
-       1036,
-       80,
-       {0.62, 0.42, 0.38},
-       0.4,
-       0.17},
+      {"bladder", {"bladder", "uterus", "prostate"}, false, 10000, 1040, 500, {0.6, 0.34, 0.3}, 0.5, 0.1}};
+}
+
+/// Returns the materials of organs of the chest and head.
+std::vector<Material> chest_and_head_organs() {
+  return {{"heart",
+           {"heart", "cor", "myocardium", "atrium", "ventricle"},
+           false,
+           20000,
+           1044,
+           550,
+           {0.38, 0.07, 0.06},
+           0.5,
+           0.13},
+          {"lung", {"lung", "lungs", "pulmo"}, false, 3000, 288, 164, {0.62, 0.33, 0.33}, 0.3, 0.25},
+          {"brain",
+           {"brain", "cerebrum", "cerebellum", "brainstem", "cortex", "gyrus", "hippocampus", "thalamus",
+            "amygdala", "putamen", "caudate"},
+           false,
+           3000,
+           1036,
+           80,
+           {0.62, 0.42, 0.38},
+           0.4,
+           0.17}};
+}
+
+/// Returns the materials of tissues of the whole body, bone among them.
+std::vector<Material> body_tissues() {
+  return {
       {"fat", {"fat", "adipose"}, false, 3000, 920, 500, {0.75, 0.58, 0.2}, 0.3, 0.2},
       {"muscle",
        {"muscle", "muscles", "musculus", "diaphragm", "tongue"},
@@ -115,9 +124,24 @@ const std::vector<Material>& materials() {
        0,
        {0.78, 0.72, 0.58},
        0,
-       0.3},
-      {"tissue", {}, false, 5400, 1060, 164, {0.5, 0.2, 0.16}, 0.4, 0.15},
-  };
+       0.3}};
+}
+
+/// Returns the material of parts whose name has no known word.
+Material fallback_material() {
+  return {"tissue", {}, false, 5400, 1060, 164, {0.5, 0.2, 0.16}, 0.4, 0.15};
+}
+
+}  // namespace
+
+const std::vector<Material>& materials() {
+  static const std::vector<Material> table = [] {
+    std::vector<Material> out;
+    for (const auto& group : {abdominal_organs(), chest_and_head_organs(), body_tissues()})
+      out.insert(out.end(), group.begin(), group.end());
+    out.push_back(fallback_material());
+    return out;
+  }();
   return table;
 }
 
@@ -141,9 +165,9 @@ const Material& material_for_part(std::string_view part) {
 }
 
 void apply_material(const Material& material, SoftDesc& body) {
-  body.youngs_modulus = material.youngs_modulus;
-  body.density = material.density;
-  body.toughness = material.toughness;
+  body.material.youngs_modulus = material.youngs_modulus;
+  body.material.density = material.density;
+  body.material.toughness = material.toughness;
   body.appearance.surface = Surface::tissue;
   body.appearance.color = material.color;
   body.appearance.wetness = material.wetness;

@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// A material. Its values are starting values: measured values of one organ differ by a factor of two and
-/// more.
+/// A material of anatomical parts, with starting values for generated scenes. Measured values of one organ
+/// differ by a factor of two and more.
 struct Material {
   std::string_view name;
   std::vector<std::string_view> words;  // lower-case words in the names of parts made of it
@@ -24,19 +24,21 @@ struct Material {
   double usual_size = 0;  // m: longest side of an adult's part, about
 };
 
-/// Returns the table of materials. The last entry, "tissue", is used for part names without a known word.
+/// Returns the table of materials of anatomical parts. The last entry, "tissue", is used for part names
+/// without a known word.
 const std::vector<Material>& materials();
 
-/// Returns the names of all materials, for scene keys.
+/// Returns the names of all materials, which are the allowed values of a scene's `material` key.
 std::vector<std::string_view> material_names();
 
-/// Returns the material with that name; null if there is none.
+/// Returns the material of anatomical parts with that name; null if there is none.
 const Material* find_material(std::string_view name);
 
-/// Returns the material selected by a word of the part's name ("left_kidney 2": kidney); otherwise "tissue".
+/// Returns the material that is selected by a word of the anatomical part's name, such as "kidney" in
+/// "left_kidney 2". Returns "tissue" if no word is known.
 const Material& material_for_part(std::string_view part);
 
-/// Sets the material's mechanical and visual properties in a body's description.
+/// Sets a body's mechanical and visual properties in its description to those of the material.
 void apply_material(const Material& material, SoftDesc& body);
 void apply_material(const Material& material, RigidDesc& body);
 

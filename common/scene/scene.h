@@ -4,13 +4,16 @@
 // messages and docs/look-up/scene.md use. SI units; orientations as quaternions w, x, y, z; y is up. Anything
 // that a scene doesn't name is not modelled.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/appearance.h"
+#include "common/fidelity.h"
 #include "common/hash.h"
 #include "common/local_name.h"
 #include "common/math.h"
@@ -18,13 +21,14 @@
 
 namespace prosector {
 
-/// A number written as text with its unit, for instance "4 ms"; stored in the unit that its field states.
+/// A number that a scene file gives as text with its unit, for instance "4 ms". It is stored in the unit that
+/// its field states.
 struct Quantity {
   double value = 0;  // 0: not given
   explicit operator bool() const { return value > 0; }
 };
 
-/// [[rigid.part]]: one primitive of a rigid body, in the body's frame.
+/// [[rigid.part]] of a scene file: one primitive shape of a rigid body, in the body's frame.
 struct PartDesc {
   std::string shape = "box";  // box | sphere | capsule | cylinder | ellipsoid (capsule, cylinder: axis y)
   Vec3 size = {
@@ -34,9 +38,10 @@ struct PartDesc {
   double rounding = 0;  // m: radius of the rounded edges; affects drawing only
 };
 
-/// [[rigid.curve]], [[soft.curve]], and the sides of patches, which are given by control points. The curve is
-/// a Bézier or B-spline curve, rational if it has weights, or a conic arc in the x-y plane, for t from `from`
-/// to `to`. Conics: ellipse (a cos t, b sin t), parabola (a t², 2 a t), hyperbola (a cosh t, b sinh t).
+/// [[rigid.curve]] or [[soft.curve]] of a scene file, or a side of a surface patch. The curve is a Bézier or
+/// B-spline curve with control points, rational if it has weights, or a conic arc. A conic arc is in the x-y
+/// plane, for t from `from` to `to`. It is an ellipse (a cos t, b sin t), a parabola (a t², 2 a t) or a
+/// hyperbola (a cosh t, b sinh t).
 struct CurveDesc {
   std::string kind = "bspline";  // bezier | bspline | ellipse | parabola | hyperbola
   std::vector<Vec3> points;      // m: control points, of a bezier or bspline
@@ -50,10 +55,10 @@ struct CurveDesc {
   double tolerance = chord_error;  // m: maximum distance of the triangles from the exact surface
 };
 
-/// [[rigid.patch]], [[soft.patch]]: a surface patch over 0 … 1 in u and v. Kinds: a Bézier or B-spline
-/// surface, rational if it has weights; a Coons patch between four sides; a surface of revolution. Coons
-/// sides: along u at v = 0 and at v = 1, then along v at u = 0 and at u = 1. Revolution: one side in the x-y
-/// plane, rotated about y.
+/// [[rigid.patch]] or [[soft.patch]] of a scene file: a surface patch over 0 … 1 in u and v. It is a Bézier
+/// or B-spline surface, rational if it has weights, a Coons patch between four sides, or a surface of
+/// revolution. A Coons patch has the sides along u at v = 0 and at v = 1, then those along v at u = 0 and at
+/// u = 1. A surface of revolution has one side in the x-y plane, rotated about y.
 struct PatchDesc {
   std::string kind = "bspline";          // bezier | bspline | coons | revolved
   std::vector<Vec3> points;              // m: control points, u fastest
@@ -67,13 +72,13 @@ struct PatchDesc {
   double tolerance = chord_error;        // m: as in CurveDesc
 };
 
-/// [[rigid.fracture]]: a plane along which a bone can break, in the body's frame.
+/// [[rigid.fracture]] of a scene file: a plane along which a bone can break, in the body's frame.
 struct FractureDesc {
   Vec3 point = Vec3::Zero();    // m
   Vec3 normal = Vec3::UnitY();  // any length but zero
 };
 
-/// [[rigid.edge]]: a cutting edge, straight, in the body's frame.
+/// [[rigid.edge]] of a scene file: a straight cutting edge of an instrument, in the body's frame.
 struct EdgeDesc {
   Vec3 from = Vec3::Zero();  // m
   Vec3 to = {0, 0, -0.04};   // m
@@ -81,10 +86,10 @@ struct EdgeDesc {
 };
 
 inline constexpr std::size_t max_collision_groups = 32;
-/// Predefined groups: of bodies without a group, and of users' hands.
+/// Names of the predefined collision groups: that of bodies without a group, and that of users' hands.
 inline constexpr const char *default_group = "default", *hand_group = "hand";
 
-/// [[rigid]]: a rigid body.
+/// [[rigid]] of a scene file: a rigid body, with its geometry, mass, contacts and appearance.
 struct RigidDesc {
   std::string name;
   std::string description;
@@ -104,7 +109,7 @@ struct RigidDesc {
   std::vector<PartDesc> parts;
   std::vector<CurveDesc> curves;  // the body is the union of curves and patches
   std::vector<PatchDesc> patches;
-  std::string collision = "hull";  // none | sphere | aabb | obb | hull | mesh
+  Fidelity collision = Fidelity::hull;
   std::string group = default_group;
   std::vector<std::string> touches;  // groups; empty: all
   bool continuous = false;           // true: continuous collision detection within a tick
@@ -128,18 +133,18 @@ struct RigidDesc {
   bool from_atlas = false;       // a structure of an [[atlas]], which has already reported on its file
 };
 
-/// [[soft.attach]]: attachment of an organ to its surroundings. Springs tie the nodes inside the sphere to
-/// their rest positions: a Winkler foundation over the tied volume, so that the total stiffness doesn't
-/// depend on the mesh. A node with the volume V (m³) gets the stiffness stiffness·V N/m. From about 1e12 on,
-/// it acts as a fixed support.
+/// [[soft.attach]] of a scene file: attachment of an organ to its surroundings. Springs tie the nodes inside
+/// the sphere to their rest positions. They form a Winkler foundation over the tied volume, so that the total
+/// stiffness doesn't depend on the mesh. A node with the volume V (m³) gets the stiffness stiffness·V N/m.
+/// From about 1e12 on, it acts as a fixed support.
 struct AttachDesc {
   Vec3 center = Vec3::Zero();  // m, world frame
   double radius = 0.05;        // m
   double stiffness = 2e5;      // N/m⁴: N/m per m³ of tied tissue
 };
 
-/// [[soft.region]]: region of a body with different material: elements whose centroid at rest is inside.
-/// Where regions overlap, the last one applies.
+/// [[soft.region]] of a scene file: region of a soft body with a different material. It applies to elements
+/// whose centroid at rest is inside. Where regions overlap, the last one applies.
 struct RegionDesc {
   Vec3 center = Vec3::Zero();           // m, world frame
   double radius = 0.05;                 // m: radius of a sphere
@@ -150,24 +155,28 @@ struct RegionDesc {
   Vec3 fiber_direction = Vec3::Zero();  // zero: as the body
 };
 
-/// [[soft.relaxation]]: one term of a Prony series. This share of the stress after a sudden strain decays as
-/// e^(−t/time).
+/// [[soft.relaxation]] of a scene file: one term of the Prony series of a viscoelastic material. The fraction
+/// `share` of the stress after a sudden strain decays as e^(−t/time).
 struct RelaxationDesc {
   double share = 0.5;
   double time = 1;  // s
 };
 
-/// Properties of the model configuration that the author fixed in addition to `accuracy` or `budget`. The
-/// server chooses the others.
-struct FixedConfigurationParts {
-  bool model = false, element = false, integrator = false, solver = false, cell = false, grade = false;
-};
+/// Where a soft body makes contact with rigid bodies: at the vertices of its surface, or over the area of
+/// contact.
+enum class ContactPoints : std::uint8_t { vertices, surface };
 
-/// [[soft]]: a deformable body.
-struct SoftDesc {
-  std::string name;
-  std::string description;
-  std::string parent;
+/// Where a solid soft body has smaller elements from the start of a session: nowhere, or at the rims of its
+/// attachments.
+enum class Grading : std::uint8_t { none, rims };
+inline constexpr std::array<std::string_view, 2> grading_names = {"none", "rims"};
+
+/// Where a solid soft body gets smaller elements during a session: nowhere, or where another body touches it.
+enum class Refining : std::uint8_t { none, touch };
+
+/// Keys of [[soft]] that define a soft body's shape (a file or an implicit shape) and the sizes of its
+/// elements and surface triangles.
+struct SoftGeometry {
   std::string volume;    // label map or grey-value volume: .inr[.gz], .nii[.gz]
   int label = -1;        // label of the structure; −1: use threshold
   double threshold = 0;  // grey-value volumes: voxels above it are inside
@@ -183,12 +192,17 @@ struct SoftDesc {
   double cell = 0.012;              // m: approximate edge length of the tetrahedra
   double surface_cell = 0.006;      // m: approximate edge length of the drawn and touched triangles
   double smoothing = 1.5;           // voxels: Gaussian σ applied to the mask before the surface is extracted
-  Pose pose;  // volume or mesh frame → room frame. Volumes: origin at the volume's centre
+  Grading grade = Grading::none;
+  std::vector<CurveDesc> curves;   // rope: centre line, at most one
+  std::vector<PatchDesc> patches;  // sheet: middle surface, at most one
 
-  std::string model = "fem_corotational";
-  std::string element = "tet4";  // tet4: linear | tet10: quadratic, straight-sided at rest
-  std::string integrator = "implicit_euler";
-  std::string solver = "cg";
+  bool is_sheet() const { return shape == "sheet"; }
+  bool is_rope() const { return shape == "rope"; }
+  bool is_solid() const { return !is_sheet() && !is_rope(); }
+};
+
+/// Keys of [[soft]] for a soft body's material: elasticity, density, damping, toughness and pre-strain.
+struct SoftMaterial {
   double youngs_modulus = 5400;  // Pa; with [[soft.relaxation]]: the instantaneous modulus
   double poisson_ratio = 0.45;
   double fiber_stiffness = 0;            // Pa: additional stiffness along the fibres, in tension
@@ -196,46 +210,90 @@ struct SoftDesc {
   double density = 1060;                 // kg/m³
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s
-  double friction = 0.3;
-  double rolling_resistance = 0.1;  // as in RigidDesc; for bodies that collide as a sphere or a hull
-  double toughness = 164;           // J/m²: work of cutting per area; liver's (Gokgol et al. 2012)
+  double toughness = 164;                // J/m²: work of cutting per area; liver's (Gokgol et al. 2012)
   Quantity tension;  // %: by how much less the outermost layer would measure if it were free of stress
-  double tension_depth = 0.01;     // m: thickness of that layer
-  std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
-  std::string group = default_group;
-  std::vector<std::string> touches;  // as in RigidDesc
-  bool continuous = false;           // as in RigidDesc
-  bool self_contact = false;         // true: self-collision is detected
-  std::string contact = "vertices";  // vertices | surface: where rigid bodies make contact
-  std::string grade = "none";        // none | rims: smaller elements at the rim of attachments
-  std::string refine = "none";       // none | touch: smaller elements where something touches the body
-  double refine_cell = 0;            // m, as `cell`, of refined elements; 0: half of `cell`
-  double refine_reach = 0;  // m: distance from the touching body within which elements are refined; 0: `cell`
-  int refine_most = 2000;   // maximum number of elements added by refinement
-  bool gravity = true;      // false: the imaged shape already includes the effect of gravity
+  double tension_depth = 0.01;  // m: thickness of that layer
+  double spring_stiffness = 0;  // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
+  double shear_stiffness = 0;   // sheets: N/m of each diagonal spring; 0: from youngs_modulus
+  double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: from youngs_modulus
+  bool hold_volume = true;       // mass_spring on tetrahedra: match poisson_ratio; false: about ¼
+  std::vector<RegionDesc> regions;
+  std::vector<RelaxationDesc> relaxation;
+};
+
+/// Keys of [[soft]] for a soft body's model configuration: model, element, integrator, linear solver, and
+/// limits on their effort. Model, integrator and solver are names of rows in the tables of
+/// server/physics/mechanics/soft.
+struct SoftConfiguration {
+  std::string model = "fem_corotational";
+  std::string element = "tet4";  // tet4: linear | tet10: quadratic, straight-sided at rest
+  std::string integrator = "implicit_euler";
+  std::string solver = "cg";
   int newton_iterations = 3;       // maximum per tick
   int solver_iterations = 60;      // maximum of the linear solver per Newton iteration
   double solver_tolerance = 1e-3;  // relative residual at which the linear solver stops
   int substeps = 20;               // xpbd: per tick
   int max_substeps = 400;  // explicit integrators: per tick; a body that needs more is integrated implicitly
-  double spring_stiffness = 0;  // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
-  double shear_stiffness = 0;   // sheets: N/m of each diagonal spring; 0: from youngs_modulus
-  double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: from youngs_modulus
-  bool hold_volume = true;       // mass_spring on tetrahedra: match poisson_ratio; false: about ¼
-  // Selection of the model configuration by accuracy or by budget; at most one of both.
+
+  bool is_quadratic() const { return element == "tet10"; }
+  bool is_position_based() const { return model == "xpbd"; }
+};
+
+/// Keys of [[soft]] for a soft body's contacts: collision shape, friction, and the bodies that it collides
+/// with.
+struct SoftContact {
+  Fidelity collision = Fidelity::mesh;
+  ContactPoints points = ContactPoints::vertices;
+  double friction = 0.3;
+  double rolling_resistance = 0.1;  // as in RigidDesc; for bodies that collide as a sphere or a hull
+  std::string group = default_group;
+  std::vector<std::string> touches;  // as in RigidDesc
+  bool continuous = false;           // as in RigidDesc
+  bool self_contact = false;         // true: self-collision is detected
+};
+
+/// Keys of [[soft]] for local refinement: smaller elements of a solid soft body where another body touches
+/// it.
+struct SoftRefinement {
+  Refining at = Refining::none;
+  double cell = 0;          // m: edge length of the smaller elements; 0: half of SoftGeometry::cell
+  double reach = 0;         // m: distance from the touching body within which elements are refined; 0: cell
+  int max_elements = 2000;  // maximum number of elements that refinement adds
+};
+
+/// Properties of a soft body's model configuration that the scene's author fixed in addition to `accuracy` or
+/// `budget`. The server chooses the others.
+struct FixedConfigurationParts {
+  bool model = false, element = false, integrator = false, solver = false, cell = false, grade = false;
+};
+
+/// Keys of [[soft]] by which the server chooses a soft body's model configuration: required accuracy or
+/// available computing time. At most one of the two is given.
+struct ConfigurationChoice {
   Quantity accuracy;                                          // %: error relative to the continuum solution
   std::vector<std::string> accuracy_of = {"shape", "touch"};  // error measures for `accuracy` and `budget`
   Quantity budget;                                            // ms: CPU time per frame of 1/60 s
   FixedConfigurationParts fixed;                              // set by the loader
-  bool step_down = false;          // true: solver effort may be reduced while the server is overloaded
-  bool show_figures = false;       // true: clients display its live statistics above it
-  bool part = false;               // as in RigidDesc; held in place by its `attach`
-  double snap = 0.03;              // m, as in RigidDesc
-  std::vector<CurveDesc> curves;   // rope: centre line, at most one
-  std::vector<PatchDesc> patches;  // sheet: middle surface, at most one
+  bool step_down = false;  // true: solver effort may be reduced while the server is overloaded
+};
+
+/// [[soft]] of a scene file: a soft (deformable) body, in groups of keys.
+struct SoftDesc {
+  std::string name;
+  std::string description;
+  std::string parent;
+  Pose pose;  // volume or mesh frame → room frame. Volumes: origin at the volume's centre
+  SoftGeometry geometry;
+  SoftMaterial material;
+  SoftConfiguration configuration;
+  SoftContact contact;
+  SoftRefinement refinement;
+  ConfigurationChoice choice;
+  bool gravity = true;        // false: the imaged shape already includes the effect of gravity
+  bool show_figures = false;  // true: clients display its live statistics above it
+  bool part = false;          // as in RigidDesc; held in place by its `attach`
+  double snap = 0.03;         // m, as in RigidDesc
   std::vector<AttachDesc> attach;
-  std::vector<RegionDesc> regions;
-  std::vector<RelaxationDesc> relaxation;
   Appearance appearance = {.surface = Surface::tissue};
   std::vector<LocalName> names;  // as in RigidDesc
   std::string term;
@@ -245,8 +303,8 @@ struct SoftDesc {
 inline constexpr std::size_t max_atlases = 64;
 inline constexpr const char* material_by_name = "by name";  // select the material by the structure's name
 
-/// [[atlas]]: a label map whose structures become bodies (common/anatomy/atlas.h): rigid ones for bone, soft
-/// ones for everything else.
+/// [[atlas]] of a scene file: a label map whose structures become bodies (common/anatomy/atlas.h), rigid ones
+/// for bone and soft ones for everything else.
 struct AtlasDesc {
   std::string volume;  // label map: as in SoftDesc
   std::string labels;  // table of names and colours (LabelTable); empty: structures are named by number
@@ -269,12 +327,12 @@ struct AtlasDesc {
   Pose pose;  // of all structures: as in SoftDesc
 };
 
-/// [[light]]: a light.
+/// [[light]] of a scene file: a light, which may be carried by a body.
 struct LightDesc : LightInfo {
   std::string carrier;  // name of the body that it moves with; empty: stationary
 };
 
-/// [session]: the session's name, its capacity, and the hand tracking timeout.
+/// [session] of a scene file: the session's name, its capacity, and the hand tracking timeout.
 struct SessionDesc {
   std::string name = "prosector";
   int capacity = 64;           // maximum number of participants, observers included
@@ -282,7 +340,8 @@ struct SessionDesc {
   double input_timeout = 0.5;  // s without tracking after which a hand releases and is removed
 };
 
-/// [hand]: the virtual coupling between a tracked hand and its simulated one.
+/// [hand] of a scene file: the virtual coupling that pulls a simulated hand to its tracked pose, with bounded
+/// force.
 struct HandDesc {
   double mass = 0.4;        // kg
   double stiffness = 2000;  // N/m towards the tracked pose
@@ -291,7 +350,8 @@ struct HandDesc {
   double friction = 0.6;
 };
 
-/// [room]: which sides of the room (common/room.h) collide. Users' hands pass through them.
+/// [room] of a scene file: the sides of the room (common/room.h) that bodies collide with. Users' hands pass
+/// through them.
 struct RoomDesc {
   bool floor = true;
   bool walls = true;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/scene/body_groups.h"
 #include "common/scene/scene_curves.h"
 #include "common/scene/suggest.h"
 #include "common/scene_messages.h"
@@ -36,7 +37,8 @@ class Checker {
 
   void run() const {
     if (bodies_.size() > max_bodies)
-      fail("", "", "", fmt::format("{} bodies: at most {} are allowed", bodies_.size(), max_bodies));
+      fail("", "", "",
+           fmt::format("the scene has {} bodies: at most {} are allowed", bodies_.size(), max_bodies));
     check_names();
     check_parents();
     check_groups();
@@ -45,17 +47,20 @@ class Checker {
       check_soft(scene_.soft[i], bodies_[scene_.rigid.size() + i]);
     check_lights();
     if (scene_.camera.eye == scene_.camera.target)
-      fail("camera", "target", "[camera]", "target must differ from eye");
+      fail("camera", "target", "[camera]", "the camera's target must differ from eye");
     if (scene_.patient && !is_valid_patient_frame(*scene_.patient))
-      fail("patient", "head", "[patient]", "right and head must be perpendicular and non-zero");
+      fail("patient", "head", "[patient]",
+           "the patient's directions right and head must be perpendicular and non-zero");
   }
 
  private:
   template <class Desc>
   void add(const std::string& key, const std::vector<Desc>& list) {
-    for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto& groups = contact_of(list[i]);
       bodies_.push_back({fmt::format("{}[{}]", key, i), fmt::format("[[{}]] \"{}\"", key, list[i].name),
-                         &list[i].name, &list[i].parent, &list[i].group, &list[i].touches});
+                         &list[i].name, &list[i].parent, &groups.group, &groups.touches});
+    }
   }
 
   [[noreturn]] void fail(const std::string& table, const std::string& key, const std::string& where,
@@ -126,17 +131,15 @@ class Checker {
   }
 
   /// Refuses `continuous` if the body has no collision shape.
-  template <class Desc>
-  void check_fidelity(const Desc& desc, const Entry& body) const {
-    if (desc.collision == "none" && desc.continuous)
+  void check_fidelity(Fidelity collision, bool continuous, const Entry& body) const {
+    if (collision == Fidelity::none && continuous)
       fail(body, "continuous", "continuous needs a collision shape: collision is \"none\"");
   }
 
-  template <class Desc>
-  void check_label(const Desc& desc, const Entry& body) const {
-    if (desc.label == 0)
+  void check_label(int label, const std::string& volume, const Entry& body) const {
+    if (label == 0)
       fail(body, "label", "label = 0 is the background; allowed: 1 to 65535, or -1: voxels above threshold");
-    if (desc.label > 0 && desc.volume.empty()) fail(body, "label", "label needs a volume");
+    if (label > 0 && volume.empty()) fail(body, "label", "label needs a volume");
   }
 
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
@@ -148,8 +151,8 @@ class Checker {
                         : "has several of mesh, volume, [[rigid.part]]s, and curves or patches: give one");
     if (!rigid.fallback.empty() && (!rigid.parts.empty() || swept))
       fail(body, "fallback", "fallback replaces a missing mesh or volume file, but none is given");
-    check_curves(rigid, body);
-    check_label(rigid, body);
+    check_curves(rigid.curves, rigid.patches, body);
+    check_label(rigid.label, rigid.volume, body);
     if (rigid.break_force > 0 && rigid.fractures.empty())
       fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
     if (rigid.fixed && (rigid.part || rigid.break_force > 0))
@@ -163,41 +166,47 @@ class Checker {
         fail(fmt::format("{}.edge[{}]", body.table, i), key,
              fmt::format("{}: [[rigid.edge]] {}", body.where, i + 1), why);
       };
-      if (rigid.fixed) refuse("from", "cuts while a hand holds the body, but the body is fixed");
+      if (rigid.fixed)
+        refuse("from",
+               "an edge cuts only while a hand holds the body, but the body is fixed; remove the edge or "
+               "fixed = true");
       if ((rigid.edges[i].to - rigid.edges[i].from).norm() < least_edge)
         refuse("to", "is shorter than 0.1 mm");
     }
-    check_fidelity(rigid, body);
+    check_fidelity(rigid.collision, rigid.continuous, body);
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {
-    const int sources = !soft.volume.empty() + !soft.mesh.empty() + !soft.shape.empty();
+    const int sources =
+        !soft.geometry.volume.empty() + !soft.geometry.mesh.empty() + !soft.geometry.shape.empty();
     if (sources != 1)
-      fail(body, soft.shape.empty() ? "mesh" : "shape",
+      fail(body, soft.geometry.shape.empty() ? "mesh" : "shape",
            fmt::format("has {} of volume, mesh and shape: give exactly one", sources));
-    if (!soft.fallback.empty() && !soft.shape.empty())
+    if (!soft.geometry.fallback.empty() && !soft.geometry.shape.empty())
       fail(body, "fallback", "fallback replaces a missing volume or mesh file, but only a shape is given");
-    check_label(soft, body);
-    if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
-    check_fidelity(soft, body);
-    if (soft.self_contact && soft.collision != "mesh")
+    check_label(soft.geometry.label, soft.geometry.volume, body);
+    if (soft.material.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
+    check_fidelity(soft.contact.collision, soft.contact.continuous, body);
+    if (soft.contact.self_contact && soft.contact.collision != Fidelity::mesh)
       fail(body, "self_contact",
-           fmt::format("self_contact needs collision = \"mesh\": collision is \"{}\"", soft.collision));
+           fmt::format("self_contact needs collision = \"mesh\": collision is \"{}\"",
+                       fidelity_name(soft.contact.collision)));
     check_grading(soft, body);
     check_refinement(soft, body);
-    if (soft.shape == "rope" && soft.collision == "hull")
+    if (soft.geometry.is_rope() && soft.contact.collision == Fidelity::hull)
       fail(body, "collision", "a rope has no hull: must be one of none, sphere, aabb, obb, mesh");
-    if (soft.tension && soft.shape == "rope")
+    if (soft.material.tension && soft.geometry.is_rope())
       fail(body, "tension",
-           "tension is of an outermost layer, which a rope has not; allowed for solid bodies and sheets");
+           "tension is the pre-strain of an outermost layer, which a rope does not have; allowed for solid "
+           "bodies and sheets");
     check_regions(soft, body);
-    check_curves(soft, body);
-    if (!soft.curves.empty() && soft.shape != "rope")
+    check_curves(soft.geometry.curves, soft.geometry.patches, body);
+    if (!soft.geometry.curves.empty() && !soft.geometry.is_rope())
       fail(body, "curve[0]", "[[soft.curve]] needs a rope: shape = \"rope\"");
-    if (!soft.patches.empty() && soft.shape != "sheet")
+    if (!soft.geometry.patches.empty() && !soft.geometry.is_sheet())
       fail(body, "patch[0]", "[[soft.patch]] needs a sheet: shape = \"sheet\"");
     double shares = 0;
-    for (const RelaxationDesc& term : soft.relaxation) shares += term.share;
+    for (const RelaxationDesc& term : soft.material.relaxation) shares += term.share;
     if (shares >= 1)
       fail(body, "relaxation[0]",
            fmt::format("the shares of [[soft.relaxation]] add up to {}: must be below 1", shares));
@@ -205,8 +214,8 @@ class Checker {
   }
 
   /// Checks that each curve and patch description can be built.
-  template <class Desc>
-  void check_curves(const Desc& desc, const Entry& body) const {
+  void check_curves(const std::vector<CurveDesc>& curves, const std::vector<PatchDesc>& patches,
+                    const Entry& body) const {
     const auto check = [&](const char* key, std::size_t i, const auto& make) {
       try {
         make();
@@ -215,65 +224,66 @@ class Checker {
              fmt::format("{}: {} {}", body.where, key, i + 1), error.what());
       }
     };
-    for (std::size_t i = 0; i < desc.curves.size(); ++i)
-      check("curve", i, [&] { make_curve(desc.curves[i]); });
-    for (std::size_t i = 0; i < desc.patches.size(); ++i)
-      check("patch", i, [&] { make_patch(desc.patches[i]); });
+    for (std::size_t i = 0; i < curves.size(); ++i) check("curve", i, [&] { make_curve(curves[i]); });
+    for (std::size_t i = 0; i < patches.size(); ++i) check("patch", i, [&] { make_patch(patches[i]); });
   }
 
   void check_regions(const SoftDesc& soft, const Entry& body) const {
-    for (std::size_t i = 0; i < soft.regions.size(); ++i) {
-      const RegionDesc& region = soft.regions[i];
+    for (std::size_t i = 0; i < soft.material.regions.size(); ++i) {
+      const RegionDesc& region = soft.material.regions[i];
       const auto refuse = [&](const char* key, const std::string& what) {
         fail(fmt::format("{}.region[{}]", body.table, i), key,
              fmt::format("{}: [[soft.region]] {}", body.where, i + 1), what);
       };
       if (!region.size.isZero(0) && !(region.size.array() > 0).all())
-        refuse("size", "size of a box must be three positive numbers, or all 0 for a sphere");
+        refuse("size", "size of a region must be three positive numbers for a box, or all 0 for a sphere");
     }
   }
 
   void check_grading(const SoftDesc& soft, const Entry& body) const {
-    if (soft.grade != "none" && (soft.shape == "sheet" || soft.shape == "rope"))
-      fail(body, "grade", fmt::format("grade is for solid bodies: a {} has no tetrahedra", soft.shape));
+    if (soft.geometry.grade != Grading::none && !soft.geometry.is_solid())
+      fail(body, "grade",
+           fmt::format("grade is for solid bodies: a {} has no tetrahedra", soft.geometry.shape));
   }
 
   void check_refinement(const SoftDesc& soft, const Entry& body) const {
-    if (soft.refine == "none") return;
-    if (soft.shape == "sheet" || soft.shape == "rope")
-      fail(body, "refine", fmt::format("refine is for solid bodies: a {} has no tetrahedra", soft.shape));
-    if (soft.element != "tet4")
+    if (soft.refinement.at == Refining::none) return;
+    if (!soft.geometry.is_solid())
       fail(body, "refine",
-           fmt::format("refine = \"{}\" needs linear elements: element is \"{}\"; allowed: tet4", soft.refine,
-                       soft.element));
-    if (soft.refine_cell >= soft.cell)
+           fmt::format("refine is for solid bodies: a {} has no tetrahedra", soft.geometry.shape));
+    if (soft.configuration.is_quadratic())
+      fail(body, "refine",
+           fmt::format("refine = \"touch\" needs linear elements: element is \"{}\"; allowed: tet4",
+                       soft.configuration.element));
+    if (soft.refinement.cell >= soft.geometry.cell)
       fail(body, "refine_cell",
-           fmt::format("refine_cell is {}, not smaller than cell, {}", soft.refine_cell, soft.cell));
+           fmt::format("refine_cell is {} m; it must be smaller than cell, which is {} m",
+                       soft.refinement.cell, soft.geometry.cell));
   }
 
   /// Checks the keys that may be given together with `accuracy` or `budget`.
   void check_need(const SoftDesc& soft, const Entry& body) const {
-    if (!soft.accuracy && !soft.budget) return;
-    const char* need = soft.accuracy ? "accuracy" : "budget";
-    if (soft.accuracy && soft.budget)
+    if (!soft.choice.accuracy && !soft.choice.budget) return;
+    const char* need = soft.choice.accuracy ? "accuracy" : "budget";
+    if (soft.choice.accuracy && soft.choice.budget)
       fail(body, "budget", "accuracy and budget are both given: give only one of them");
-    const auto& judged = soft.accuracy_of;
+    const auto& judged = soft.choice.accuracy_of;
     if (judged.empty() || std::any_of(judged.begin(), judged.end(), [](const std::string& act) {
           return act != "shape" && act != "touch";
         }))
       fail(body, "accuracy_of", "accuracy_of: allowed: \"shape\", \"touch\", or both");
-    if (soft.shape == "sheet" || soft.shape == "rope")
+    if (!soft.geometry.is_solid())
       fail(body, need,
            fmt::format("{} is for solid bodies, since a {} has no continuum reference solution; allowed "
                        "instead: model = \"mass_spring\" or \"xpbd\", an integrator, and a cell",
-                       need, soft.shape));
+                       need, soft.geometry.shape));
     for (const char* key : {"newton_iterations", "solver_iterations", "solver_tolerance", "substeps"})
       if (lines_.has(body.table, key))
         fail(body, key, fmt::format("the server chooses {} if {} is given: omit one of them", key, need));
-    if (soft.fixed.integrator && soft.integrator != SoftDesc{}.integrator)
+    if (soft.choice.fixed.integrator && soft.configuration.integrator != SoftDesc{}.configuration.integrator)
       fail(body, "integrator",
-           fmt::format("integrator = \"{}\": allowed with {}: {}", soft.integrator, need,
-                       SoftDesc{}.integrator));
+           fmt::format("integrator = \"{}\": allowed with {}: {}", soft.configuration.integrator, need,
+                       SoftDesc{}.configuration.integrator));
   }
 
   void check_lights() const {
@@ -314,11 +324,12 @@ void set_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
   for (std::size_t i = 0; i < scene.soft.size(); ++i) {
     SoftDesc& soft = scene.soft[i];
     const std::string table = fmt::format("soft[{}]", i);
-    soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
-                  lines.has(table, "solver"),
-                  // A tetrahedral mesh file has a fixed cell size.
-                  lines.has(table, "cell") || (!soft.mesh.empty() && !is_surface_file(soft.mesh)),
-                  lines.has(table, "grade")};
+    soft.choice.fixed = {
+        lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
+        lines.has(table, "solver"),
+        // A tetrahedral mesh file has a fixed cell size.
+        lines.has(table, "cell") || (!soft.geometry.mesh.empty() && !is_surface_file(soft.geometry.mesh)),
+        lines.has(table, "grade")};
   }
 }
 

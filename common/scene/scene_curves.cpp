@@ -29,8 +29,8 @@ NurbsSurface::Direction direction_of(const PatchDesc& desc, int degree, const st
                                      std::size_t count, char name) {
   if (desc.kind == "bezier") {
     if (count < 2 || count > max_degree + 1)
-      throw InputError(
-          fmt::format("a bezier of {} points along {}: must have 2 to {}", count, name, max_degree + 1));
+      throw InputError(fmt::format("a bezier patch has {} points along {}: it must have 2 to {}", count, name,
+                                   max_degree + 1));
     degree = static_cast<int>(count) - 1;
     return {degree, bezier_knots(degree)};
   }
@@ -71,7 +71,8 @@ std::unique_ptr<Patch> unplaced_patch(const PatchDesc& desc) {
   if (desc.kind == "coons") return make_coons(desc);
   if (desc.kind == "revolved") {
     if (desc.sides.size() != 1)
-      throw InputError(fmt::format("{} sides: a revolved patch has 1, which is rotated", desc.sides.size()));
+      throw InputError(fmt::format("a revolved patch has {} sides: it must have 1, which is rotated about y",
+                                   desc.sides.size()));
     return std::make_unique<RevolvedPatch>(make_curve(desc.sides.front()));
   }
   const auto columns = static_cast<std::size_t>(std::max(desc.columns, 1));

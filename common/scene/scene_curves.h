@@ -9,12 +9,13 @@
 
 namespace prosector {
 
-/// Builds the curve or patch in the body's frame. Throws InputError that names the error in the description.
+/// Builds a curve in the body's frame from its description in the scene; make_patch() builds a surface patch.
+/// Throws InputError that names the error in the description.
 NurbsCurve make_curve(const CurveDesc& desc);
 std::unique_ptr<Patch> make_patch(const PatchDesc& desc);
 
-/// Builds tubes around all curves and slabs over all patches as one mesh. They may overlap; their surfaces
-/// are not merged.
+/// Builds one mesh of a rigid body's tubes around all curves and slabs over all surface patches. They may
+/// overlap; their surfaces are not merged.
 TriangleMesh mesh_of(std::span<const CurveDesc> curves, std::span<const PatchDesc> patches);
 
 }  // namespace prosector

@@ -14,14 +14,14 @@ const Table& session_table() {
   static const Table table{
       "[session]",
       "Session name and limits.",
-      {name<S, &S::name>("name", not_hashed, false, "session name, by which clients find it"),
+      {name<S, &S::name>("name", not_hashed, false, "name by which clients find the session"),
        number<S, &S::capacity>("capacity", not_hashed, "people", {1, 1024},
                                "maximum number of participants, observers included"),
        number<S, &S::observers>("observers", not_hashed, "people", {0, 1024},
-                                "maximum number of observers among them"),
+                                "maximum number of observers among the participants"),
        number<S, &S::input_timeout>("input_timeout", not_hashed, "s", {0.05, 60},
-                                    "time after which a hand that is no longer tracked is released; hands of "
-                                    "a silent client stay for at least 5 s")},
+                                    "time after which a hand that is no longer tracked releases its hold; "
+                                    "hands of a silent client stay for at least 5 s")},
       {},
       fresh<S>};
   return table;
@@ -36,10 +36,11 @@ const Table& hand_table() {
        number<H, &H::stiffness>("stiffness", by_value, "N/m", {0, 1e5, true},
                                 "stiffness of the coupling to the tracked pose"),
        number<H, &H::max_force>("max_force", by_value, "N", {0, 1000, true},
-                                "maximum coupling force; one fifth of it for each finger"),
+                                "maximum force of the coupling; one fifth of it for each finger"),
        number<H, &H::tear_force>("tear_force", by_value, "N", {0, 1e4, true},
                                  "force between a hand and the held body above which the grasp is lost"),
-       number<H, &H::friction>("friction", by_value, "", friction, "Coulomb coefficient of the skin")},
+       number<H, &H::friction>("friction", by_value, "", friction,
+                               "Coulomb friction coefficient of the hand's skin")},
       {},
       fresh<H>};
   return table;
@@ -50,10 +51,11 @@ const Table& room_table() {
   static const Table table{
       "[room]",
       "The room around the scene, 7 m by 7 m. A body that leaves it is moved back to its initial position. "
-      "Hands pass through its sides.",
+      "Hands pass through the room's sides.",
       {plain<R, &R::floor>("floor", by_value,
-                           "true: bodies rest on it; false: they fall through the drawn floor"),
-       plain<R, &R::walls>("walls", by_value, "true: they stop bodies; false: bodies pass through them")},
+                           "true: bodies rest on the floor; false: they fall through the drawn floor"),
+       plain<R, &R::walls>("walls", by_value,
+                           "true: the walls stop bodies; false: bodies pass through them")},
       {},
       fresh<R>};
   return table;
@@ -64,9 +66,9 @@ const Table& camera_table() {
   static const Table table{
       "[camera]",
       "Default view of clients.",
-      {number<C, &C::eye>("eye", not_hashed, "m", coordinate, "position of the eye in the room"),
+      {number<C, &C::eye>("eye", not_hashed, "m", coordinate, "position of the view's eye in the room"),
        number<C, &C::target>("target", not_hashed, "m", coordinate,
-                             "point that it looks at; must differ from eye"),
+                             "point at the view's centre; must differ from eye"),
        number<C, &C::fov>("fov", not_hashed, "rad", {0, 3, true}, "vertical field of view")},
       {},
       fresh<C>};
@@ -95,16 +97,18 @@ const Table& light_table() {
       "",
       {name<L, &L::name>("name", not_hashed, false, "unique among the lights"),
        words<L, &L::kind>("kind", not_hashed, {"directional", "point", "spot"}, ""),
-       name<L, &L::carrier>("body", not_hashed, false,
-                            "body that it is fixed to; position and direction are then in its frame"),
-       number<L, &L::position>("position", not_hashed, "m", coordinate, "point, spot: position in the room"),
+       name<L, &L::carrier>(
+           "body", not_hashed, false,
+           "body that the light is fixed to; position and direction are then in the body's frame"),
+       number<L, &L::position>("position", not_hashed, "m", coordinate,
+                               "point, spot: position of the light in the room"),
        number<L, &L::direction>("direction", not_hashed, "", {-1000, 1000},
                                 "directional, spot: direction of the light; any non-zero length"),
        number<L, &L::color>("color", not_hashed, "", unit_interval, "linear red, green, blue"),
        number<L, &L::intensity>("intensity", not_hashed, "", {0, 1000}, "factor of the colour"),
        number<L, &L::cone>("cone", not_hashed, "rad", {0, 1.57, true}, "spot: half angle"),
        number<L, &L::softness>("softness", not_hashed, "", unit_interval,
-                               "spot: fraction of the cone over which it fades")},
+                               "spot: fraction of the cone over which the light fades")},
       {},
       fresh<L>};
   return table;
@@ -153,23 +157,23 @@ std::string allowed(const Field& field, const FieldRef& value) {
     std::string operator()(bool*) const { return "true or false"; }
     std::string operator()(Vec3*) const { return "three numbers in " + interval(f.range); }
     std::string operator()(Quat*) const { return "four numbers [w, x, y, z], not all zero"; }
-    std::string operator()(LightKind*) const { return ""; }
-    std::string operator()(Surface*) const { return ""; }
+    std::string operator()(std::uint8_t*) const { return ""; }  // always has words
     std::string operator()(Quantity*) const {
       return fmt::format("text: a number in {} and its unit, e.g. \"2 {}\"", interval(f.range), f.unit);
     }
     std::string operator()(std::vector<std::string>*) const {
-      return fmt::format("a list of names, each {} bytes at most", f.max_length);
+      return fmt::format("a list of names, each at most {} bytes", f.max_length);
     }
     std::string operator()(std::vector<double>*) const {
-      return fmt::format("a list of numbers in {}, {} at most", interval(f.range), f.max_length);
+      return fmt::format("a list of at most {1} numbers in {0}", interval(f.range), f.max_length);
     }
     std::string operator()(std::vector<Vec3>*) const {
-      return fmt::format("a list of [x, y, z] in {}, {} at most", interval(f.range), f.max_length);
+      return fmt::format("a list of at most {1} points [x, y, z] in {0}", interval(f.range), f.max_length);
     }
     std::string operator()(std::string*) const {
       if (f.text == Text::identifier)
-        return "a word of a-z, 0-9 and _ that starts with a letter, at most " + std::to_string(f.max_length);
+        return "a word of a-z, 0-9 and _ that starts with a letter; maximum length: " +
+               std::to_string(f.max_length);
       const char* what = f.text == Text::name ? "1 to {} bytes of text without control characters"
                                               : "text of at most {} bytes";
       return fmt::format(fmt::runtime(what), f.max_length);

@@ -4,6 +4,7 @@
 // default-constructed description.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,12 +16,12 @@
 
 namespace prosector {
 
-/// Pointer to the stored value of a key. The value of an enumeration is the index of its word in
-/// Field::words.
-using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*,
-                              Quantity*, std::vector<std::string>*, std::vector<double>*, std::vector<Vec3>*>;
+/// Pointer to the variable in which a scene key's value is stored. An enumeration is stored in one byte
+/// (std::uint8_t*): the index of its word in Field::words.
+using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, std::uint8_t*, Quantity*,
+                              std::vector<std::string>*, std::vector<double>*, std::vector<Vec3>*>;
 
-/// Bounds of a number, of a quantity in its unit, or of each component of a vector.
+/// Allowed range of a scene key's number, of a quantity in its unit, or of each component of a vector.
 struct Range {
   double min = 0;
   double max = 0;
@@ -32,14 +33,15 @@ struct Range {
   }
 };
 
-/// Allowed content of a string that has no list of words.
+/// Kind of text that a scene key's string may contain, if it has no list of allowed words.
 enum class Text {
   free,        // anything
   name,        // not empty, no control characters
   identifier,  // a-z, 0-9, _, starting with a letter
 };
 
-/// How the hash of a compiled scene depends on a key. Recordings and checkpoints require an equal hash.
+/// Way in which a scene key affects the hash of the compiled scene. Recordings and checkpoints can only be
+/// used with a scene of equal hash.
 enum class Hashed {
   by_value,    // by its value: the simulation reads it
   compiled,    // by the data compiled from it: meshes, poses, masses
@@ -61,13 +63,13 @@ struct Field {
 
 struct Table;
 
-/// Access to the structs of a table nested in another one; `object` is a struct of the outer table.
+/// Access to the structs that store a nested table of a scene file. `object` is a struct of the outer table.
 struct Items {
   void* (*add)(void* object);  // returns the struct to fill; repeated: a new one appended to the list
   std::vector<void*> (*present)(void* object);  // returns the existing structs, in order
 };
 
-/// A nested table: [key], or [[key]] if it may occur several times.
+/// A table nested in another table of a scene file: [key], or [[key]] if it may occur several times.
 struct Child {
   std::string_view key;
   const Table& (*table)();
@@ -84,11 +86,11 @@ struct Table {
   std::shared_ptr<void> (*fresh)();  // returns a default-constructed struct, from which defaults are read
 };
 
-/// Returns the top-level table; all other tables are its descendants.
+/// Returns the field table of a scene file's top level; all other tables are its descendants.
 const Table& scene_table();
 
-/// Returns the allowed values of a field as text for messages and the manual: "in (0, 1e12]", "one of: a, b"
-/// …; `value` gives the type.
+/// Returns the allowed values of a scene key as text for messages and the manual, such as "in (0, 1e12]" or
+/// "one of: a, b". `value` gives the type of the key.
 std::string allowed(const Field& field, const FieldRef& value);
 
 }  // namespace prosector

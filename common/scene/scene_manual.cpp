@@ -11,8 +11,9 @@ namespace {
 
 std::string type_name(const FieldRef& ref) {
   static constexpr const char* names[] = {
-      "number", "integer", "boolean", "text",         "[x, y, z]",       "[w, x, y, z]",
-      "text",   "text",    "text",    "list of text", "list of numbers", "list of [x, y, z]"};
+      "number",           "integer", "boolean", "text",         "[x, y, z]",
+      "[w, x, y, z]",     "text",    "text",    "list of text", "list of numbers",
+      "list of [x, y, z]"};
   static_assert(std::size(names) == std::variant_size_v<FieldRef>);
   return names[ref.index()];
 }
@@ -31,8 +32,7 @@ std::string value(const Field& field, const FieldRef& ref) {
     std::string operator()(const Quat* x) const {
       return fmt::format("[{}, {}, {}, {}]", x->w(), x->x(), x->y(), x->z());
     }
-    std::string operator()(const LightKind* x) const { return word(static_cast<std::size_t>(*x)); }
-    std::string operator()(const Surface* x) const { return word(static_cast<std::size_t>(*x)); }
+    std::string operator()(const std::uint8_t* x) const { return fmt::format("\"{}\"", f.words[*x]); }
     std::string operator()(const Quantity* x) const {
       return *x ? fmt::format("\"{} {}\"", x->value, f.unit) : "not given";
     }
@@ -42,7 +42,6 @@ std::string value(const Field& field, const FieldRef& ref) {
     // All lists of numbers and points are empty by default.
     std::string operator()(const std::vector<double>*) const { return "[]"; }
     std::string operator()(const std::vector<Vec3>*) const { return "[]"; }
-    std::string word(std::size_t k) const { return fmt::format("\"{}\"", f.words[k]); }
   } write{field};
   return std::visit(write, ref);
 }

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Returns `; did you mean "cell"?`, or the list of known words if none is similar.
+/// Returns a hint for a word that is not among `known`, to be appended to a message: `; did you mean "cell"?`
+/// with the most similar word. If none is similar, it lists the known words.
 std::string suggest(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace prosector

@@ -12,19 +12,19 @@ int main() try {
   SceneDesc scene;
   SoftDesc beam;
   beam.name = "beam";
-  beam.shape = "beam";
-  beam.size = {0.40, 0.04, 0.04};
-  beam.cell = 0.02;
-  beam.element = "tet10";
-  beam.solver = "multigrid";
-  beam.youngs_modulus = 1e7;
-  beam.density = 1000;
+  beam.geometry.shape = "beam";
+  beam.geometry.size = {0.40, 0.04, 0.04};
+  beam.geometry.cell = 0.02;
+  beam.configuration.element = "tet10";
+  beam.configuration.solver = "multigrid";
+  beam.material.youngs_modulus = 1e7;
+  beam.material.density = 1000;
   beam.attach = {{.center = {-0.20, 0, 0}, .radius = 0.05, .stiffness = 1e12}};
 
   SoftDesc kidney;
   kidney.name = "kidney";
-  kidney.shape = "kidney";
-  kidney.size = {0.06, 0.11, 0.05};
+  kidney.geometry.shape = "kidney";
+  kidney.geometry.size = {0.06, 0.11, 0.05};
   kidney.pose.p = {0, 0, 0.5};
   kidney.attach = {{.center = {0, -0.03, 0.5}, .radius = 0.05, .stiffness = 1e8}};
 
@@ -39,7 +39,7 @@ int main() try {
   Simulation simulation(scene, {.threads = 1});              // finds the equilibrium under gravity
   constexpr BodyId ball_id = 0, beam_id = 1, kidney_id = 2;  // rigid bodies first
   const VecX sag = simulation.soft_state(beam_id).motion.x - simulation.soft(beam_id).rest();
-  std::printf("beam: %ld nodes, its end hangs %.2f mm low\n", static_cast<long>(sag.size() / 3),
+  std::printf("beam: %ld nodes, its free end sags by %.2f mm\n", static_cast<long>(sag.size() / 3),
               -1e3 * sag.minCoeff());
 
   for (int tick = 1; tick <= 60; ++tick) {
@@ -47,9 +47,9 @@ int main() try {
     simulation.step({.kinematic_targets = {{ball_id, ball.pose}}});
   }
   for (const Exchange& pressed : simulation.exchanges())
-    std::printf("ball: presses with %.3f N over %u points\n", pressed.normal_impulse * scene.tick_rate,
+    std::printf("ball: presses with %.3f N at %u contact points\n", pressed.normal_impulse * scene.tick_rate,
                 pressed.points);
-  std::printf("kidney: gives way by %.2f mm\n", 1e3 * simulation.max_displacement(kidney_id));
+  std::printf("kidney: its surface moves by up to %.2f mm\n", 1e3 * simulation.max_displacement(kidney_id));
 } catch (const InputError& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

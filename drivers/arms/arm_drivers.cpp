@@ -13,12 +13,12 @@ namespace prosector {
 
 const std::vector<ArmRow>& arm_drivers() {
   static const std::vector<ArmRow> rows = {
-      {"omni", "PHANTOM Omni on a FireWire port, omni:0", open_omni},
-      {"hdapi", "PHANTOM or Touch by OpenHaptics' libHD.so, hdapi:default", open_hdapi},
-      {"dhd", "omega, delta, sigma, lambda by Force Dimension's libdhd.so, dhd:0", open_dhd},
-      {"inverse3", "Haply Inverse3 by its service, inverse3:localhost:10001", open_inverse3},
-      {"vrpn", "a force device of a VRPN server, vrpn:Phantom0@lab", open_vrpn},
-      {"omni-twin", "a simulated PHANTOM Omni at a socket, omni-twin:/tmp/omni", open_omni_twin},
+      {"omni", "PHANTOM Omni on a FireWire port, e.g. omni:0", open_omni},
+      {"hdapi", "PHANTOM or Touch by OpenHaptics' libHD.so, e.g. hdapi:default", open_hdapi},
+      {"dhd", "omega, delta, sigma or lambda arm by Force Dimension's libdhd.so, e.g. dhd:0", open_dhd},
+      {"inverse3", "Haply Inverse3 by Haply's service, e.g. inverse3:localhost:10001", open_inverse3},
+      {"vrpn", "a force device of a VRPN server, e.g. vrpn:Phantom0@lab", open_vrpn},
+      {"omni-twin", "a simulated PHANTOM Omni at a socket, e.g. omni-twin:/tmp/omni", open_omni_twin},
   };
   return rows;
 }

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// State that the device thread publishes.
+/// State of a haptic arm that the thread communicating with the device publishes for the servo thread: a
+/// reading, a condition to report, and counts.
 struct ArmSample {
   std::int64_t time_ns = 0;  // driver's clock; 0: no sample yet
   ArmReading reading;        // the stylus pose is in the arm frame, not the room frame
@@ -28,19 +29,22 @@ class ArmExchange {
 
   // Called by the device thread:
   void publish(const ArmSample& sample) { samples_.write(sample); }
-  /// Returns the force to set, N, room frame.
+  /// Returns the force that the device thread must apply to the hand, N, room frame. It is zero if the servo
+  /// thread has set none in the last 20 ms.
   Vec3 force(std::int64_t now_ns);
 
   // Called by the servo thread:
-  /// Returns the latest reading, room frame. It is not valid if it has expired or the pose jumped since the
-  /// last call.
+  /// Returns the arm's latest reading in the room frame; `room_arm` is the pose of the arm frame in the room.
+  /// The reading is not valid if it is older than 20 ms or the pose jumped since the last call.
   ArmReading reading(std::int64_t now_ns, const Pose& room_arm);
-  /// Sets the force, N, room frame; `most` is the arm's peak force.
+  /// Sets the force that the arm shall exert on the hand, N, room frame, shortened to the arm's peak force
+  /// `most`. It expires 20 ms after `now_ns`.
   void set_force(const Vec3& force, double most, std::int64_t now_ns) {
     forces_.write({bounded_force(force, most), now_ns});
   }
   const ArmSample& sample() { return samples_.read(); }
-  /// Returns whether no sample arrived for `silence_timeout_ns`, counted from `opened_ns` or the last sample.
+  /// Returns whether no sample has arrived from the arm for `silence_timeout_ns`. Counts from the last
+  /// sample, or from `opened_ns` if that is later.
   bool silent(std::int64_t now_ns, std::int64_t opened_ns);
 
  private:

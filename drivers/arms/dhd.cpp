@@ -49,7 +49,7 @@ dhd::Session::Session(const LibraryAddress& address) : api_(SharedLibrary(addres
   const bool by_number =
       problem == std::errc() && end == name.data() + name.size() && number >= 0 && number < 128;
   if (!by_number && name != "default")
-    throw InputError(fmt::format("'{}' must be the number of a device, from 0, or \"default\"", name));
+    throw InputError(fmt::format("dhd: '{}' must be the number of a device, from 0, or \"default\"", name));
   const int opened = by_number ? api_.open_id(static_cast<char>(number)) : api_.open();
   if (opened < 0) throw InputError(fmt::format("device '{}' cannot be opened: {}", name, last_error(api_)));
   id_ = static_cast<char>(opened);
@@ -124,9 +124,10 @@ void DhdArm::look(const dhd::Session& session) {
   const bool was_free = std::exchange(free_, status[dhd::forces_on] != 0);
   begins_ = free_ && !was_free;
   if (resting_)
-    condition_ = "move it to its rest position: it is being calibrated";
+    condition_ = "the arm is being calibrated: move it to its rest position";
   else if (!free_)
-    condition_ = fmt::format("its forces are off (cause {}): press its force button", status[dhd::off_cause]);
+    condition_ = fmt::format("the arm's forces are off (cause {}): press the force button on the arm",
+                             status[dhd::off_cause]);
   else
     condition_.clear();
 }

@@ -14,17 +14,18 @@
 
 namespace prosector {
 
-/// Returns the limits assumed for all of these arms: data sheet of the omega.3, torque of the sigma.7. The
-/// torsional stiffness is not in the sigma.7's sheet and is assumed.
+/// Returns the limits assumed for all arms of Force Dimension. They are those of the omega.3's data sheet,
+/// with the torque of the sigma.7. The torsional stiffness is not in the sigma.7's data sheet and is assumed.
 ArmLimits dhd_limits();
 
 namespace dhd {
 
-/// One open device; closed on destruction.
+/// One open haptic device of Force Dimension's library DHD. Its destructor sets the force to zero and closes
+/// the device.
 class Session {
  public:
-  /// Opens a device by number ("default": the first one) and enables its forces. Throws InputError with the
-  /// reason on failure.
+  /// Opens a Force Dimension device by its number, or the first one for "default", and enables its forces.
+  /// Throws InputError with the reason on failure.
   explicit Session(const LibraryAddress& address);
   ~Session();
   Session(const Session&) = delete;
@@ -32,7 +33,7 @@ class Session {
 
   const Api& api() const { return api_; }
   char id() const { return id_; }
-  /// Returns whether the stylus rotation is actuated.
+  /// Returns whether motors drive the stylus rotation, so that the device can exert torques.
   bool turns() const { return turns_; }
 
  private:
@@ -45,8 +46,9 @@ class Session {
 
 class DhdArm final : public Arm {
  public:
-  /// Takes the address after the driver's name, "ID" or "ID@LIBRARY". `opening`: deferred opens the device
-  /// synchronously in read(), for tests with simulated time.
+  /// Takes the part of the arm's address after the driver's name: "ID" of the device, or "ID@LIBRARY" with
+  /// the file of the vendor's library. `opening` says how read() opens the device: `async` in another thread,
+  /// `deferred` synchronously, for tests with simulated time.
   DhdArm(const std::string& path, const ArmConfig& config, std::launch opening = std::launch::async,
          std::function<std::int64_t()> clock = monotonic_ns);
 
@@ -76,7 +78,7 @@ class DhdArm final : public Arm {
   BackgroundOpener<dhd::Session> opening_;
 };
 
-/// Opens a Force Dimension arm, "dhd:0".
+/// Creates the driver of a Force Dimension arm, given the part of its address after "dhd:", such as "0".
 std::unique_ptr<Arm> open_dhd(const std::string& path, const ArmConfig& config);
 
 }  // namespace prosector

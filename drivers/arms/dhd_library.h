@@ -15,9 +15,9 @@ inline constexpr std::size_t status_size = 32;                             // at
 inline constexpr std::size_t in_reset = 3, forces_on = 5, off_cause = 14;  // indices in the status
 inline constexpr int motor_saturated = 2;                                  // a result code
 
-/// Function pointers, named after DHD's functions without the prefix "dhd".
+/// Pointers to the functions of Force Dimension's library DHD, named after them without the prefix "dhd".
 struct Api {
-  /// Looks up the functions. Throws InputError naming a missing one.
+  /// Looks up DHD's functions in the loaded library. Throws InputError that names a missing function.
   explicit Api(const SharedLibrary& library);
 
   void (*get_sdk_version)(int* major, int* minor, int* release, int* revision);
@@ -38,7 +38,7 @@ struct Api {
   const char* (*error_get_last_str)();
 };
 
-/// Returns the description of the last error.
+/// Returns the description of the last error in the library DHD, or "unnamed error".
 std::string last_error(const Api& api);
 
 }  // namespace prosector::dhd

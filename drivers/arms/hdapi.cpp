@@ -34,7 +34,7 @@ ArmReading HdapiArm::read() {
   earlier_.resyncs += last_.bad;
   ++earlier_.reopens;
   opening_.lose(lost ? "lost: " + hdapi::error_text(session->api(), static_cast<hdapi::Enum>(last_.code))
-                     : "HDAPI's servo loop has stopped",
+                     : "HDAPI's servo loop has stopped; the arm is being reopened",
                 now);
   last_ = {};
   return {};
@@ -62,14 +62,16 @@ DeviceStatus HdapiArm::status() const {
 std::string HdapiArm::words() const {
   switch (last_.condition) {
     case hdapi::being_calibrated:
-      return "it is being calibrated: put the stylus into its inkwell";
+      return "the arm is being calibrated: put the stylus into its inkwell";
     case hdapi::wants_hand:
-      return "put the stylus to rest (inkwell), then, if nothing happens, press its first button";
+      return "the arm needs calibration: put the stylus into its inkwell; if nothing happens, press its "
+             "first button";
     case hdapi::refused:
       return "it rejected a force: " +
              hdapi::error_text(opening_.get()->api(), static_cast<hdapi::Enum>(last_.code));
     default:
-      return last_.reading.hot ? "its motors are hot: force is reduced until they have cooled down" : "";
+      return last_.reading.hot ? "the arm's motors are hot: force is reduced until they have cooled down"
+                               : "";
   }
 }
 

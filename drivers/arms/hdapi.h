@@ -15,8 +15,9 @@ namespace prosector {
 
 class HdapiArm final : public Arm {
  public:
-  /// Takes the address after the driver's name, "NAME" or "NAME@LIBRARY". `opening`: deferred opens the
-  /// device synchronously in read(), for tests with simulated time.
+  /// Takes the part of the arm's address after the driver's name: "NAME" of the device, or "NAME@LIBRARY"
+  /// with the file of the vendor's library. `opening` says how read() opens the device: `async` in another
+  /// thread, `deferred` synchronously, for tests with simulated time.
   HdapiArm(const std::string& path, const ArmConfig& config, std::launch opening = std::launch::async,
            std::function<std::int64_t()> clock = monotonic_ns);
 
@@ -37,7 +38,7 @@ class HdapiArm final : public Arm {
   BackgroundOpener<hdapi::Session> opening_;
 };
 
-/// Opens an OpenHaptics arm, "hdapi:default".
+/// Creates the driver of an OpenHaptics arm, given the part of its address after "hdapi:", such as "default".
 std::unique_ptr<Arm> open_hdapi(const std::string& path, const ArmConfig& config);
 
 }  // namespace prosector

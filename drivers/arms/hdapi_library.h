@@ -39,9 +39,9 @@ inline constexpr std::size_t transform_size = 16;  // column-major; the last col
 inline constexpr std::size_t most_motors = 6;      // maximum number of motor temperatures, 0 … 1 each
 inline constexpr unsigned short usual_priority = 0x7fff;
 
-/// Function pointers, named after HDAPI's functions without the prefix "hd".
+/// Pointers to the functions of OpenHaptics' library HDAPI, named after them without the prefix "hd".
 struct Api {
-  /// Looks up the functions. Throws InputError naming a missing one.
+  /// Looks up HDAPI's functions in the loaded library. Throws InputError that names a missing function.
   explicit Api(const SharedLibrary& library);
 
   Handle (*init_device)(const char* name);
@@ -64,7 +64,7 @@ struct Api {
   void (*stop_scheduler)();
 };
 
-/// Returns the error's description with its number.
+/// Returns HDAPI's description of an error, followed by the error's number in hexadecimal.
 std::string error_text(const Api& api, Enum error);
 
 }  // namespace prosector::hdapi

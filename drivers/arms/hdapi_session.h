@@ -10,13 +10,16 @@
 
 namespace prosector::hdapi {
 
-/// Conditions in the published samples.
+/// Condition of an HDAPI arm in the samples that its thread publishes. `waking`: too few frames without an
+/// error so far. `wants_hand`: the user must calibrate it. `refused`: it rejected a force. `lost`: the device
+/// must be reopened.
 enum Condition : int { well, waking, being_calibrated, wants_hand, refused, lost };
 
 class Session {
  public:
-  /// Opens a device by name ("default": the default one) and starts the scheduler. Throws InputError with the
-  /// reason on failure.
+  /// Opens an HDAPI device by its name, or the default one for "default", and starts HDAPI's servo thread.
+  /// `room_arm` is the rotation from the arm frame to the room frame; `clock` returns the time in ns. Throws
+  /// InputError with the reason on failure.
   Session(const LibraryAddress& address, const Quat& room_arm, std::function<std::int64_t()> clock);
   ~Session() { close(); }
   Session(const Session&) = delete;

@@ -85,7 +85,8 @@ DeviceStatus Inverse3Arm::status() const {
     out.message = "the service runs, but no Inverse3 is connected";
   } else {
     out.health = last_.condition == good ? DeviceHealth::streaming : DeviceHealth::babbling;
-    if (last_.condition == no_state) out.message = "received data is not an Inverse3 state";
+    if (last_.condition == no_state)
+      out.message = "received data is not an Inverse3 state: check the service's version";
   }
   return out;
 }

@@ -15,17 +15,19 @@
 
 namespace prosector {
 
-/// Returns the limits of an Inverse3; the forces are assumed (docs/do/arms.md).
+/// Returns the limits of Haply's haptic arm Inverse3. Its forces are assumed values (docs/do/arms.md).
 ArmLimits inverse3_limits();
 
 class Inverse3Arm final : public Arm {
  public:
-  /// Creates an arm that is not connected yet.
+  /// Creates the driver of an Inverse3 haptic arm without connecting it to Haply's service. `clock` returns
+  /// the time in ns.
   explicit Inverse3Arm(const ArmConfig& config, std::function<std::int64_t()> clock = monotonic_ns);
 
-  /// Starts the thread that communicates with the service at `host` and `port`.
+  /// Starts the thread that communicates with Haply's service at `host` and `port` by WebSocket.
   void connect_service(const std::string& host, const std::string& port);
-  /// Processes a message of the service and returns the answer. Only one thread calls it.
+  /// Processes a state message of Haply's service and returns the answer to send, which contains the latest
+  /// force. Only one thread may call it.
   std::string handle_text(std::string_view text);
 
   const ArmLimits& limits() const override { return limits_; }
@@ -46,8 +48,8 @@ class Inverse3Arm final : public Arm {
   std::unique_ptr<WebSocket> socket_;  // last member: its thread uses those above
 };
 
-/// Opens an arm by its service, "inverse3:localhost:10001". Throws InputError for an address that is not
-/// HOST:PORT.
+/// Creates the driver of an Inverse3 arm and starts to connect to Haply's service. `path` is the address
+/// after "inverse3:", such as "localhost:10001". Throws InputError unless it is HOST:PORT.
 std::unique_ptr<Arm> open_inverse3(const std::string& path, const ArmConfig& config);
 
 }  // namespace prosector

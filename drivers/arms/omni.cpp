@@ -69,9 +69,9 @@ bool OmniArm::open(std::int64_t now_ns) {
   }
   const auto kind = line_->read(omni::kind_register);
   if (!kind || omni::number_of(*kind) != omni::kind) {
-    status_.message =
-        kind ? fmt::format("the device found is not an Omni (kind {:08x})", omni::number_of(*kind))
-             : "no response";
+    status_.message = kind ? fmt::format("the FireWire device found is not an Omni (device kind {:08x})",
+                                         omni::number_of(*kind))
+                           : "no response";
     line_->close();
     return false;
   }
@@ -126,9 +126,10 @@ void OmniArm::lose() {
   last_.reset();
   homed_ = armed_ = false;
   status_.health = DeviceHealth::silent;
-  status_.message = !line_->error().empty()   ? line_->error()
-                    : last_packet_unreadable_ ? "its packets are not those of an Omni"
-                                              : "no packet for half a second";
+  status_.message = !line_->error().empty() ? line_->error()
+                    : last_packet_unreadable_
+                        ? "the device sends packets that are not those of an Omni"
+                        : "the arm has sent no packet for half a second: check its power and cable";
 }
 
 void OmniArm::set_force(const Vec3& force) {

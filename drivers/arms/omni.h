@@ -13,7 +13,7 @@
 
 namespace prosector {
 
-/// Returns the limits of an Omni according to its data sheet.
+/// Returns the workspace, force and stiffness limits of a PHANTOM Omni according to its data sheet.
 ArmLimits omni_limits();
 
 class OmniArm final : public Arm {
@@ -46,9 +46,11 @@ class OmniArm final : public Arm {
   DeviceStatus status_;
 };
 
-/// Opens an Omni on a FireWire port, "omni:0".
+/// Creates the driver of a PHANTOM Omni on a FireWire port. `port` is the port's number, such as "0" in the
+/// address "omni:0".
 std::unique_ptr<Arm> open_omni(const std::string& port, const ArmConfig& config);
-/// Opens a simulated Omni at a socket, "omni-twin:/run/user/1000/omni".
+/// Creates the driver of a simulated PHANTOM Omni. `path` is its Unix socket, such as "/run/user/1000/omni"
+/// in the address "omni-twin:/run/user/1000/omni".
 std::unique_ptr<Arm> open_omni_twin(const std::string& path, const ArmConfig& config);
 
 }  // namespace prosector

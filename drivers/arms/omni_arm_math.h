@@ -24,21 +24,24 @@ inline const Joints docked(0, 0.23, -0.37);          // joint angles with the st
 inline constexpr double full_command_torque = 0.44;  // N·m: 3.3 N at one bar's length; no public source
                                                      // states it
 
-/// Returns the position of the gimbal's centre, which is the stylus origin, m.
+/// Returns the position of the stylus origin, which is the centre of the Omni's gimbal, for the given joint
+/// angles (rad); m, arm frame.
 Vec3 tip(const Joints& joints);
-/// Returns ∂tip/∂joints, m/rad.
+/// Returns the derivatives of the stylus origin's position (rows: x, y, z, arm frame) with respect to the
+/// three joint angles (columns), m/rad.
 Mat3 jacobian(const Joints& joints);
-/// Returns the stylus orientation in the arm frame; −z towards the stylus tip. `gimbal`: rad, about the lower
-/// bar, then about the axis across the stylus, then about the stylus. The gimbal is mounted on the lower bar,
-/// so it rotates with θ1 and θ3.
+/// Returns the stylus orientation in the arm frame; −z points towards the stylus tip. The angles of `gimbal`
+/// (rad) are about the lower bar, then about the axis across the stylus, then about the stylus. The gimbal is
+/// mounted on the lower bar, so it rotates with the joint angles θ1 and θ3.
 Quat orientation(const Joints& joints, const Vec3& gimbal);
 
-/// Computes joint angles from the encoder counts relative to the docked position.
+/// Computes the Omni's joint angles (rad) from the encoder counts relative to those with the stylus in its
+/// inkwell.
 Joints joints_of(const std::array<int, 3>& counts);
 
-/// Computes the command for each motor, as a fraction of full command −1 … 1, for a force (N, arm frame) at
-/// the tip: τ = Jᵀf. If one motor would exceed full command, all three are scaled down, so that the force
-/// keeps its direction.
+/// Computes the commands of the Omni's three motors for a force (N, arm frame) at the stylus origin, τ = Jᵀf.
+/// Commands are fractions of full command, −1 … 1. If one motor would exceed full command, all three are
+/// scaled down, so that the force keeps its direction.
 Vec3 commands_for(const Joints& joints, const Vec3& force);
 
 }  // namespace prosector::omni

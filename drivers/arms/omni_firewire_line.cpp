@@ -54,14 +54,14 @@ class FirewireLine final : public Line {
 
   bool open() override {
     close();
-    if (port_ < 0) return lose("must be the number of a FireWire port, from 0");
+    if (port_ < 0) return lose("the path of an Omni must be the number of a FireWire port, from 0");
     requests_ = Handle(port_);
     if (!requests_) return lose(std::strerror(errno));
     for (int i = 0; i < raw1394_get_nodecount(requests_.get()); ++i) {
       node_ = static_cast<nodeid_t>(first_node | i);
       if (const auto word = read(kind_register); word && number_of(*word) == kind) return true;
     }
-    return lose("no Omni found on this bus");
+    return lose("no Omni found on this FireWire bus: check its power and cable");
   }
   void close() override {
     for (const std::uint8_t channel : channels_)
@@ -89,7 +89,10 @@ class FirewireLine final : public Line {
   std::optional<Channels> start() override {
     while (requests_ && channels_.size() < 2 && reserve_channel()) {
     }
-    if (channels_.size() < 2) return fail("no two isochronous channels of this bus are free");
+    if (channels_.size() < 2)
+      return fail(
+          "the Omni needs two isochronous channels, but this FireWire bus has no two free ones: unplug other "
+          "devices");
     const Channels out{channels_[0], channels_[1]};
     receiving_ = Handle(port_);
     sending_ = Handle(port_);

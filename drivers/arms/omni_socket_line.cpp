@@ -27,7 +27,8 @@ class SocketLine final : public Line {
     close();
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    if (path_.size() >= sizeof(address.sun_path)) return lose("the socket's path is too long");
+    if (path_.size() >= sizeof(address.sun_path))
+      return lose("the path of the simulated arm's socket is too long");
     std::memcpy(address.sun_path, path_.c_str(), path_.size());
     descriptor_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (descriptor_ < 0 ||

@@ -49,9 +49,9 @@ ArmReading VrpnArm::read() {
     lose(line->error(), now);
   } else if (reader_.broken()) {
     ++counts_.resyncs;
-    lose("the server does not use VRPN 07", now);
+    lose("the server does not use VRPN 07, the only supported version", now);
   } else if (now - std::max(heard_ns_, opening_.opened_ns()) > server_timeout_ns) {
-    lose("the server no longer sends data", now);
+    lose("the VRPN server no longer sends data", now);
   }
   ArmReading out = last_;
   out.valid = last_pose_ns_ > 0 && now - last_pose_ns_ <= pose_timeout_ns;
@@ -123,10 +123,11 @@ DeviceStatus VrpnArm::status() const {
   } else if (last_pose_ns_ > 0 && clock_() - last_pose_ns_ <= pose_timeout_ns) {
     out.health = DeviceHealth::streaming;
     if (clock_() < hot_until_ns_)
-      out.message = "its motors are hot: force is reduced until they have cooled down";
+      out.message = "the arm's motors are hot: force is reduced until they have cooled down";
   } else {
     out.health = DeviceHealth::silent;
-    out.message = fmt::format("the server is connected, but sends no pose of '{}': check the name", name_);
+    out.message =
+        fmt::format("the server is connected, but sends no pose of '{}': check the arm's name", name_);
   }
   return out;
 }

@@ -18,8 +18,8 @@ namespace prosector {
 
 class VrpnArm final : public Arm {
  public:
-  /// Takes the device's name and a function that connects to its server. `opening`: deferred connects
-  /// synchronously in read(), for tests with simulated time.
+  /// Takes the arm's name on the VRPN server and a function that connects to this server. `opening` says how
+  /// read() connects: `async` in another thread, `deferred` synchronously, for tests with simulated time.
   VrpnArm(std::string name, const ArmConfig& config, std::function<std::unique_ptr<ByteStream>()> connect,
           std::launch opening = std::launch::async, std::function<std::int64_t()> clock = monotonic_ns);
   ~VrpnArm() override;
@@ -48,8 +48,8 @@ class VrpnArm final : public Arm {
   BackgroundOpener<ByteStream> opening_;
 };
 
-/// Opens an arm of a server, "vrpn:Phantom0@lab:3883". Throws InputError for an address that is not
-/// NAME@HOST[:PORT].
+/// Creates the driver of a VRPN server's arm. `path` is the address after "vrpn:", such as
+/// "Phantom0@lab:3883". Throws InputError unless it is NAME@HOST[:PORT].
 std::unique_ptr<Arm> open_vrpn(const std::string& path, const ArmConfig& config);
 
 }  // namespace prosector

@@ -71,8 +71,9 @@ class ConfigReader {
     const auto v = node != nullptr && node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
     if (v && *v > client_config_version)
       fail(*node, "version",
-           fmt::format("{} was written by a newer Prosector; this one reads versions up to {}", *v,
-                       client_config_version));
+           fmt::format(
+               "a file of version {} was written by a newer Prosector; this program reads versions up to {}",
+               *v, client_config_version));
   }
 
   void refuse_unknown(const toml::table& table, const std::string& name) const {
@@ -95,7 +96,8 @@ class ConfigReader {
       if (part.empty() || key.name.size() != part.size() + (name.empty() ? 0 : name.size() + 1)) continue;
       const toml::node* node = table.get(part);
       if (node == nullptr) {
-        if (!key.needed.empty()) fail(table, key.name, fmt::format("must be given, as in {}", key.needed));
+        if (!key.needed.empty())
+          fail(table, key.name, fmt::format("must be given; this key is required, e.g. {}", key.needed));
         continue;
       }
       const auto value = to_value(*node, key);

@@ -16,13 +16,14 @@
 
 namespace prosector {
 
-/// Object to which a tracker's receiver is attached. `instrument`: touches points during tracker calibration
-/// and presses panels in a session; it is no hand. `tablet`: a hand-held board that serves as the user's
-/// panel.
+/// Object to which a tracker's receiver is attached. `instrument` is a tracked tool that touches points
+/// during tracker calibration and presses panels in a session; it is no hand. `tablet` is a hand-held board
+/// that serves as the user's panel.
 enum class StationRole : std::uint8_t { none, head, left_hand, right_hand, instrument, tablet };
 
-/// Action of a gesture. `panel`: toggles the panel of the part that the hand touches or points at. `parts`:
-/// toggles the list of parts on a board.
+/// Action that a hand gesture triggers. `grasp` and `release` act on the body at the hand; `reset` returns
+/// the body to its initial position. `panel` shows or hides the panel of the anatomical part that the hand
+/// touches or points at. `parts` shows or hides the board with the list of parts.
 enum class GestureEvent : std::uint8_t { none, grasp, release, reset, panel, parts };
 
 struct GloveSettings {
@@ -39,7 +40,8 @@ struct ArmSettings {
   unsigned dead_man = 0;      // button number from 1 that must be held to enable forces; 0: none is needed
 };
 
-/// Measured values of the user's eyes and display; each overrides that of the stereo profile.
+/// Measured values of the user's eyes and display. Each value that is set overrides that of the stereo
+/// profile.
 struct EyeSettings {
   std::optional<double> distance;                      // m, interpupillary distance
   std::optional<double> fov_horizontal, fov_vertical;  // rad, field of view of each eye
@@ -47,7 +49,8 @@ struct EyeSettings {
                                                        // coincide
 };
 
-/// A screen that works as a window for a desk user, and the device that tracks the user's eyes.
+/// Settings of a screen that works as a window into the scene for a user at a desk, and of the device that
+/// tracks the user's eyes.
 struct WindowSettings {
   std::string address;  // of a device whose station 1 is the midpoint between the eyes; empty: none
   DeviceConfig device;  // its room frame is the screen frame: origin in the middle, x right, y up, z to the
@@ -58,7 +61,7 @@ struct WindowSettings {
   WindowSettings() { device.placement.room_device = {{0, 0.17, 0}, Quat(0, 0, 1, 0)}; }
 };
 
-/// A physical object of known shape that occludes virtual objects behind it.
+/// Settings of a phantom: a physical object of known shape that occludes virtual objects behind it.
 struct PhantomSettings {
   std::string body;          // body of the scene with the same shape; empty: `mesh` gives the shape
   std::string mesh;          // file of the shape; both empty: no phantom
@@ -68,7 +71,8 @@ struct PhantomSettings {
                              // nullopt: not calibrated
 
   bool has_shape() const { return !body.empty() || !mesh.empty(); }
-  /// Returns whether the phantom has its own pose instead of that of the scene's body.
+  /// Returns whether the phantom's pose is configured or follows a tracked board. If not, the phantom has the
+  /// pose of its body in the scene.
   bool has_place() const { return pose || !board.empty(); }
 };
 
@@ -95,11 +99,11 @@ struct ClientConfig {
   }
 };
 
-/// Reads the client's configuration and checks the files that it references. Throws InputError with file,
-/// line, key and the allowed values; unknown keys are errors.
+/// Reads the client's configuration file and checks the files that it references. Throws InputError with
+/// file, line, key and the allowed values; unknown keys are errors.
 ClientConfig load_client_config(const std::filesystem::path& file);
-/// Parses the configuration from text. `file` is used in messages; referenced files are resolved relative to
-/// its folder.
+/// Parses the client's configuration from TOML text. `file` is the path that messages name; referenced files
+/// are resolved relative to its folder.
 ClientConfig parse_client_config(std::string_view toml, const std::string& file);
 
 }  // namespace prosector

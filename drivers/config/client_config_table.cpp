@@ -164,12 +164,13 @@ void add_stations(Keys& keys) {
     station.least = 0;
     station.most = max_stations;
     station.needed = "1";
-    station.help = "the receiver, counted from 1; 0: none, its mount is preserved";
+    station.help = "number of the role's receiver, from 1; 0: none, its mount is preserved";
     station.set = [role](ClientConfig& c, const ConfigValue& v) {
       const auto number = static_cast<std::size_t>(std::get<double>(v));
       if (number == 0) return;
       const std::size_t index = number - 1;
-      if (c.stations[index] != StationRole::none) throw InputError("is already assigned to another role");
+      if (c.stations[index] != StationRole::none)
+        throw InputError("this receiver is already assigned to another role: choose another receiver");
       c.stations[index] = role;
       c.tracker_device.placement.stations |= 1u << index;
     };
@@ -190,8 +191,8 @@ void add_stations(Keys& keys) {
     board.name = table + ".board";
     board.member = "tracker_device.tags.boards";
     board.help =
-        "camera tracking: a known board (prosector-board --list), or a file beside this one; default: the "
-        "role's own";
+        "camera tracking: the role's board, a known one (prosector-board --list) or a file beside this one; "
+        "default: the standard board of the role";
     board.set = [role](ClientConfig& c, const ConfigValue& v) {
       if (const auto index = station_of(c, role))
         c.tracker_device.tags.boards[*index] = std::get<std::string>(v);
@@ -212,44 +213,8 @@ void add_stations(Keys& keys) {
   }
 }
 
-/// Adds the FASTRAK's own alignment frame: three points.
-void add_alignment_frame(Keys& keys) {
-  ConfigKey frame;
-  frame.name = "tracker.alignment_frame";
-  frame.member = "tracker_device.fastrak.alignment";
-  frame.type = ConfigType::numbers;
-  frame.count = 9;
-  frame.most = max_frame_point;
-  frame.unit = "m";
-  frame.help = "the device's own alignment: origin, a point on +X, a point on +Y";
-  frame.set = [](ClientConfig& c, const ConfigValue& v) {
-    std::array<double, 9> a{};
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] = cm_per_m * std::get<Numbers>(v)[i];
-    const Vec3 o(a.data()), x(a.data() + 3), y(a.data() + 6);
-    if ((x - o).cross(y - o).norm() < 1e-6) throw InputError("its three points must not lie on a line");
-    c.tracker_device.fastrak.alignment = a;
-  };
-  frame.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
-    if (!c.tracker_device.fastrak.alignment) return std::nullopt;
-    Numbers out;
-    for (const double x : *c.tracker_device.fastrak.alignment) out.push_back(x / cm_per_m);
-    return out;
-  };
-  keys.push_back(frame);
-}
-
-void add_tracker(Keys& keys) {
-  keys.push_back(address(
-      "tracker.address", "tracker", [](ClientConfig& c) -> std::string& { return c.tracker; },
-      "\"fastrak:/dev/ttyS0\"", "the device, DRIVER:PATH; empty: none", false));
-  keys.push_back(plain<bool>(
-      "tracker.binary", "tracker_device.fastrak.binary",
-      [](ClientConfig& c) -> bool& { return c.tracker_device.fastrak.binary; }, "",
-      "binary records; false: ASCII"));
-  keys.push_back(plain<bool>(
-      "tracker.boresight", "tracker_device.fastrak.boresight",
-      [](ClientConfig& c) -> bool& { return c.tracker_device.fastrak.boresight; }, "",
-      "true: each receiver's orientation at start becomes forward"));
+/// Adds the hemisphere of the FASTRAK's transmitter, a direction.
+void add_hemisphere(Keys& keys) {
   ConfigKey hemisphere;
   hemisphere.name = "tracker.hemisphere";
   hemisphere.member = "tracker_device.fastrak.hemisphere";
@@ -265,19 +230,51 @@ void add_tracker(Keys& keys) {
     return Numbers{h.x(), h.y(), h.z()};
   };
   keys.push_back(hemisphere);
+}
+
+/// Adds the FASTRAK's own alignment frame: three points.
+void add_alignment_frame(Keys& keys) {
+  ConfigKey frame;
+  frame.name = "tracker.alignment_frame";
+  frame.member = "tracker_device.fastrak.alignment";
+  frame.type = ConfigType::numbers;
+  frame.count = 9;
+  frame.most = max_frame_point;
+  frame.unit = "m";
+  frame.help = "the FASTRAK's alignment frame: origin, a point on +X, a point on +Y";
+  frame.set = [](ClientConfig& c, const ConfigValue& v) {
+    std::array<double, 9> a{};
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = cm_per_m * std::get<Numbers>(v)[i];
+    const Vec3 o(a.data()), x(a.data() + 3), y(a.data() + 6);
+    if ((x - o).cross(y - o).norm() < 1e-6)
+      throw InputError("the three points of the alignment frame must not lie on one line");
+    c.tracker_device.fastrak.alignment = a;
+  };
+  frame.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    if (!c.tracker_device.fastrak.alignment) return std::nullopt;
+    Numbers out;
+    for (const double x : *c.tracker_device.fastrak.alignment) out.push_back(x / cm_per_m);
+    return out;
+  };
+  keys.push_back(frame);
+}
+
+/// Adds the keys of the FASTRAK itself: its records, boresight, hemisphere and alignment frame.
+void add_fastrak(Keys& keys) {
+  keys.push_back(plain<bool>(
+      "tracker.binary", "tracker_device.fastrak.binary",
+      [](ClientConfig& c) -> bool& { return c.tracker_device.fastrak.binary; }, "",
+      "binary records; false: ASCII"));
+  keys.push_back(plain<bool>(
+      "tracker.boresight", "tracker_device.fastrak.boresight",
+      [](ClientConfig& c) -> bool& { return c.tracker_device.fastrak.boresight; }, "",
+      "true: each receiver's orientation at start becomes forward"));
+  add_hemisphere(keys);
   add_alignment_frame(keys);
-  keys.push_back(plain<std::string>(
-      "tracker.field_map", "tracker_device.placement.field_map",
-      [](ClientConfig& c) -> std::string& { return c.tracker_device.placement.field_map; }, "",
-      "file written by `calibrate field`, beside this one; empty: none"));
-  add_pose(
-      keys, "tracker.room", "tracker_device.placement.room_device",
-      [](ClientConfig& c) { return &c.tracker_device.placement.room_device; },
-      "pose of the transmitter or the camera: x right, y up, −z forward");
-  keys.push_back(plain<std::string>(
-      "tracker.lens", "tracker_device.camera.lens",
-      [](ClientConfig& c) -> std::string& { return c.tracker_device.camera.lens; }, "",
-      "camera tracking: file written by `camera calibrate`, beside this one; empty: estimated lens"));
+}
+
+/// Adds the length of the user's hand.
+void add_hand_length(Keys& keys) {
   ConfigKey length;
   length.name = "tracker.hand_length";
   length.member = "tracker_device.hands.hand_length";
@@ -296,11 +293,15 @@ void add_tracker(Keys& keys) {
     return ConfigValue(*c.tracker_device.hands.hand_length);
   };
   keys.push_back(length);
+}
+
+/// Adds the choice of the networks that find bare hands.
+void add_hand_networks(Keys& keys) {
   ConfigKey networks;
   networks.name = "tracker.hand_networks";
   networks.member = "tracker_device.hands.hand_nets";
   networks.choices = {"full", "lite"};
-  networks.help = "bare hands: `lite` takes half of the time and is less accurate";
+  networks.help = "bare hands: networks; `lite` takes two thirds of the time and is less accurate";
   networks.set = [](ClientConfig& c, const ConfigValue& v) {
     c.tracker_device.hands.hand_nets = std::get<std::string>(v) == "lite" ? HandNets::lite : HandNets::full;
   };
@@ -308,6 +309,12 @@ void add_tracker(Keys& keys) {
     return ConfigValue(std::string(c.tracker_device.hands.hand_nets == HandNets::lite ? "lite" : "full"));
   };
   keys.push_back(networks);
+}
+
+/// Adds the keys of bare hands seen by one or two cameras: the hand, its networks, and the second camera.
+void add_bare_hands(Keys& keys) {
+  add_hand_length(keys);
+  add_hand_networks(keys);
   keys.push_back(ranged(plain<double>(
                             "tracker.farthest_hand", "tracker_device.hands.farthest_hand",
                             [](ClientConfig& c) -> double& { return c.tracker_device.hands.farthest_hand; },
@@ -316,11 +323,15 @@ void add_tracker(Keys& keys) {
   keys.push_back(plain<std::string>(
       "tracker.second_lens", "tracker_device.hands.second_lens",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.hands.second_lens; }, "",
-      "bare hands: lens file of the second camera, beside this one; empty: estimated lens"));
+      "bare hands: lens file of the second camera, in this file's folder; empty: estimated lens"));
   add_pose(
       keys, "tracker.second", "tracker_device.hands.first_second",
       [](ClientConfig& c) { return &c.tracker_device.hands.first_second; },
       "bare hands: pose of the second camera in the first one's frame: x right, y up, −z forward");
+}
+
+/// Adds the fixed board that defines the room's frame for a camera.
+void add_table_board(Keys& keys) {
   keys.push_back(plain<std::string>(
       "tracker.table.board", "tracker_device.camera.table",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.camera.table; }, "",
@@ -328,7 +339,28 @@ void add_tracker(Keys& keys) {
   add_pose(
       keys, "tracker.table", "tracker_device.camera.room_table",
       [](ClientConfig& c) { return &c.tracker_device.camera.room_table; },
-      "pose of that board; its z axis points up if it lies flat");
+      "pose of the table's board; its z axis points up if it lies flat");
+}
+
+void add_tracker(Keys& keys) {
+  keys.push_back(address(
+      "tracker.address", "tracker", [](ClientConfig& c) -> std::string& { return c.tracker; },
+      "\"fastrak:/dev/ttyS0\"", "the tracker, DRIVER:PATH; empty: none", false));
+  add_fastrak(keys);
+  keys.push_back(plain<std::string>(
+      "tracker.field_map", "tracker_device.placement.field_map",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.placement.field_map; }, "",
+      "field map: file written by `calibrate field`, beside this one; empty: none"));
+  add_pose(
+      keys, "tracker.room", "tracker_device.placement.room_device",
+      [](ClientConfig& c) { return &c.tracker_device.placement.room_device; },
+      "pose of the transmitter or the camera: x right, y up, −z forward");
+  keys.push_back(plain<std::string>(
+      "tracker.lens", "tracker_device.camera.lens",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.camera.lens; }, "",
+      "camera tracking: file written by `camera calibrate`, beside this one; empty: estimated lens"));
+  add_bare_hands(keys);
+  add_table_board(keys);
   add_stations(keys);
 }
 
@@ -341,8 +373,9 @@ void add_counts(Keys& keys, const std::string& table, std::size_t hand, bool ope
   key.count = fingers;
   key.most = max_device_count;
   key.unit = "counts";
-  key.help = open ? "counts of extended fingers, thumb to little; default: learnt from the observed range"
-                  : "counts of bent fingers; together with `open`";
+  key.help =
+      open ? "sensor counts of extended fingers, thumb to little; default: learnt from the observed range"
+           : "sensor counts of bent fingers; give it together with `open`";
   key.set = [hand, open](ClientConfig& c, const ConfigValue& v) {
     auto& calibration = c.gloves[hand].device.glove.calibration;
     if (!calibration) {
@@ -369,7 +402,7 @@ void add_glove(Keys& keys) {
   keys.push_back(address(
       table + ".address", "gloves[].address",
       [](ClientConfig& c) -> std::string& { return c.gloves[Hand].address; }, "\"5dt:/dev/ttyS1\"",
-      "the device, DRIVER:PATH; empty: none", false));
+      "the glove, DRIVER:PATH; empty: none", false));
   keys.push_back(
       ranged(plain<double>(
                  table + ".closed_above", in + "gestures.closed_above",
@@ -391,11 +424,11 @@ void add_glove(Keys& keys) {
   keys.push_back(plain<bool>(
       table + ".pinch", in + "gestures.pinch",
       [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.gestures.pinch; }, "",
-      "true: index finger closed, thumb bent, the others open, is `pinch`"));
+      "true: index finger closed, thumb bent, the others open, is the gesture `pinch`"));
   keys.push_back(plain<bool>(
       table + ".falls_on_bending", in + "glove.falls_on_bending",
       [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.glove.falls_on_bending; }, "",
-      "true if counts decrease as a finger bends"));
+      "true if sensor counts decrease as a finger bends"));
   add_counts(keys, table, Hand, true);
   add_counts(keys, table, Hand, false);
 }
@@ -493,7 +526,7 @@ void add_window(Keys& keys) {
   keys.push_back(plain<std::string>(
       "window.lens", "window.device.camera.lens",
       [](ClientConfig& c) -> std::string& { return c.window.device.camera.lens; }, "",
-      "file written by `camera calibrate`, beside this one; empty: estimated lens"));
+      "lens: file written by `camera calibrate`, beside this one; empty: estimated lens"));
   keys.push_back(
       ranged(plain<double>(
                  "window.height", "window.height", [](ClientConfig& c) -> double& { return c.window.height; },
@@ -512,29 +545,31 @@ void add_window(Keys& keys) {
   add_pose(
       keys, "window.camera", "window.device.placement.room_device",
       [](ClientConfig& c) { return &c.window.device.placement.room_device; },
-      "pose of the camera from the image centre: x right, y up, z towards you; unrotated, it faces you");
+      "pose of the camera relative to the centre of the image on the screen: x right, y up, z towards you; "
+      "unrotated, it faces you");
 }
 
 /// Adds the keys of the phantom, a real body in the camera's image.
 void add_phantom(Keys& keys) {
   keys.push_back(plain<std::string>(
       "phantom.body", "phantom.body", [](ClientConfig& c) -> std::string& { return c.phantom.body; }, "",
-      "scene body with the same shape; it is not drawn"));
+      "scene body with the phantom's shape; it is not drawn"));
   keys.push_back(plain<std::string>(
       "phantom.mesh", "phantom.mesh", [](ClientConfig& c) -> std::string& { return c.phantom.mesh; }, "",
-      "instead of a body: a file with its shape (OBJ, STL, PLY, OFF, glTF), beside this one"));
+      "instead of `body`: file with the phantom's shape (OBJ, STL, PLY, OFF, glTF), beside this one"));
   keys.push_back(
       ranged(plain<double>(
                  "phantom.scale", "phantom.scale", [](ClientConfig& c) -> double& { return c.phantom.scale; },
-                 "m", "length of that file's unit"),
+                 "m", "length of the unit of `mesh`"),
              1e-6, 1000));
   keys.push_back(plain<std::string>(
       "phantom.board", "phantom.board", [](ClientConfig& c) -> std::string& { return c.phantom.board; }, "",
-      "board fixed to it: a known board's name, or a file beside this one; empty: it does not move"));
+      "board fixed to the phantom: a known board's name, or a file beside this one; empty: it does not "
+      "move"));
   add_pose(
       keys, "phantom", "phantom.pose",
       [](ClientConfig& c) { return &(c.phantom.pose ? *c.phantom.pose : c.phantom.pose.emplace()); },
-      "pose of the shape on the board, or in the room without a board, written by `calibrate phantom`; "
+      "pose of the phantom on its board, or in the room without a board, written by `calibrate phantom`; "
       "default: the body's pose in the scene",
       false);
 }
@@ -545,7 +580,7 @@ std::optional<ConfigFault> check_phantom(ClientConfig& config) {
     return ConfigFault{"mesh", "give body or mesh, not both: each defines the shape"};
   if (phantom.has_place() && !phantom.has_shape())
     return ConfigFault{phantom.board.empty() ? "position" : "board",
-                       "also give body or mesh, which defines the shape"};
+                       "also give body or mesh, which defines the phantom's shape"};
   return std::nullopt;
 }
 
@@ -557,7 +592,7 @@ Keys make_keys() {
   version.type = ConfigType::whole;
   version.least = 1;
   version.most = client_config_version;
-  version.help = "version of this key table; a file without it has version 1";
+  version.help = "version of the file's keys; a file without it has version 1";
   version.set = [](ClientConfig&, const ConfigValue&) {};
   version.get = [](const ClientConfig&) -> std::optional<ConfigValue> { return std::nullopt; };
   keys.push_back(version);
@@ -572,9 +607,9 @@ Keys make_keys() {
   add_eye_value(keys, "distance", &EyeSettings::distance, 0, 0.2, 1, "m",
                 "distance between the pupils; default, as for the other keys here: from the stereo profile");
   add_eye_value(keys, "fov_horizontal", &EyeSettings::fov_horizontal, 1, 170, degree, "degrees",
-                "angle that each eye's image fills");
+                "horizontal angle that each eye's image fills");
   add_eye_value(keys, "fov_vertical", &EyeSettings::fov_vertical, 1, 170, degree, "degrees",
-                "angle that each eye's image fills");
+                "vertical angle that each eye's image fills");
   add_eye_value(keys, "convergence", &EyeSettings::convergence, 0.05, 1000, 1, "m",
                 "distance at which both eyes' images coincide");
   add_window(keys);
@@ -585,13 +620,14 @@ Keys make_keys() {
 std::optional<ConfigFault> check_glove(ClientConfig& config, std::size_t hand) {
   const DeviceConfig& device = config.gloves[hand].device;
   if (device.gestures.closed_above - device.gestures.open_below <= device.gestures.hysteresis)
-    return ConfigFault{"closed_above", "must exceed open_below by more than hysteresis"};
+    return ConfigFault{"closed_above", "closed_above must exceed open_below by more than hysteresis"};
   if (!device.glove.calibration) return std::nullopt;
   const GloveCalibration& c = *device.glove.calibration;
   if (std::isnan(c.open[0]) || std::isnan(c.closed[0]))
     return ConfigFault{std::isnan(c.open[0]) ? "closed" : "open", "open and closed must be given together"};
   for (std::size_t i = 0; i < fingers; ++i)
-    if (c.open[i] == c.closed[i]) return ConfigFault{"closed", "must differ from open for every finger"};
+    if (c.open[i] == c.closed[i])
+      return ConfigFault{"closed", "the counts of closed must differ from those of open for every finger"};
   return std::nullopt;
 }
 

@@ -15,12 +15,13 @@ namespace prosector {
 
 inline constexpr int client_config_version = 2;
 
-/// Value of a key in the units of the file.
+/// Value of a key of the client's configuration file, in the units of the file.
 using ConfigValue = std::variant<bool, double, std::string, std::vector<double>>;
 
 enum class ConfigType : std::uint8_t { flag, number, whole, numbers, text };
 
-/// One key of the configuration.
+/// One key of the client's configuration file: its name, type, allowed values, help text, and functions that
+/// set and get its value in a ClientConfig.
 struct ConfigKey {
   std::string name;  // dotted
   ConfigType type = ConfigType::text;
@@ -34,13 +35,15 @@ struct ConfigKey {
   std::function<std::optional<ConfigValue>(const ClientConfig&)> get;  // nothing: not set
 };
 
-/// An invalid combination of values: the key and the requirement.
+/// Fault of a configuration with an invalid combination of values: the key to change and the requirement that
+/// it violates.
 struct ConfigFault {
   std::string key;
   std::string what;
 };
 
-/// One table of the file.
+/// One TOML table of the client's configuration file: its name, help text, and the functions called before
+/// and after its keys are read.
 struct ConfigTable {
   std::string name;  // dotted; empty: top level of the file
   std::string help;
@@ -50,20 +53,22 @@ struct ConfigTable {
                                                                     // empty
 };
 
-/// Returns all keys in reading order, grouped by table.
+/// Returns all keys of the client's configuration file in reading order, grouped by table.
 std::span<const ConfigKey> client_config_keys();
 std::span<const ConfigTable> client_config_tables();
-/// Returns the key of that name, or nullptr.
+/// Returns the configuration key with this dotted name, such as "tracker.address", or nullptr if there is
+/// none.
 const ConfigKey* find_config_key(std::string_view name);
 
-/// Returns the requirement for a key's value: "must be a number from 0 to 1".
+/// Returns the requirement for a key's value as a phrase for error messages, such as "must be a number from 0
+/// to 1".
 std::string allowed_values(const ConfigKey& key);
-/// Returns whether the value has the key's type and is in its range.
+/// Returns whether the value has the configuration key's type and is in its range or among its choices.
 bool fits(const ConfigKey& key, const ConfigValue& value);
-/// Formats a value as TOML.
+/// Formats a configuration value as TOML text, such as `[0, 0.17, 0]`.
 std::string to_toml(const ConfigValue& value);
 
-/// Generates the page docs/look-up/client-configuration.md.
+/// Generates the text of the documentation page docs/look-up/client-configuration.md from the table of keys.
 std::string client_config_page();
 
 }  // namespace prosector

@@ -27,7 +27,7 @@ struct RenamedKey {
 };
 constexpr std::array<RenamedKey, 1> renamed_keys = {
     {{2, "tracker.alignment", "alignment_frame", 0.01,
-      "tracker.alignment, in cm, is now tracker.alignment_frame, in m"}}};
+      "the key tracker.alignment, in cm, is now tracker.alignment_frame, in m"}}};
 
 /// Scales an array of numbers. Any other value is returned unchanged; the reader rejects it.
 std::string scaled(const std::string& value, double scale) {

@@ -10,36 +10,38 @@
 
 namespace prosector {
 
-/// New value of a key, in the file's units.
+/// Change of one key in the client's configuration file: the key's dotted name, such as "tracker.address",
+/// and its new value, in the file's units.
 struct ConfigChange {
   std::string key;  // dotted
   ConfigValue value;
 };
 
-/// Text migrated to the current version, and a description of each change.
+/// Text of a configuration file after migration to the current version, with one note for each change made.
 struct MigratedConfig {
   std::string text;
   std::vector<std::string> notes;
 };
 
-/// Migrates the keys of an older version to the current one. Each key stays on its line. The text must be
-/// valid TOML.
+/// Replaces keys of older versions in a client configuration's text with those of the current version. Each
+/// key stays on its line. The text must be valid TOML.
 MigratedConfig migrate_client_config(std::string text);
 
-/// Applies the changes and migrates older keys to the current version. Keys without a change keep their
-/// meaning. If a change creates a table whose presence removes defaults, these defaults are written
-/// explicitly. Throws InputError if the text, a key, a value or the result is invalid; `file` is used in
-/// messages.
+/// Applies the changes to a client configuration's text, migrates older keys to the current version, and
+/// returns the new text. Keys without a change keep their meaning. If a change creates a table whose presence
+/// removes defaults, these defaults are written explicitly. Throws InputError if the text, a key, a value or
+/// the result is invalid; `file` is used in messages.
 std::string write_client_config(const std::string& text, const std::vector<ConfigChange>& changes,
                                 const std::string& file);
 
-/// Parses a key's value from the command line: true, 0.5, "text", [1, 2, 3]. Quotes around a text are
-/// optional. Throws InputError with the allowed values.
+/// Parses a configuration key's value given on the command line, such as true, 0.5, "text" or [1, 2, 3].
+/// Quotes around a text are optional. Throws InputError with the allowed values.
 ConfigChange parse_config_change(const std::string& key, const std::string& value);
 
-/// Reads a configuration file as text. Throws InputError.
+/// Reads a client configuration file as text. Throws InputError if it is unreadable.
 std::string read_config_text(const std::filesystem::path& file);
-/// Writes a temporary file and renames it, so that the replacement is atomic. Throws InputError on failure.
+/// Replaces a client configuration file atomically: writes a temporary file and renames it. Throws InputError
+/// on failure.
 void save_config_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace prosector

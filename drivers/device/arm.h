@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Limits of a haptic arm. Forces act at the tip.
+/// Limits of a haptic arm: workspace, force, stiffness, torque, and rate of its servo loop. Forces act at the
+/// stylus origin, whose position the arm reports.
 struct ArmLimits {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // m, arm frame: corners of the workspace
   double peak_force = 0;                         // N, sustainable for seconds
@@ -24,7 +25,8 @@ struct ArmLimits {
 
 inline constexpr unsigned arm_buttons = 32;  // maximum number of buttons
 
-/// One reading of the arm.
+/// One reading of a haptic arm: stylus pose, pressed buttons, motor temperature state, and whether the pose
+/// is valid.
 struct ArmReading {
   bool valid = false;         // the pose was read and the arm is homed and not being calibrated
   Pose stylus;                // pose in the room frame; −z towards the tip
@@ -37,26 +39,30 @@ class Arm {
  public:
   virtual ~Arm() = default;
   virtual const ArmLimits& limits() const = 0;
-  /// Reads the arm without blocking. If the arm does not respond, the reading is not valid.
+  /// Returns the arm's latest stylus pose and buttons without waiting. If the arm does not respond, the
+  /// reading's `valid` is false.
   virtual ArmReading read() = 0;
-  /// Sets the torque on the hand about the stylus origin, N·m, room frame; it takes effect with the next
-  /// force. The caller keeps it within the limits. Arms whose readings do not set `turns` ignore it.
+  /// Sets the torque that the arm exerts on the hand about the stylus origin, N·m, room frame. It takes
+  /// effect with the next force. The caller keeps it within the arm's limits. Arms whose readings do not set
+  /// `turns` cannot exert torques and ignore it.
   virtual void set_torque([[maybe_unused]] const Vec3& torque) {}
-  /// Sets the force on the hand, N, room frame, until the next call. The caller keeps it within the limits.
+  /// Sets the force that the arm exerts on the hand, N, room frame, until the next call. The caller keeps it
+  /// within the arm's limits.
   virtual void set_force(const Vec3& force) = 0;
   /// Sets a force that varies linearly with the displacement from the last reading's position: force −
-  /// stiffness·displacement (N, N/m, room frame). Arms with their own control loop render this field; others
-  /// apply the constant force.
+  /// stiffness·displacement (N, N/m, room frame). Arms with their own control loop render this field. Other
+  /// arms apply `force` and ignore `stiffness`.
   virtual void set_field(const Vec3& force, [[maybe_unused]] const Mat3& stiffness) { set_force(force); }
   virtual DeviceStatus status() const = 0;
 };
 
-/// Pose of an arm's base in the room.
+/// Pose of a haptic arm's base in the room.
 struct ArmConfig {
   Pose room_arm;  // pose of the arm frame (x right, y up, z towards the user) in the room frame
 };
 
-/// One row of the table of arm drivers.
+/// One row of the table of haptic arm drivers: the name that begins an arm's address, the help text, and the
+/// function that opens an arm.
 struct ArmRow {
   const char* name;
   const char* help;  // one line for --help
@@ -64,11 +70,12 @@ struct ArmRow {
 };
 const std::vector<ArmRow>& arm_drivers();
 
-/// Parses an arm address. Throws InputError for an unknown driver (listing the known ones) or a missing path.
+/// Splits a haptic arm's address "DRIVER:PATH" into driver and path. Throws InputError for an unknown driver
+/// (listing the known ones) or a missing path.
 DeviceAddress parse_arm_address(const std::string& address);
 
-/// Opens an arm by its address, "omni-twin:/run/omni". Throws InputError for an unknown driver (listing the
-/// known ones) or a missing path.
+/// Opens a haptic arm by its address, such as "omni-twin:/run/omni". Throws InputError for an unknown driver
+/// (listing the known ones) or a missing path.
 std::unique_ptr<Arm> open_arm(const std::string& address, const ArmConfig& config);
 
 }  // namespace prosector

@@ -18,7 +18,7 @@ enum class DeviceHealth : std::uint8_t {
   babbling,    // bytes arrive, but most are not valid records
   absent,      // cannot be opened; the driver retries
 };
-/// Returns the name of a health state for messages.
+/// Returns the name of an input device's health state, such as "streaming", for messages to the user.
 inline const char* health_name(DeviceHealth health) {
   constexpr std::array words = {"connecting", "streaming", "silent", "babbling", "absent"};
   return words[static_cast<std::size_t>(health)];
@@ -26,7 +26,8 @@ inline const char* health_name(DeviceHealth health) {
 
 inline constexpr std::int32_t max_sample_buttons = 32;  // bits in a sample's button mask
 
-/// One reading of one station (a tracker's receiver, a glove). Flags mark the valid fields.
+/// One reading of one station (a tracker's receiver or a glove). The members `has_pose` and `has_flexion`
+/// mark which other members are valid.
 struct DeviceSample {
   std::uint32_t station = 0;  // tracker: 0-based receiver; glove: 0
   std::uint64_t record = 0;   // counts valid records of this station since the device was opened
@@ -42,7 +43,7 @@ struct DeviceSample {
   std::uint32_t buttons = 0;
   char error = ' ';  // the device's own error character; ' ': no error
 
-  /// Returns whether the sample has a pose without a device error.
+  /// Returns whether the sample has a pose and the device reported no error with it.
   bool has_trusted_pose() const { return has_pose && error == ' '; }
 };
 
@@ -58,16 +59,16 @@ struct DeviceStatus {
 class Device {
  public:
   virtual ~Device() = default;
-  /// Reads the received data without blocking and appends samples in order. Reopens a lost device on its own
-  /// schedule.
+  /// Reads the data received from the device without blocking and appends the resulting samples to `out` in
+  /// order of arrival. Reopens a lost device when a retry is due.
   virtual void poll(std::vector<DeviceSample>& out) = 0;
   virtual DeviceStatus status() const = 0;
-  /// Returns a descriptor that becomes readable when poll() has work, or −1.
+  /// Returns a file descriptor that becomes readable when poll() has data to read, or −1 if there is none.
   virtual int descriptor() const = 0;
 };
 
-/// Driver and path of an address: "fastrak:/dev/ttyS0", "5dt:/dev/ttyS1", "5dt-usb:/dev/hidraw0",
-/// "recorded:hand.csv".
+/// Driver name and path of a device's address, which is written DRIVER:PATH, such as "fastrak:/dev/ttyS0",
+/// "5dt:/dev/ttyS1", "5dt-usb:/dev/hidraw0" or "recorded:hand.csv".
 struct DeviceAddress {
   std::string driver;
   std::string path;

@@ -12,8 +12,9 @@
 
 namespace prosector {
 
-/// Parses the address of a `thing` ("device", "arm"). Throws InputError for a driver that is not in `rows`
-/// (listing the known ones) or a missing path.
+/// Splits an address "DRIVER:PATH" into driver and path. `thing` ("device" or "arm") names the kind of
+/// address in error messages. Throws InputError for a driver that is not in `rows` (listing the known ones)
+/// or a missing path.
 template <class Row>
 DeviceAddress split_address(const char* thing, const std::string& address, const std::vector<Row>& rows) {
   const auto colon = address.find(':');

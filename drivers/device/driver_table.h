@@ -12,11 +12,13 @@ namespace prosector {
 
 struct DeviceConfig;
 
-/// One row of the table of device drivers.
+/// One row of the table of input device drivers: the name that begins a device's address, the help text, the
+/// function that opens a device, and properties of the driver.
 struct DriverRow {
   const char* name;
   const char* help;  // one line for --help
-  /// Opens a device. Passes the driver its own groups of the configuration only.
+  /// Opens a device at `path`, the address without the driver's name. The function passes only the groups of
+  /// `config` that this driver uses.
   std::unique_ptr<Device> (*open)(const std::string& path, const DeviceConfig& config);
   bool fixes_hand_stations = false;  // station 1 is always the right hand and station 2 the left one,
                                      // regardless of the configuration
@@ -26,16 +28,20 @@ struct DriverRow {
 
 const std::vector<DriverRow>& drivers();
 
-/// Parses an address. Throws InputError for an unknown driver (listing the known ones) or a missing path.
+/// Splits an input device's address "DRIVER:PATH" into driver and path. Throws InputError for an unknown
+/// driver (listing the known ones) or a missing path.
 DeviceAddress parse_device_address(const std::string& address);
 
-/// Returns the driver row of an address. Throws InputError for an unknown driver (listing the known ones).
+/// Returns the row of the driver table that an input device's address "DRIVER:PATH" names. Throws InputError
+/// for an unknown driver (listing the known ones) or a missing path.
 const DriverRow& driver_of(const std::string& address);
 
-/// Returns the first camera address in a device's address; empty if the device has no camera.
+/// Returns the first of the comma-separated camera addresses in an input device's address "DRIVER:PATH".
+/// Returns an empty string if the driver uses no camera.
 std::string first_camera(const std::string& address);
 
-/// Opens a device by address. Throws InputError for an unknown driver (listing the known ones).
+/// Opens an input device by its address "DRIVER:PATH". Throws InputError for an unknown driver (listing the
+/// known ones) or a missing path.
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);
 
 }  // namespace prosector

@@ -61,7 +61,7 @@ class MapReader {
   void reject_unknown_keys(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_)
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
-        fail(key.str(), "unknown key of a field map");
+        fail(key.str(), "unknown key of a field map: remove it");
   }
 
  private:
@@ -123,7 +123,9 @@ FieldMap read_map(const MapReader& reader) {
   const std::size_t count = field_term_count(map.degree);
   map.polynomial = to_terms(reader.rows<7>("polynomial", count));
   if (static_cast<std::size_t>(map.polynomial.rows()) != count)
-    reader.fail("polynomial", fmt::format("must have {} rows at degree {}", count, map.degree));
+    reader.fail("polynomial",
+                fmt::format("must have {} rows at degree {}, one for each term of the polynomial", count,
+                            map.degree));
   for (const auto& row : reader.rows<3>("nodes", most_field_nodes)) map.nodes.emplace_back(row.data());
   map.weights = to_terms(reader.rows<7>("weights", most_field_nodes));
   if (static_cast<std::size_t>(map.weights.rows()) != map.nodes.size())
@@ -187,7 +189,8 @@ FieldMap load_field_map(const std::filesystem::path& file) {
 
 std::string write_field_map(const FieldMap& map) {
   std::string out =
-      "# What a tracker's poses are put right with, as `prosector-client calibrate field` found it.\n";
+      "# Correction of a tracker's poses for field distortion, written by `prosector-client calibrate "
+      "field`.\n";
   out += "version = 1\n";
   out +=
       fmt::format("before = {}  # m RMS at the sampled points\nafter = {}  # m RMS to expect between them\n",

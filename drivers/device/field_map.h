@@ -35,18 +35,23 @@ struct FieldMap {
   double before = 0, after = 0;                     // m RMS: error at the sampled points without the map, and
                                                     // expected error between them with it
 
-  /// Scales a position to ±1, clamped to the sampled box.
+  /// Scales a position (m, device frame) so that the box sampled for the map becomes the cube −1 … 1. Clamps
+  /// positions outside the box to its surface.
   Vec3 scaled(const Vec3& place) const;
-  /// Returns the corrected pose.
+  /// Corrects a pose reported by the tracker (m, device frame) for the distortion of the magnetic field.
+  /// Returns the corrected pose in the device frame.
   Pose apply(const Pose& reported) const;
 };
 
-/// Returns the number of polynomials up to a total degree.
+/// Returns the number of products of Chebyshev polynomials in x, y and z whose total degree is at most
+/// `degree`.
 std::size_t field_term_count(int degree);
-/// Evaluates the polynomials at a scaled position.
+/// Evaluates all products of Chebyshev polynomials in x, y and z up to a total degree at a position scaled to
+/// −1 … 1. Returns one value per product.
 VecX field_terms(const Vec3& scaled, int degree);
 
-/// Parses a map. Throws InputError with file, line, key and the allowed values.
+/// Parses the TOML text of a map that corrects a tracker for magnetic distortion. `file` names the file in
+/// messages. Throws InputError with file, line, key and the allowed values.
 FieldMap parse_field_map(const std::string& toml, const std::string& file);
 FieldMap load_field_map(const std::filesystem::path& file);
 std::string write_field_map(const FieldMap& map);

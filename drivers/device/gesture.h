@@ -11,11 +11,13 @@
 
 namespace prosector {
 
-/// Required state of the thumb. `bent` means not open, since thumbs rarely close fully.
+/// State of the thumb that a gesture requires. `bent` means any state other than open, since thumbs rarely
+/// close fully. `any` means that the thumb does not matter.
 enum class ThumbRequirement : std::uint8_t { any, open, bent };
 
-/// One row of the table of gestures. Bits of open fingers: index 1, middle 2, ring 4, little 8. Patterns
-/// without a row are Gesture::none. Gestures that ignore the thumb are numbered after the 5DT SDK.
+/// One row of the table of hand gestures: a gesture, its name, and the required finger states. `open_fingers`
+/// is a bit mask: index 1, middle 2, ring 4, little 8. Finger patterns without a row are Gesture::none.
+/// Gestures that ignore the thumb have the numbers of the 5DT glove's SDK.
 struct GestureRow {
   Gesture gesture;
   const char* name;
@@ -25,9 +27,10 @@ struct GestureRow {
 };
 std::span<const GestureRow> gesture_table();
 const char* gesture_name(Gesture gesture);
-/// Returns the row of a gesture by name, or nullptr.
+/// Returns the row of the gesture table with this gesture name, or nullptr if the name is unknown.
 const GestureRow* find_gesture(std::string_view name);
-/// Returns the gesture with the same four fingers that ignores the thumb; `gesture` itself if there is none.
+/// Returns the gesture that requires the same state of the four fingers but ignores the thumb. Returns
+/// `gesture` unchanged if there is none.
 Gesture without_thumb(Gesture gesture);
 
 struct GestureThresholds {
@@ -39,8 +42,9 @@ struct GestureThresholds {
 class GestureDetector {
  public:
   explicit GestureDetector(const GestureThresholds& thresholds) : thresholds_(thresholds) {}
-  /// Updates the finger states and returns the gesture; Gesture::none while any of the four fingers is
-  /// between open and closed.
+  /// Updates the open or closed state of each finger from its flexion (0 open … 1 closed, thumb first) and
+  /// returns the gesture. Returns Gesture::none while any of the four fingers other than the thumb is neither
+  /// open nor closed.
   Gesture update(const std::array<double, fingers>& flexion);
 
  private:

@@ -10,8 +10,9 @@
 
 namespace prosector {
 
-/// Maps detected flexions to the scale of a glove's thresholds; 0 and 1 stay unchanged. The mapping is
-/// monotonic per finger, except that four equally half-bent fingers count as a fist.
+/// Maps finger flexions (0 open … 1 closed, thumb first) that a camera detected to the scale that the gesture
+/// thresholds of gloves expect; 0 and 1 stay unchanged. The mapping is monotonic per finger, except that four
+/// equally half-bent fingers count as a fist.
 std::array<double, fingers> gesture_flexions(const std::array<double, fingers>& seen);
 
 }  // namespace prosector

@@ -15,13 +15,16 @@ class HealthMonitor {
   void opened(std::int64_t now_ns);
   void lost();
   void record(std::int64_t now_ns, std::size_t bytes);
-  /// Records skipped garbage. Call it once per contiguous run, since each call counts as a resync.
+  /// Counts `bytes` of received data that the driver skipped because they belong to no valid record. Call it
+  /// once per contiguous run of such bytes, since each call counts as one resynchronisation.
   void garbage(std::int64_t now_ns, std::size_t bytes);
 
   DeviceHealth health(std::int64_t now_ns) const;
-  /// Returns health and counts, with an empty message.
+  /// Returns the device's health at `now_ns` and its counts of records, resynchronisations (skipped runs of
+  /// garbage), skipped bytes and reopens. The message is empty.
   DeviceStatus status(std::int64_t now_ns) const;
-  /// Returns the time since the last valid record, or since the device was opened.
+  /// Returns the time in ns from the device's last valid record until `now_ns`. Counts from the opening of
+  /// the device if no record has arrived since.
   std::int64_t quiet_ns(std::int64_t now_ns) const { return now_ns - last_ns_; }
   std::uint64_t records() const { return records_; }
   std::uint64_t resyncs() const { return resyncs_; }

@@ -8,15 +8,19 @@
 
 namespace prosector {
 
-/// Applies, in order: the field map, the device's pose in the room, the receiver's mount.
+/// Transformation of a tracker's reported poses to poses of the tracked points in the room. It applies the
+/// map that corrects magnetic distortion, the device's pose in the room, and the receiver's mount, in this
+/// order.
 class PoseChain {
  public:
-  /// Loads the field map of the placement. Throws InputError if it is unreadable.
+  /// Takes the poses of the device and of its receivers' mounts from `placement`, and loads the map that
+  /// corrects magnetic distortion, if one is named. Throws InputError if the map is unreadable.
   explicit PoseChain(const Placement& placement);
-  /// Transforms a receiver's pose from the device frame (x right, y up, −z forward; m) to the tracked point's
-  /// pose in the room frame.
+  /// Transforms the pose of receiver `station` (index from 0) from the device frame (x right, y up, −z
+  /// forward; m) to the room frame. Returns the pose of the tracked point (wrist or eyes).
   Pose room(const Pose& device, std::size_t station) const { return from(room_device_, device, station); }
-  /// Transforms it with a device pose other than the configured one.
+  /// Transforms the pose of receiver `station` like room(), but with `room_device` as the device's pose in
+  /// the room instead of the configured one.
   Pose from(const Pose& room_device, const Pose& device, std::size_t station) const;
 
  private:

@@ -22,23 +22,26 @@ class StreamDevice : public Device {
   int descriptor() const final { return port_->descriptor(); }
 
  protected:
-  /// Starts the protocol from its beginning, after the port has been opened.
+  /// Starts the device's protocol from its beginning. It is called after the port has been opened.
   virtual void started(std::int64_t now_ns) = 0;
-  /// Advances the protocol without waiting: sends due commands, and restarts if the device is silent.
+  /// Advances the device's protocol without waiting: sends commands that are due, and restarts the protocol
+  /// if the device is silent.
   virtual void advance(std::int64_t now_ns) = 0;
-  /// Consumes complete records from buffer(); reports records and garbage to health().
+  /// Removes complete records from the received bytes in buffer() and appends their samples to `out`. Reports
+  /// valid records and garbage to health().
   virtual void parse(std::int64_t now_ns, std::vector<DeviceSample>& out) = 0;
-  /// Returns the user's hint for a silent device of this type.
+  /// Returns the hint for the user that is shown while a device of this type is open but sends nothing.
   virtual std::string silent_hint() const = 0;
-  /// Returns the user's hint for a device that sends only unreadable data.
+  /// Returns the hint for the user that is shown while a device of this type sends only unreadable data.
   virtual std::string babble_hint() const = 0;
-  /// Returns the user's hint for a device that cannot be opened.
+  /// Returns the hint for the user that is shown while a device of this type cannot be opened.
   virtual std::string absent_hint() const {
     return "check that it is plugged in and that you have read permission";
   }
 
   const std::string& path() const { return port_->path(); }
-  /// Closes the port because the peer is not a suitable device. The port is reopened with increasing delays.
+  /// Closes the port because its other end is not a suitable device; `why` is the reason shown to the user.
+  /// poll() reopens the port with increasing delays.
   void refuse(std::string why);
   void send(std::string_view bytes) { port_->write(bytes); }
   TimestampedBuffer& buffer() { return buffer_; }

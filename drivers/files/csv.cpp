@@ -49,8 +49,8 @@ CsvTable::CsvTable(const std::filesystem::path& file, const std::vector<std::str
       }
       rows_.clear();
     } else if (rows_.back().cells.size() != columns_.size()) {
-      fail(rows_.size() - 1,
-           fmt::format("{} cells, but the header has {}", rows_.back().cells.size(), columns_.size()));
+      fail(rows_.size() - 1, fmt::format("the row has {} cells, but the header has {} columns",
+                                         rows_.back().cells.size(), columns_.size()));
     }
   }
   if (rows_.empty()) throw InputError(fmt::format("{}: no rows", file.string()));

@@ -11,18 +11,21 @@ namespace prosector {
 
 class CsvTable {
  public:
-  /// Reads the file; `known` lists the allowed columns. Throws InputError with file and line if the file is
-  /// unreadable or empty, columns are unknown or repeated, or a row has the wrong length.
+  /// Reads a CSV file with a header line; `known` lists the allowed column names. Throws InputError with file
+  /// and line if the file is unreadable or has no rows, columns are unknown or repeated, or a row has the
+  /// wrong length.
   CsvTable(const std::filesystem::path& file, const std::vector<std::string>& known);
 
   std::size_t rows() const { return rows_.size(); }
   bool has(std::string_view column) const { return find(column).has_value(); }
-  /// Returns the text of a cell; empty if the column is absent.
+  /// Returns the text of a cell in `row`, counted from 0 without the header. Returns an empty text if the
+  /// table has no such column.
   std::string_view text(std::size_t row, std::string_view column) const;
-  /// Returns the number in a cell, or nothing if the cell is empty. Throws InputError if the text is not a
-  /// finite number.
+  /// Returns the number in a cell, or nothing if the cell is empty or the table has no such column. Throws
+  /// InputError with file and line if the text is not a finite number.
   std::optional<double> number(std::size_t row, std::string_view column) const;
-  /// Returns the number in a required cell. Throws InputError if it is empty or not a finite number.
+  /// Returns the number in a cell that must not be empty. Throws InputError with file and line if it is empty
+  /// or not a finite number.
   double required(std::size_t row, std::string_view column) const;
   [[noreturn]] void fail(std::size_t row, const std::string& what) const;
 

@@ -18,13 +18,16 @@ class TomlEditor {
   explicit TomlEditor(std::string text);
 
   const std::string& text() const { return text_; }
-  /// Returns the value's text, or nothing if the key is missing.
+  /// Returns the text of the value at a dotted key of the TOML text, or nothing if the key is missing.
   std::optional<std::string> value(const TomlPath& path) const;
-  /// Returns whether a table exists: by a header, by a dotted key below it, or inline.
+  /// Returns whether the TOML text defines this table by a header, by a dotted key below it, or as an inline
+  /// table.
   bool has_table(const TomlPath& path) const;
-  /// Sets a key's value, given as TOML. A missing key is added to its table, or in a new table at the end.
+  /// Sets the value at a key of the TOML text; `value` is TOML. A missing key is added to its table. A
+  /// missing table is added at the end of the text.
   void set(const TomlPath& path, const std::string& value);
-  /// Renames the last part of an existing key; its table stays.
+  /// Renames a key of the TOML text: `name` replaces the last part of its dotted name, so that it stays in
+  /// its table. A missing key changes nothing.
   void rename(const TomlPath& path, const std::string& name);
 
  private:

@@ -16,8 +16,8 @@ constexpr std::int64_t settle_ns = 150'000'000;                 // time for whic
 constexpr std::int64_t stale_ns = 300'000'000;                  // age above which a tracker's pose is ignored
 constexpr double new_turn = 8 * std::numbers::pi / 180;         // rad, least rotation from every earlier pose
 constexpr std::array<const char*, 4> tilt_instructions = {
-    "tilt its upper side towards the camera", "rotate it about the viewing direction",
-    "tilt its left side towards the camera", "tilt its lower side towards the camera"};
+    "tilt the board's upper side towards the camera", "rotate the board about the viewing direction",
+    "tilt the board's left side towards the camera", "tilt the board's lower side towards the camera"};
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void AlignGuide::add_board_pose(std::int64_t time_ns, const Pose& camera_board) 
   if (time_ns - still_ns_ < settle_ns) return;
   const TrackedPair pair = {tracker_.mean(), camera_.mean()};
   if (!is_new(pair.camera_board)) {
-    trouble_ = "this orientation was used before: rotate it further";
+    trouble_ = "this orientation of the board was used before: rotate it further";
     return;
   }
   pairs_.push_back(pair);
@@ -65,7 +65,7 @@ GuideStep AlignGuide::step() const {
   out.progress = std::min(tracker_.filled(), camera_.filled());
   out.trouble = trouble_;
   if (!out.done)
-    out.instruction = fmt::format("Hold the board in front of the camera, {}, and hold still",
+    out.instruction = fmt::format("Hold the board in front of the camera, {}, and hold it still",
                                   tilt_instructions[out.index % tilt_instructions.size()]);
   return out;
 }
@@ -78,13 +78,13 @@ GuideOutcome AlignGuide::outcome() const {
   const TrackerFit fit = fit_tracker(pairs_);
   GuideOutcome out;
   out.words.push_back(
-      fmt::format("{} poses, {} of them rejected; receiver error {:.2f} mm, {:.2f}° RMS; two calculations "
-                  "differ by {:.2f} mm",
+      fmt::format("{} poses of the board, {} of them rejected; receiver error {:.2f} mm, {:.2f}° RMS; two "
+                  "ways to calculate the camera's pose differ by {:.2f} mm",
                   pairs_.size(), fit.left_out.size(), 1e3 * fit.position_rms,
                   fit.rotation_rms * 180 / std::numbers::pi, 1e3 * fit.method_difference));
-  out.words.push_back(fmt::format("expected error: {:.2f} mm RMS amid the boards, {:.2f} mm at the camera",
-                                  1e3 * fit.expected_error(fit.centre),
-                                  1e3 * fit.expected_error(fit.tracker_camera.p)));
+  out.words.push_back(
+      fmt::format("expected position error: {:.2f} mm RMS between the shown boards, {:.2f} mm at the camera",
+                  1e3 * fit.expected_error(fit.centre), 1e3 * fit.expected_error(fit.tracker_camera.p)));
   const Pose room_device = fit.tracker_camera * device_camera;
   out.changes = {{"tracker.room.position", written(room_device.p)},
                  {"tracker.room.orientation", written(room_device.q)}};

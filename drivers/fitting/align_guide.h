@@ -12,13 +12,15 @@ namespace prosector {
 
 class AlignGuide final : public Guide {
  public:
-  /// Collects `poses` poses of the receiver `station` (from 0).
+  /// Starts a guided calibration of a camera's pose in a tracker's frame. It collects `poses` poses at which
+  /// the board and the receiver `station` (index from 0) are held still.
   AlignGuide(std::size_t station, std::size_t poses);
 
   void take(const DeviceSample& sample) override;
-  /// Adds the board's pose in the camera's frame (OpenCV's convention).
+  /// Adds the board's pose that the camera detected at `time_ns`: m, camera frame in OpenCV's convention (x
+  /// right, y down, z forward).
   void add_board_pose(std::int64_t time_ns, const Pose& camera_board);
-  /// Returns whether the tracker has reported a pose.
+  /// Returns whether the tracker has reported a pose of the receiver since the guide started.
   bool has_tracker_pose() const { return tracked_ns_ > 0; }
   GuideStep step() const override;
   void back() override;

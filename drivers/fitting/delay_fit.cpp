@@ -117,7 +117,8 @@ void refine(const Series& early, const Series& late, double from, Eigen::Index c
 
 DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue> late,
                    const DelayLimits& limits) {
-  if (early.empty() || late.empty()) throw InputError("one of the two devices sent no data");
+  if (early.empty() || late.empty())
+    throw InputError("one of the two devices sent no data: check both devices");
   const std::int64_t origin = early.front().time_ns;
   const Series a(early, origin), b(late, origin);
   const double from = a.empty() || b.empty() ? 0 : std::max(a.begin(), b.begin());
@@ -125,7 +126,7 @@ DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue
   DelayFit fit;
   fit.seconds = to - from;
   if (fit.seconds < limits.least_overlap + 2 * limits.longest)
-    throw InputError(fmt::format("both devices together sent {:.1f} s of data: {:.1f} s are needed",
+    throw InputError(fmt::format("the data of both devices together cover {:.1f} s: {:.1f} s are needed",
                                  std::max(fit.seconds, 0.0), limits.least_overlap + 2 * limits.longest));
   const auto count = static_cast<Eigen::Index>(fit.seconds / grid_step);
   const auto lags = static_cast<Eigen::Index>(limits.longest / grid_step);
@@ -134,8 +135,8 @@ DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue
   fit.correlation = c[best];
   if (fit.correlation < limits.least_correlation)
     throw InputError(
-        fmt::format("the two do not report the same motion (correlation {:.2f}, {:.2f} is needed): move both "
-                    "together, back and forth",
+        fmt::format("the two devices do not report the same motion (correlation {:.2f}, {:.2f} is needed): "
+                    "move both together, back and forth",
                     fit.correlation, limits.least_correlation));
   if (ambiguous(c, best))
     throw InputError(

@@ -13,7 +13,7 @@
 
 namespace prosector {
 
-/// A sample of a motion, measured by one of the two devices.
+/// A sample of a motion measured by a device: the value, in any unit, and the time of measurement.
 struct TimedValue {
   std::int64_t time_ns = 0;
   double value = 0;
@@ -33,8 +33,9 @@ struct DelayFit {
   double seconds = 0;  // s, overlap of both series
 };
 
-/// Fits the delay. Throws InputError with advice if the series hardly overlap, contain no motion, don't
-/// match, or repeat themselves within the longest delay.
+/// Fits the delay of the motion `late` measured by one device relative to the same motion `early` measured by
+/// another. Throws InputError with advice if the series hardly overlap, do not correlate (no motion, or
+/// another motion), or repeat themselves within the longest delay.
 DelayFit fit_delay(std::span<const TimedValue> early, std::span<const TimedValue> late,
                    const DelayLimits& limits = {});
 

@@ -49,8 +49,8 @@ Projection solve_projection(std::span<const SeenPoint> seen) {
   constexpr double least_ratio = 1e-3;
   if (svd.singularValues()[10] < least_ratio * svd.singularValues()[0])
     throw InputError(
-        "the points are nearly in one plane or at one distance: take some near and some far, over the whole "
-        "image");
+        "the marked points are nearly in one plane or at one distance: take some near and some far, over the "
+        "whole image");
   const VecX v = svd.matrixV().col(11);
   Projection p;
   p << v.segment<4>(0).transpose(), v.segment<4>(4).transpose(), v.segment<4>(8).transpose();
@@ -82,7 +82,7 @@ EyeDistance eye_distance_by_sighting(double marks_apart, double screen, double r
   const double e = marks_apart * ratio;
   if (!(e >= least_eye_distance && e <= most_eye_distance))
     throw InputError(fmt::format(
-        "the result is {:.0f} mm between the eyes; usual are {:.0f} to {:.0f}: repeat the measurements",
+        "the result is {:.0f} mm between the eyes; usual are {:.0f} to {:.0f} mm: repeat the measurements",
         1e3 * e, 1e3 * least_eye_distance, 1e3 * most_eye_distance));
   const double by_screen = e / (screen - rod), by_rod = e * (1 / rod + 1 / (screen - rod));
   return {e, std::sqrt(std::pow(ratio * mark_error, 2) + std::pow(by_screen * length_error, 2) +
@@ -110,8 +110,8 @@ double EyeFit::fov_vertical() const {
 
 EyeFit fit_eye(std::span<const SeenPoint> seen, int width, int height) {
   if (seen.size() < min_seen_points)
-    throw InputError(
-        fmt::format("{} points: at least {} are needed, 20 are better", seen.size(), min_seen_points));
+    throw InputError(fmt::format("{} points were measured for an eye: at least {} are needed, 20 are better",
+                                 seen.size(), min_seen_points));
   EyeFit fit;
   fit.projection = solve_projection(seen);
   double ahead = 0;
@@ -119,7 +119,8 @@ EyeFit fit_eye(std::span<const SeenPoint> seen, int width, int height) {
   if (ahead < 0) fit.projection = -fit.projection;
   Mat3 m = fit.projection.leftCols<3>();
   if (m.determinant() < 0)
-    throw InputError("the points are mirrored: pixels must be counted from the upper left corner");
+    throw InputError(
+        "the points are mirrored: their pixels must be counted from the upper left corner of the image");
   Mat3 k, r;
   split(m, k, r);
   fit.projection /= k(2, 2);

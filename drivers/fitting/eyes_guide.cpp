@@ -94,8 +94,9 @@ GuideOutcome EyesGuide::outcome() const {
 GuideOutcome eyes_outcome(const EyeFit& left, const EyeFit& right, const EyesFit& eyes) {
   constexpr double degree = std::numbers::pi / 180;
   GuideOutcome out;
-  out.words.push_back(fmt::format("residual {:.2f} pixels of the left eye, {:.2f} of the right one",
-                                  left.residual, right.residual));
+  out.words.push_back(
+      fmt::format("residual error {:.2f} pixels for the left eye, {:.2f} pixels for the right eye",
+                  left.residual, right.residual));
   out.words.push_back(fmt::format("eyes {:.1f} mm apart, {:.1f}° × {:.1f}° each", 1e3 * eyes.distance,
                                   eyes.fov_horizontal / degree, eyes.fov_vertical / degree));
   out.changes = {{"eyes.distance", eyes.distance},

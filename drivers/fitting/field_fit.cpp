@@ -135,13 +135,14 @@ FieldMap fit_field_form(std::span<const FieldSample> samples, const FieldTrial& 
 
 FieldFit fit_field(std::span<const FieldSample> samples, const PoseErrors& noise) {
   if (samples.size() < min_field_samples)
-    throw InputError(fmt::format("{} points: at least {} are needed (a grid of 3 per axis), 343 are better",
-                                 samples.size(), min_field_samples));
+    throw InputError(
+        fmt::format("{} points were measured: at least {} are needed (a grid of 3 per axis), 343 are better",
+                    samples.size(), min_field_samples));
   FieldFit fit;
   set_box(samples, fit.map);
   if (fit.map.half.minCoeff() < least_box / 2)
     throw InputError(fmt::format(
-        "the points fill a box of {:.0f} × {:.0f} × {:.0f} mm: each side must be at least {:.0f} mm",
+        "the measured points fill a box of {:.0f} × {:.0f} × {:.0f} mm: each side must be at least {:.0f} mm",
         2e3 * fit.map.half.x(), 2e3 * fit.map.half.y(), 2e3 * fit.map.half.z(), 1e3 * least_box));
   const PoseErrors raw = pose_errors(samples, nullptr);
   fit.before = raw.position;

@@ -2,11 +2,12 @@
 // Fits a field map to poses that a receiver reported at known positions, and chooses the form of the map.
 //
 // The forms are polynomials of each total degree, and the spline with a linear polynomial, smoothed by λ.
-// Each is tested on a simulated field similar to the measured one (like_field.h). It is fitted to simulated
-// samples at the measured points and evaluated at random positions in their box. This error is reported.
+// Each is tested on a simulated field similar to the measured one (simulated_field.h). It is fitted to
+// simulated samples at the measured points and evaluated at random positions in their box. This error is
+// reported.
 //
 // Each form is also tested by five-fold cross-validation. That error is too large, because a point that is
-// left out leaves a hole, and on the box' faces needs extrapolation. It is too small where a polynomial
+// left out leaves a hole, and on the box's faces needs extrapolation. It is too small where a polynomial
 // oscillates between the points: degree N and more, on a grid with N points per axis. The form with the least
 // expected error wins. Among forms about as good, the one with the least cross-validation error wins.
 
@@ -22,7 +23,8 @@ namespace prosector {
 
 inline constexpr std::size_t min_field_samples = 27;
 
-/// A tested form: a polynomial of `degree`, or a spline with `smoothing`.
+/// One form of the map that corrects magnetic distortion, with its tested errors. The form is a polynomial of
+/// total degree `degree`, or a spline with the parameter `smoothing` (larger is smoother).
 struct FieldTrial {
   int degree = 1;
   bool spline = false;
@@ -43,14 +45,17 @@ struct FieldFit {
   double after = 0, turn_after = 0;    // m, rad RMS expected between the points
 };
 
-/// Fits one form to all samples.
+/// Fits a map that corrects magnetic distortion, in the given form (polynomial degree or spline smoothing),
+/// to all samples.
 FieldMap fit_field_form(std::span<const FieldSample> samples, const FieldTrial& form);
 
-/// Fits all forms and chooses one. `noise`: known noise of a sample. Throws InputError with advice if there
-/// are too few samples or they don't fill a box.
+/// Fits maps of several forms (polynomials and splines) that correct magnetic distortion, and returns the one
+/// with the least expected error. `noise` is the known RMS noise of a sample's pose. Throws InputError with
+/// advice if there are too few samples or they do not fill a box.
 FieldFit fit_field(std::span<const FieldSample> samples, const PoseErrors& noise = {});
 
-/// Returns the errors of the reported poses, corrected by the map if it isn't null.
+/// Returns the RMS errors of the samples' reported poses relative to their true poses. If `map` is not null,
+/// it corrects the reported poses first.
 PoseErrors pose_errors(std::span<const FieldSample> samples, const FieldMap* map);
 
 }  // namespace prosector

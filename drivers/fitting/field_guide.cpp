@@ -140,11 +140,12 @@ GuideOutcome FieldGuide::outcome() const {
 GuideOutcome FieldGuide::outcome_of(const FieldFit& f) const {
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
+  out.words.push_back(fmt::format(
+      "error before: {:.2f} mm, {:.2f}° RMS; error after: {:.2f} mm, {:.2f}° RMS expected between the points",
+      1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
   out.words.push_back(
-      fmt::format("before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS expected between the points",
-                  1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
-  out.words.push_back("chosen: " + f.chosen.name() +
-                      "; expected between the points, and at points not used for the fit:");
+      "chosen: " + f.chosen.name() +
+      "; errors of each model, expected between the points, and at points not used for the fit:");
   for (const FieldTrial& t : f.trials)
     out.words.push_back(fmt::format("  {:<26} {:6.2f} mm {:6.2f}°, {:6.2f} mm", t.name(),
                                     1e3 * t.expected.position, degrees * t.expected.turn, 1e3 * t.left_out));

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// The grid's box in the room, and the number of points along each axis.
+/// Grid of points at which a receiver is held to measure a distorted magnetic field: corners of its box in
+/// the room, and number of points along each axis.
 struct FieldGrid {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // m, room
   std::array<std::size_t, 3> count = {5, 5, 5};
@@ -16,22 +17,26 @@ struct FieldGrid {
 
 class FieldGuide final : public Guide {
  public:
-  /// Starts with the grid. `file`: path of the map to be written, as in the configuration. Throws InputError
-  /// for an invalid grid.
+  /// Starts a guided measurement of a distorted magnetic field, with the receiver of `role` held at each
+  /// point of `grid`. `file` is the path of the map to be written, as the configuration shall contain it.
+  /// Throws InputError for an invalid grid.
   FieldGuide(const ClientConfig& config, StationRole role, const FieldGrid& grid, std::string file);
-  /// Returns the configuration to open the tracker with: receiver poses in the tracker's frame, without a
-  /// map.
+  /// Returns the tracker settings to use while the distorted magnetic field is measured. Receiver poses are
+  /// in the tracker's own frame, without corrections by a map.
   static DeviceConfig device(const ClientConfig& config);
 
   void take(const DeviceSample& sample) override;
   GuideStep step() const override;
   void back() override;
   GuideOutcome outcome() const override;
-  /// Fits the map; takes seconds with a thousand points.
+  /// Fits the map that corrects magnetic distortion to the receiver's poses recorded at the grid points. This
+  /// takes seconds with a thousand points.
   FieldFit fit() const;
-  /// Returns the outcome of a fit.
+  /// Returns the result for the user of a fitted distortion map: text lines with its errors, and the change
+  /// to the configuration that selects the map's file.
   GuideOutcome outcome_of(const FieldFit& fit) const;
-  /// Returns the reported and true poses in the device's frame, for display.
+  /// Returns the reported and the true pose of the receiver at each grid point recorded so far, in the
+  /// tracker's frame.
   std::vector<FieldSample> samples() const;
 
  private:
@@ -40,7 +45,7 @@ class FieldGuide final : public Guide {
   FieldGrid grid_;
   std::string file_;
   std::vector<Vec3> points_;  // room; consecutive points are neighbours
-  /// A recorded position, in the device's frame.
+  /// A recorded pose of the receiver at a grid point, in the tracker's frame, and its expected error.
   struct Caught {
     Pose pose;
     PoseErrors error;  // expected error

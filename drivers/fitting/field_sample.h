@@ -8,24 +8,26 @@
 
 namespace prosector {
 
-/// A pose reported by the receiver and its true pose, in the device's frame.
+/// A pose reported by a tracker's receiver and its true pose at that moment, both in the tracker's frame, m.
 struct FieldSample {
   Pose reported;
   Pose truth;
 };
 
-/// Returns the rotation from one orientation to another, by the smaller angle.
+/// Returns the rotation that turns orientation `from` into orientation `to`, as the quaternion with
+/// non-negative scalar part.
 inline Quat turn_from(const Quat& from, const Quat& to) {
   Quat turn = to * from.conjugate();
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   return turn;
 }
 
-/// An axis-aligned box.
+/// An axis-aligned box that contains sampled positions: its centre and half of its side lengths, m.
 struct SampledBox {
   Vec3 centre, half;  // m
 };
-/// Returns the bounding box of the samples' positions; `of` returns a sample's position.
+/// Returns the axis-aligned bounding box of the samples' positions. `of` returns the reported or the true
+/// position of a sample, m.
 template <class Place>
 SampledBox box_of(std::span<const FieldSample> samples, const Place& of) {
   Vec3 low = of(samples.front()), high = low;

@@ -48,12 +48,13 @@ void check_alone(std::span<const PoseCounts> held, GloveFit& fit) {
     if (most != f && flexion(most) > flexion(f) + much_repeat)
       fit.doubts.push_back(
           fmt::format("bending only the {} changed the sensor of the {} most: check that the glove is on the "
-                      "right hand and that sensors are not swapped",
+                      "correct hand and that sensors are not swapped",
                       finger_names[f], finger_names[most]));
     else if (fit.repeat[f] > much_repeat)
-      fit.doubts.push_back(fmt::format(
-          "the {} was bent to {:.0f} % of its flexion in the fist: repeat if it was meant to be fully bent",
-          finger_names[f], 100 * flexion(f)));
+      fit.doubts.push_back(
+          fmt::format("the {} was bent to {:.0f} % of its flexion in the fist: repeat the pose if the finger "
+                      "was meant to be fully bent",
+                      finger_names[f], 100 * flexion(f)));
   }
 }
 
@@ -80,8 +81,8 @@ PoseCounts pose_counts(std::span<const std::array<std::uint16_t, fingers>> readi
 
 GloveFit fit_glove(std::span<const PoseCounts> held, double least_span) {
   if (held.size() != 2 && held.size() != poses.size())
-    throw InputError(
-        fmt::format("{} poses held: flat and fist are needed, or all {}", held.size(), poses.size()));
+    throw InputError(fmt::format("{} hand poses were held: either flat and fist are needed, or all {} poses",
+                                 held.size(), poses.size()));
   GloveFit fit;
   fit.calibration = {held[0].median, held[1].median};
   std::size_t falling = 0;
@@ -97,7 +98,8 @@ GloveFit fit_glove(std::span<const PoseCounts> held, double least_span) {
   fit.falls_on_bending = falling > fingers / 2;
   if (falling != 0 && falling != fingers)
     fit.doubts.push_back(
-        fmt::format("the counts of {} of {} sensors decrease on bending: unusual, but calibrated accordingly",
+        fmt::format("the counts of {} of {} sensors decrease as the finger bends: unusual, but the glove is "
+                    "calibrated accordingly",
                     falling, fingers));
   if (held.size() == poses.size()) check_alone(held, fit);
   constexpr double quantum = 1.0 / 12;

@@ -20,16 +20,18 @@ namespace prosector {
 
 using GloveCounts = std::array<double, fingers>;
 
-/// A pose that the user is asked to hold, and which fingers it bends.
+/// A hand pose that the user is asked to hold during a glove's calibration: its name, the instruction, and
+/// the fingers that it bends (thumb first).
 struct GlovePose {
   const char* name;
   const char* instruction;
   std::array<bool, fingers> bent;
 };
-/// Returns the poses: flat hand, fist, then each finger bent alone, thumb first.
+/// Returns the hand poses of a glove's calibration in order: flat hand, fist, then each finger bent alone,
+/// thumb first.
 std::span<const GlovePose> glove_poses();
 
-/// Sensor counts while a pose was held.
+/// Median and noise of the counts of each bend sensor of a glove while a hand pose was held.
 struct PoseCounts {
   GloveCounts median{};
   GloveCounts noise{};  // RMS, estimated by the median absolute deviation
@@ -45,8 +47,9 @@ struct GloveFit {
   std::vector<std::string> doubts;  // messages about suspicious sensors
 };
 
-/// Fits the calibration to poses in the order of glove_poses(): all of them, or flat hand and fist only.
-/// Throws InputError that names the finger whose span is below `least_span` counts.
+/// Fits a glove's calibration to the sensor counts of held hand poses, in the order of glove_poses(). Needs
+/// all poses, or only flat hand and fist. Throws InputError that names the finger whose counts differ by less
+/// than `least_span` between flat hand and fist.
 GloveFit fit_glove(std::span<const PoseCounts> held, double least_span);
 
 }  // namespace prosector

@@ -78,9 +78,9 @@ GuideOutcome GloveGuide::outcome() const {
   GuideOutcome out;
   constexpr std::array<const char*, fingers> names = {"thumb", "index", "middle", "ring", "little"};
   for (std::size_t i = 0; i < fingers; ++i)
-    out.words.push_back(fmt::format("{:<6} {:5.0f} open, {:5.0f} closed; joints within {:.1f}° RMS", names[i],
-                                    f.calibration.open[i], f.calibration.closed[i],
-                                    degrees * f.joint_error[i]));
+    out.words.push_back(
+        fmt::format("{:<6} {:5.0f} counts open, {:5.0f} closed; error of the joint angle {:.1f}° RMS",
+                    names[i], f.calibration.open[i], f.calibration.closed[i], degrees * f.joint_error[i]));
   for (const std::string& doubt : f.doubts) out.words.push_back("look: " + doubt);
   const auto& [open, closed] = f.calibration;
   out.changes = {{glove + "open", std::vector<double>(open.begin(), open.end())},

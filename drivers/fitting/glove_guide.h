@@ -10,9 +10,11 @@ namespace prosector {
 
 class GloveGuide final : public Guide {
  public:
-  /// Starts the guide. `least_span`: counts by which each sensor must differ between flat hand and fist.
+  /// Starts a guided calibration of the glove on `hand` (left_hand or right_hand). `least_span` is the number
+  /// of counts by which each sensor must differ between flat hand and fist.
   GloveGuide(std::size_t hand, double least_span);
-  /// Returns the least span for a glove's address: out of 255 counts, or out of 4095 for gloves on USB.
+  /// Returns the number of counts by which each sensor of the glove at `address` must differ between flat
+  /// hand and fist. It is larger for USB gloves (0 … 4095 counts) than for others (0 … 255).
   static double least_span_of(const std::string& address);
 
   void take(const DeviceSample& sample) override;

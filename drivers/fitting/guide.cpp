@@ -37,8 +37,9 @@ StationRole pointer_role(const ClientConfig& config) {
 std::size_t station_of_role(const ClientConfig& config, StationRole role) {
   const auto at = std::find(config.stations.begin(), config.stations.end(), role);
   if (at == config.stations.end())
-    throw InputError(fmt::format("no receiver has the role '{}': give [tracker.stations] {}.station",
-                                 role_name(role), role_name(role)));
+    throw InputError(
+        fmt::format("no receiver has the role '{}': set tracker.stations.{}.station in the configuration",
+                    role_name(role), role_name(role)));
   return static_cast<std::size_t>(at - config.stations.begin());
 }
 

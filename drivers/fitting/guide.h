@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// Progress of a calibration.
+/// Current step of a guided calibration: the instruction for the user, the progress, and the reason why the
+/// last attempt was rejected.
 struct GuideStep {
   std::string instruction;               // for the user, what to do now
   std::size_t index = 0, count = 1;      // steps done; total number of steps
@@ -32,23 +33,26 @@ class Guide {
   virtual ~Guide() = default;
   virtual void take(const DeviceSample& sample) = 0;
   virtual GuideStep step() const = 0;
-  /// Discards the result of the last step, which is then repeated.
+  /// Discards the result of the guided calibration's last step, so that the user repeats this step.
   virtual void back() = 0;
-  /// Returns the outcome. Throws InputError with the step to repeat if the result is bad.
+  /// Returns the result of the guided calibration: text lines for the user and changes to the configuration.
+  /// Throws InputError that names the step to repeat if the result is bad.
   virtual GuideOutcome outcome() const = 0;
 };
 
-/// Formats a position for the configuration, rounded to micrometres.
+/// Converts a position (m) to a value for the configuration file: three numbers, rounded to micrometres.
 ConfigValue written(const Vec3& place);
-/// Formats an orientation for the configuration (w, x, y, z), rounded to 1e-7.
+/// Converts an orientation to a value for the configuration file: the quaternion w, x, y, z, rounded to 1e-7.
 ConfigValue written(const Quat& orientation);
 
-/// Returns the name of a role in the configuration: none, head, left, right, instrument or tablet.
+/// Returns the name of a receiver's role in the configuration file: none, head, left, right, instrument or
+/// tablet.
 const char* role_name(StationRole role);
-/// Returns the role whose receiver is used to touch points and to find tips, unless another one is named. It
-/// is the instrument if configured, else the right hand.
+/// Returns the role whose receiver is used to touch points and to find tips in calibrations, unless the user
+/// names another one. It is the instrument if the configuration assigns it a receiver, else the right hand.
 StationRole pointer_role(const ClientConfig& config);
-/// Returns the receiver (from 0) with a role. Throws InputError if there is none.
+/// Returns the index (from 0) of the tracker's receiver that the configuration assigns to a role. Throws
+/// InputError if there is none.
 std::size_t station_of_role(const ClientConfig& config, StationRole role);
 
 }  // namespace prosector

@@ -14,7 +14,8 @@ namespace prosector {
 PhantomGuide::PhantomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points,
                            std::vector<Vec3> targets)
     : RoomGuide(config, role, std::move(points)), targets_(std::move(targets)) {
-  if (!config.phantom.has_shape()) throw InputError("phantom: set its shape in [phantom]: body or mesh");
+  if (!config.phantom.has_shape())
+    throw InputError("phantom: the configuration defines no shape: set body or mesh in [phantom]");
 }
 
 DeviceConfig PhantomGuide::device(const ClientConfig& config) {
@@ -35,14 +36,14 @@ GuideOutcome PhantomGuide::outcome() const {
   const RigidFit f = fit();
   GuideOutcome out;
   if (targets_.empty())
-    out.words.push_back(
-        fmt::format("expected error amid the points: {:.2f} mm RMS", 1e3 * f.expected_error(f.centre)));
+    out.words.push_back(fmt::format("expected position error between the touched points: {:.2f} mm RMS",
+                                    1e3 * f.expected_error(f.centre)));
   for (const Vec3& target : targets_)
     out.words.push_back(fmt::format("expected error at {:.3f}, {:.3f}, {:.3f} m: {:.2f} mm RMS", target.x(),
                                     target.y(), target.z(), 1e3 * f.expected_error(target)));
   const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
-  out.words.push_back(fmt::format("touch error {:.2f} mm RMS, largest at point {}", 1e3 * f.fle,
-                                  worst - f.residuals.begin() + 1));
+  out.words.push_back(fmt::format("error of the touched positions {:.2f} mm RMS, largest at point {}",
+                                  1e3 * f.fle, worst - f.residuals.begin() + 1));
   const Pose shape = f.room_device.inverse();
   out.changes = {{"phantom.position", written(shape.p)}, {"phantom.orientation", written(shape.q)}};
   return out;

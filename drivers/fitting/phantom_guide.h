@@ -8,14 +8,15 @@ namespace prosector {
 
 class PhantomGuide final : public RoomGuide {
  public:
-  /// Starts the guide; the user touches `points` in order. `targets`: points at which to report the error; if
-  /// empty, it is the points' centre. All are in the shape's frame, m. Throws InputError like RoomGuide, or
-  /// if the phantom has no shape.
+  /// Starts a guided calibration of a phantom's pose, in which the user touches `points` in order with the
+  /// receiver of `role`. `targets` are points at which the expected error is reported; if empty, it is
+  /// reported at the points' centre. All are in the frame of the phantom's shape, m. Throws InputError if the
+  /// points do not determine a pose or the phantom has no shape.
   PhantomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points,
                std::vector<Vec3> targets);
-  /// Returns the configuration to open the tracker with, at the boards' address. Its poses are in the frame
-  /// of the phantom's board, or in the room. Throws InputError if the phantom has a board and the tracker
-  /// detects none.
+  /// Returns the tracker settings to use during the calibration of the phantom's pose. Poses are in the frame
+  /// of the phantom's board, or in the room frame if it has none. Throws InputError if the phantom has a
+  /// board and the tracker cannot detect boards.
   static DeviceConfig device(const ClientConfig& config);
 
   GuideOutcome outcome() const override;

@@ -14,7 +14,8 @@ namespace prosector {
 PivotFit fit_pivot(std::span<const Pose> poses) {
   if (poses.size() < min_pivot_poses)
     throw InputError(
-        fmt::format("{} poses: at least {} are needed, 200 are better", poses.size(), min_pivot_poses));
+        fmt::format("{} poses of the instrument were measured: at least {} are needed, 200 are better",
+                    poses.size(), min_pivot_poses));
   PivotFit fit;
   fit.poses = poses.size();
   const auto n = static_cast<double>(poses.size());

@@ -28,8 +28,9 @@ struct PivotFit {
   std::size_t poses = 0;
 };
 
-/// Fits the tip. Throws InputError with advice if there are too few poses, they hardly rotate, or the tip
-/// slipped.
+/// Fits an instrument's tip (in its receiver's frame) to receiver poses recorded while the instrument was
+/// rotated about its resting tip. Throws InputError with advice if there are too few poses, they hardly
+/// rotate, or the tip slipped.
 PivotFit fit_pivot(std::span<const Pose> poses);
 
 }  // namespace prosector

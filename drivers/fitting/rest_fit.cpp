@@ -45,8 +45,9 @@ RestFit fit_rest(std::span<const TimedPose> readings) {
   if (readings.size() >= 2)
     fit.seconds = 1e-9 * static_cast<double>(readings.back().time_ns - readings.front().time_ns);
   if (readings.size() < least_rest_readings || fit.seconds < least_rest_seconds)
-    throw InputError(fmt::format("{} readings in {:.1f} s: at least {} in {:.0f} s are needed",
-                                 readings.size(), fit.seconds, least_rest_readings, least_rest_seconds));
+    throw InputError(
+        fmt::format("the receiver sent {} readings in {:.1f} s: at least {} in {:.0f} s are needed",
+                    readings.size(), fit.seconds, least_rest_readings, least_rest_seconds));
   fit.rate = static_cast<double>(readings.size() - 1) / fit.seconds;
   const Quat first = readings.front().pose.q;
   std::vector<double> times;
@@ -66,8 +67,9 @@ RestFit fit_rest(std::span<const TimedPose> readings) {
   fit.turn_drift = minute * q.slope.norm();
   fit.drift_error = minute * std::sqrt(p.variance.sum() / p.spread);
   if (fit.noise > max_rest_motion)
-    throw InputError(
-        fmt::format("the receiver moved by {:.0f} mm RMS: lay it down and don't touch it", 1e3 * fit.noise));
+    throw InputError(fmt::format(
+        "the receiver moved by {:.0f} mm RMS during the measurement: lay it down and don't touch it",
+        1e3 * fit.noise));
   return fit;
 }
 

@@ -31,7 +31,8 @@ struct RestFit {
   std::size_t readings = 0;
 };
 
-/// Measures noise and drift. Throws InputError if there are too few readings or the receiver moved.
+/// Measures noise and drift of a receiver from its readings at rest. Throws InputError if there are too few
+/// readings or the receiver moved.
 RestFit fit_rest(std::span<const TimedPose> readings);
 
 }  // namespace prosector

@@ -34,8 +34,8 @@ double RigidFit::expected_error(const Vec3& target, double fle_m) const {
 
 RigidFit fit_rigid(std::span<const TouchedPoint> points) {
   if (points.size() < min_touched_points)
-    throw InputError(fmt::format("{} points touched: at least {} are needed, 6 are better", points.size(),
-                                 min_touched_points));
+    throw InputError(fmt::format("{} points were touched: at least {} are needed, 6 are better",
+                                 points.size(), min_touched_points));
   RigidFit fit;
   fit.points = points.size();
   describe_spread(points, fit);

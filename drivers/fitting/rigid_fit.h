@@ -19,7 +19,8 @@
 
 namespace prosector {
 
-/// A point measured by the device, and its known position; m.
+/// A point that the user touched: its position in the device's frame as measured, and its known position in
+/// the room; m.
 struct TouchedPoint {
   Vec3 device;
   Vec3 room;
@@ -38,12 +39,14 @@ struct RigidFit {
   Mat3 axes = Mat3::Identity();  // principal axes of the points, as columns, room
   Vec3 spread = Vec3::Zero();    // m: RMS distances of the points from these axes
 
-  /// Returns the expected RMS error at a target in the room, m, if touched points have the RMS error `fle_m`.
+  /// Returns the expected RMS error of the fitted pose at a target position (m, room frame), in m, if touched
+  /// points have the RMS error `fle_m`, m.
   double expected_error(const Vec3& target, double fle_m) const;
   double expected_error(const Vec3& target) const { return expected_error(target, fle); }
 };
 
-/// Fits the pose. Throws InputError with advice if there are too few points or all lie close to a line.
+/// Fits the device's pose in the room to touched points. Throws InputError with advice if there are too few
+/// points or all lie close to a line.
 RigidFit fit_rigid(std::span<const TouchedPoint> points);
 
 }  // namespace prosector

@@ -37,7 +37,8 @@ RoomGuide::RoomGuide(const ClientConfig& config, StationRole role, std::vector<V
   for (std::size_t i = 1; i < points_.size(); ++i)
     if ((points_[i] - points_[i - 1]).norm() < 2 * leave_distance)
       throw InputError(
-          fmt::format("points {} and {} are closer than {:.0f} mm", i, i + 1, 2e3 * leave_distance));
+          fmt::format("points {} and {} are closer than {:.0f} mm to each other: choose points farther apart",
+                      i, i + 1, 2e3 * leave_distance));
 }
 
 DeviceConfig RoomGuide::device(const ClientConfig& config) {
@@ -99,11 +100,12 @@ GuideOutcome RoomGuide::outcome() const {
   GuideOutcome out;
   const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
   out.words.push_back(
-      fmt::format("residual {:.2f} mm RMS, at most {:.2f} mm at point {}; touch error {:.2f} mm RMS",
+      fmt::format("residual error {:.2f} mm RMS, at most {:.2f} mm at point {}; error of the touched "
+                  "positions {:.2f} mm RMS",
                   1e3 * f.fre, 1e3 * *worst, worst - f.residuals.begin() + 1, 1e3 * f.fle));
-  out.words.push_back(
-      fmt::format("expected error: {:.2f} mm RMS amid the points, {:.2f} mm half a metre above them",
-                  1e3 * f.expected_error(f.centre), 1e3 * f.expected_error(f.centre + Vec3(0, 0.5, 0))));
+  out.words.push_back(fmt::format(
+      "expected position error: {:.2f} mm RMS between the touched points, {:.2f} mm half a metre above them",
+      1e3 * f.expected_error(f.centre), 1e3 * f.expected_error(f.centre + Vec3(0, 0.5, 0))));
   out.changes = {{"tracker.room.position", written(f.room_device.p)},
                  {"tracker.room.orientation", written(f.room_device.q)}};
   return out;

@@ -9,10 +9,12 @@ namespace prosector {
 
 class RoomGuide : public Guide {
  public:
-  /// Starts the guide; the user touches `points` (m, room) in order with the receiver of `role`. Throws
-  /// InputError if the points don't determine a pose.
+  /// Starts a guided calibration of a tracker's pose in the room. The user touches `points` (m, room frame)
+  /// in order with the receiver of `role`. Throws InputError if the points do not determine a pose, or
+  /// consecutive ones are too close.
   RoomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points);
-  /// Returns the configuration to open the tracker with: poses in the tracker's own frame.
+  /// Returns the tracker settings to use during the calibration of the tracker's pose in the room. Poses are
+  /// in the tracker's own frame, because its pose in the room is still unknown.
   static DeviceConfig device(const ClientConfig& config);
 
   void take(const DeviceSample& sample) override;

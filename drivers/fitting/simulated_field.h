@@ -21,18 +21,23 @@ namespace prosector {
 
 class SimulatedField {
  public:
-  /// Fits the field to samples that fill a box. `noise`: known noise of each sample.
+  /// Fits a simulated distortion of the magnetic field to measured samples, whose true positions must fill a
+  /// box. `noise` is the known RMS noise of each sample's reported pose.
   SimulatedField(std::span<const FieldSample> samples, const PoseErrors& noise);
 
-  /// Returns the pose that a receiver reports at `truth`, without noise.
+  /// Returns the pose that a receiver at the pose `truth` reports in the simulated distorted field, without
+  /// noise; m, tracker's frame.
   Pose report(const Pose& truth) const;
-  /// Returns the samples as this field would report them, with new random noise.
+  /// Returns the measured samples with their reported poses replaced by simulated ones: those of this field
+  /// at the same true poses, plus random noise.
   std::vector<FieldSample> again(std::mt19937_64& random) const;
-  /// Returns `count` random poses in the box of the true positions, with their reported poses.
+  /// Returns `count` samples with random true positions, without rotation, in the box of the measured ones,
+  /// and the poses that this field reports there without noise.
   std::vector<FieldSample> anywhere(std::mt19937_64& random, std::size_t count) const;
 
  private:
-  /// The most likely spline found so far, for three values over the box.
+  /// The most likely spline found so far for three of the six values that describe the simulated distortion:
+  /// the position offset, or the vector part of the rotation's quaternion.
   struct Part {
     double most_noise;         // RMS of each value: upper bound of the search
     double noise = 0;          // RMS of each value: the most likely one

@@ -14,13 +14,16 @@
 
 namespace prosector {
 
-/// A spline at its nodes. `solution` has one row per node weight, followed by the polynomial coefficients.
+/// Coefficients of a spline plus a polynomial. `solution` has one row per node weight, followed by the
+/// polynomial's coefficients, and one column per interpolated value.
 struct SplineSolution {
   Eigen::MatrixXd solution;
   double log_determinant = 0;  // log of the absolute determinant of the system's matrix
 };
 
-/// Solves for values y at scaled nodes, one row per node. `kernel` is φ as a function of distance.
+/// Solves for the coefficients of a spline plus a polynomial that takes `values` (one row per node) at scaled
+/// nodes. `polynomials` holds the polynomial terms at each node (rows). `kernel` is the spline's function of
+/// distance. `diagonal` is 0 for interpolation; larger values smooth.
 SplineSolution solve_spline(std::span<const Vec3> nodes, const Eigen::MatrixXd& polynomials,
                             double (*kernel)(double), double diagonal, const Eigen::MatrixXd& values);
 

@@ -16,19 +16,22 @@ struct StillnessLimits {
   std::size_t least = 20;  // readings; a camera needs longer to collect them
 };
 
-/// The newest readings of a pose, over the limits' time or until there are enough. Noise averages out in the
-/// means of the window's two halves; motion doesn't.
+/// Detector of a receiver that is held still. It stores the newest poses, as many as the limits' time and
+/// count require, and compares the means of their older and newer half. Noise averages out in these means;
+/// motion does not.
 class StillnessDetector {
  public:
   explicit StillnessDetector(const StillnessLimits& limits = {}) : limits_(limits) {}
   void take(std::int64_t time_ns, const Pose& pose);
   void clear() { readings_.clear(); }
   bool still() const { return still_; }
-  /// Returns how far the window is filled, 0 to 1.
+  /// Returns the fraction (0 to 1) of the required readings and time at rest that has been collected.
   double filled() const;
-  /// Returns the mean pose of the window: arithmetic mean of positions, quaternion mean of orientations.
+  /// Returns the mean of the collected poses: the arithmetic mean of positions and the quaternion mean of
+  /// orientations.
   Pose mean() const;
-  /// Returns the expected error of the mean, half the difference between the means of the window's halves.
+  /// Returns the expected error of mean(), m and rad: half the difference between the mean poses of the older
+  /// and of the newer half of the readings.
   const PoseErrors& mean_error() const { return mean_error_; }
 
  private:

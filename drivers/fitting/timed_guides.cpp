@@ -50,7 +50,7 @@ GuideOutcome RestGuide::outcome() const {
   const RestFit f = fit();
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
-  out.words.push_back(fmt::format("noise {:.3f} mm, {:.3f}° RMS; by axis {:.3f}, {:.3f}, {:.3f} mm",
+  out.words.push_back(fmt::format("noise {:.3f} mm, {:.3f}° RMS; along x, y, z {:.3f}, {:.3f}, {:.3f} mm",
                                   1e3 * f.noise, degrees * f.turn_noise, 1e3 * f.axis_noise.x(),
                                   1e3 * f.axis_noise.y(), 1e3 * f.axis_noise.z()));
   out.words.push_back(
@@ -68,7 +68,8 @@ GuideStep DelayGuide::step() const {
   GuideStep out;
   out.done = seconds_of(own_) >= seconds_;
   out.index = out.done ? 1 : 0;
-  out.instruction = out.done ? "" : "Move both back and forth, unevenly: sometimes fast, sometimes slow";
+  out.instruction =
+      out.done ? "" : "Move both devices back and forth, unevenly: sometimes fast, sometimes slow";
   out.progress = std::min(1.0, seconds_of(own_) / seconds_);
   return out;
 }

@@ -24,13 +24,14 @@ class RestGuide final : public Guide {
   std::vector<TimedPose> readings_;
 };
 
-/// Measures the delay between two devices that measure the same motion. Each may use its own frame and unit,
-/// because the distances from the mean position are compared.
+/// Guided measurement of the delay between two devices that measure the same motion for some seconds. Each
+/// device may use its own frame and unit, because the distances from the mean position are compared.
 class DelayGuide final : public Guide {
  public:
   DelayGuide(std::size_t station, double seconds) : station_(station), seconds_(seconds) {}
   void take(const DeviceSample& sample) override;
-  /// Adds a position from the other device, in any frame and unit.
+  /// Adds a position that the second of the two compared devices measured at `time_ns`, in any frame and
+  /// unit.
   void add_other_position(std::int64_t time_ns, const Vec3& place) {
     other_.push_back({time_ns, {place, Quat::Identity()}});
   }

@@ -65,8 +65,8 @@ GuideOutcome TipGuide::outcome() const {
       fmt::format("tip at {:.2f}, {:.2f}, {:.2f} mm in the receiver's frame, distance {:.1f} mm",
                   1e3 * f.tip.x(), 1e3 * f.tip.y(), 1e3 * f.tip.z(), 1e3 * f.tip.norm()));
   out.words.push_back(
-      fmt::format("{} poses, rotated by at least {:.0f}° RMS; residual {:.2f} mm RMS; expected error of the "
-                  "tip {:.2f} mm RMS",
+      fmt::format("{} poses of the instrument, rotated by at least {:.0f}° RMS; residual error {:.2f} mm "
+                  "RMS; expected error of the tip {:.2f} mm RMS",
                   f.poses, degrees * f.turn, 1e3 * f.residual, 1e3 * f.tip_error));
   out.changes = {{station + "station", static_cast<double>(station_ + 1)},
                  {station + "mount.position", written(f.tip)}};

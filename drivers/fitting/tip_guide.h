@@ -10,7 +10,8 @@ namespace prosector {
 class TipGuide final : public Guide {
  public:
   TipGuide(const ClientConfig& config, StationRole role);
-  /// Returns the configuration to open the tracker with: poses are those of the receivers.
+  /// Returns the tracker settings to use during the calibration of an instrument's tip. Poses are those of
+  /// the receivers in the tracker's own frame, because the tip's position is still unknown.
   static DeviceConfig device(const ClientConfig& config, StationRole role);
 
   void take(const DeviceSample& sample) override;

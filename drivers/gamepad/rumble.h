@@ -5,27 +5,28 @@
 
 namespace prosector {
 
-/// Interface of the motors: the kernel's, or a test's.
+/// Interface to the two vibration motors of a gamepad. One implementation uses the kernel's input devices;
+/// tests have their own.
 class RumbleMotors {
  public:
   virtual ~RumbleMotors() = default;
-  /// Sets the strong low-frequency motor and the weak high-frequency motor, 0 … 1 each, until the next call
-  /// or for half a second. Returns false once the gamepad is lost.
+  /// Sets the levels, 0 … 1, of the strong low-frequency motor and of the weak high-frequency motor. They
+  /// last until the next call, for half a second at most. Returns false once the gamepad is lost.
   virtual bool set(double strong, double weak) = 0;
 };
 
-/// Opens the first gamepad under /dev/input that has motors and that the user may access. Returns null if
-/// there is none.
+/// Opens the first gamepad under /dev/input that has vibration motors and that the user may access. Returns
+/// null if there is none.
 std::unique_ptr<RumbleMotors> open_rumble();
 
-/// Converts the force on the hand to motor levels. The strong motor follows the magnitude, the weak one its
-/// rate of change, such as at first contact.
+/// Contact feedback by a gamepad's vibration motors. The strong motor follows the magnitude of the force on
+/// the hand. The weak motor follows its rate of change, which is high at first contact.
 class Rumble {
  public:
   explicit Rumble(std::unique_ptr<RumbleMotors> motors) : motors_(std::move(motors)) {}
 
-  /// Updates the motors for a force on the hand, N, `dt` s after the previous call. Returns false once the
-  /// gamepad is lost.
+  /// Updates the levels of the vibration motors for the magnitude of the force on the hand, N. `dt` is the
+  /// time since the previous call, s. Returns false once the gamepad is lost.
   bool follow(double force, double dt);
 
  private:

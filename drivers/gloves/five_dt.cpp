@@ -85,12 +85,13 @@ void FiveDtSerialGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& ou
 }
 
 std::string FiveDtSerialGlove::silent_hint() const {
-  return streaming_ ? "it answered the reset but sends no packets"
-                    : "it does not respond: check power and cable";
+  return streaming_ ? "the glove answered the reset but sends no packets: switch it off and on"
+                    : "the glove does not respond: check power and cable";
 }
 
 std::string FiveDtSerialGlove::babble_hint() const {
-  return "check that it is a 5DT Data Glove 5 at 19200 baud; a wireless one is 5dt-wireless";
+  return "check that the device is a 5DT Data Glove 5 at 19200 baud; for a wireless glove use the driver "
+         "5dt-wireless";
 }
 
 FiveDtWirelessGlove::FiveDtWirelessGlove(std::unique_ptr<DevicePort> port, const GestureThresholds& gestures,
@@ -118,17 +119,18 @@ void FiveDtWirelessGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& 
 DeviceStatus FiveDtWirelessGlove::status() const {
   DeviceStatus out = StreamDevice::status();
   if (out.message.empty() && reports_left_ != left_)
-    out.message = fmt::format("it is a {} glove, but configured as the {} one",
+    out.message = fmt::format("the device is a {} glove, but it is configured as the {} one",
                               reports_left_ ? "left" : "right", left_ ? "left" : "right");
   return out;
 }
 
 std::string FiveDtWirelessGlove::silent_hint() const {
-  return "its receiver sends no data: check that the glove is switched on and near";
+  return "the glove's receiver sends no data: check that the glove is switched on and near";
 }
 
 std::string FiveDtWirelessGlove::babble_hint() const {
-  return "check that it is a wireless 5DT Data Glove at 9600 baud; one with a cable is 5dt";
+  return "check that the device is a wireless 5DT Data Glove at 9600 baud; for a glove with a cable use the "
+         "driver 5dt";
 }
 
 FiveDtUsbGlove::FiveDtUsbGlove(std::unique_ptr<DevicePort> port, const GestureThresholds& gestures,
@@ -147,11 +149,11 @@ void FiveDtUsbGlove::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) 
 }
 
 std::string FiveDtUsbGlove::silent_hint() const {
-  return "check that the path is the glove's (5DT is vendor 5d70)";
+  return "check that the device path is the glove's (5DT is USB vendor 5d70)";
 }
 
 std::string FiveDtUsbGlove::babble_hint() const {
-  return "its reports are not those of a 5DT Ultra glove (vendor 5d70): check the path";
+  return "the device's reports are not those of a 5DT Ultra glove (USB vendor 5d70): check the path";
 }
 
 std::unique_ptr<Device> open_five_dt(const std::string& path, const GestureThresholds& gestures,

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Data Glove 5 at 19200 baud. The driver sends a reset, waits for the answer and starts streaming.
+/// Driver of the 5DT Data Glove 5 on a serial line at 19200 baud. The driver sends a reset, waits for the
+/// answer and starts streaming.
 class FiveDtSerialGlove final : public StreamDevice {
  public:
   FiveDtSerialGlove(std::unique_ptr<DevicePort> port, const GestureThresholds& gestures,
@@ -28,7 +29,8 @@ class FiveDtSerialGlove final : public StreamDevice {
   std::int64_t due_ns_ = 0;  // time of the next reset
 };
 
-/// Receiver of a wireless glove at 9600 baud. The glove streams continuously and accepts no commands.
+/// Driver of a wireless 5DT glove through its receiver on a serial line at 9600 baud. The glove streams
+/// continuously and accepts no commands.
 class FiveDtWirelessGlove final : public StreamDevice {
  public:
   FiveDtWirelessGlove(std::unique_ptr<DevicePort> port, const GestureThresholds& gestures,
@@ -47,7 +49,8 @@ class FiveDtWirelessGlove final : public StreamDevice {
   GloveHand hand_;
 };
 
-/// Data Glove Ultra: HID reports through the kernel's hidraw. It needs no commands.
+/// Driver of the 5DT Data Glove Ultra on USB, which reads its HID reports through the kernel's hidraw. The
+/// glove needs no commands.
 class FiveDtUsbGlove final : public StreamDevice {
  public:
   FiveDtUsbGlove(std::unique_ptr<DevicePort> port, const GestureThresholds& gestures,

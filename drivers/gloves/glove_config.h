@@ -8,8 +8,8 @@
 
 namespace prosector {
 
-/// Raw counts of a glove's open and closed fingers. Without a calibration the driver learns each sensor's
-/// range from its samples.
+/// Raw sensor counts of a glove with all fingers open and with all fingers closed, thumb first. Without a
+/// calibration the driver learns each sensor's range from its samples.
 struct GloveCalibration {
   std::array<double, fingers> open{},
       closed{};  // counts; `open` may be larger if counts decrease when a finger bends

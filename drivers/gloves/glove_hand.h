@@ -10,8 +10,9 @@
 
 namespace prosector {
 
-/// Scales each sensor to 0 open … 1 closed: with fixed counts, or with the range of all samples so far, (raw
-/// − min)/(max − min). A range narrower than `least_span` counts gives 0.
+/// Calibrator that scales each sensor of a glove to a flexion, 0 open … 1 closed. It uses the calibrated
+/// counts if there are any. Otherwise it uses the range of all samples so far, (raw − min)/(max − min), and
+/// returns 0 while this range is narrower than `least_span` counts.
 class FlexionCalibrator {
  public:
   FlexionCalibrator(const GloveConfig& glove, double least_span);
@@ -24,12 +25,14 @@ class FlexionCalibrator {
   std::array<double, fingers> min_, max_;
 };
 
-/// Converts raw counts (thumb first) to a hand's sample.
+/// Converter of a glove's raw sensor counts (thumb first) to a device sample with calibrated flexions and a
+/// gesture.
 class GloveHand {
  public:
   GloveHand(const GestureThresholds& gestures, const GloveConfig& glove, double least_span);
   DeviceSample sample(const std::array<std::uint16_t, fingers>& raw, std::int64_t time_ns);
-  /// Converts values that need not be counts, such as analog channels.
+  /// Converts raw values, thumb first, that need not be integer counts, such as analog channels, to a device
+  /// sample with flexions and a gesture.
   DeviceSample sample(const std::array<double, fingers>& raw, std::int64_t time_ns);
 
  private:

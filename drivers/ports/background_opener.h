@@ -19,13 +19,13 @@ class BackgroundOpener {
  public:
   static constexpr std::int64_t retry_ns = 500'000'000;
 
-  /// Takes the function that opens the resource; it throws InputError with the reason on failure. `how`:
-  /// deferred opens synchronously in poll(), for tests with simulated time.
+  /// Takes the function that opens the resource; it throws InputError with the reason on failure. `how` says
+  /// how poll() runs it: `async` in another thread, `deferred` synchronously, for tests with simulated time.
   BackgroundOpener(std::function<std::unique_ptr<T>()> make, std::launch how)
       : make_(std::move(make)), how_(how) {}
 
-  /// Returns the open resource, starting an attempt if one is due. Returns nullptr if nothing is open;
-  /// problem() gives the reason.
+  /// Returns the open resource, or starts an attempt to open it if one is due. Returns nullptr while nothing
+  /// is open; problem() gives the reason if the last attempt failed.
   T* poll(std::int64_t now_ns) {
     if (open_) return open_.get();
     if (!attempt_.valid()) {
@@ -46,7 +46,8 @@ class BackgroundOpener {
     }
     return open_.get();
   }
-  /// Gives up the open resource for the reason `why`. The next attempt to open closes it first.
+  /// Gives up the open resource; `why` is the reason that problem() then returns. The next attempt to open,
+  /// half a second later, closes the old resource first.
   void lose(std::string why, std::int64_t now_ns) {
     old_ = std::move(open_);
     problem_ = std::move(why);

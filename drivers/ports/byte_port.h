@@ -11,11 +11,12 @@
 
 namespace prosector {
 
-/// Serial line or other device file; owns one descriptor.
+/// Serial line or other device file of a device, opened without blocking. It owns one file descriptor.
 class BytePort final : public DevicePort {
  public:
-  /// Takes the device's path. With `baud` 0 the line settings stay unchanged (hidraw). Otherwise the path
-  /// must be a terminal, which is set to raw mode, 8 data bits, no parity, 1 stop bit, no flow control.
+  /// Takes the path of the device file without opening it. With `baud` 0 the line settings stay unchanged
+  /// (hidraw). Otherwise the path must be a terminal, which open() sets to raw mode, 8 data bits, no parity,
+  /// 1 stop bit, no flow control.
   BytePort(std::string path, unsigned baud);
   ~BytePort() override;
   BytePort(const BytePort&) = delete;

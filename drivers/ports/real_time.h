@@ -7,7 +7,8 @@ namespace prosector {
 // desktop's sound, below the kernel's interrupts.
 inline constexpr int servo_priority = 50, communication_priority = 49;
 
-/// Requests a real-time priority for the calling thread. Returns whether the system granted it.
+/// Requests the real-time scheduling policy SCHED_FIFO with this priority for the calling thread. Returns
+/// whether the system granted it.
 bool request_real_time_priority(int priority);
 
 }  // namespace prosector

@@ -5,8 +5,8 @@
 
 namespace prosector {
 
-/// Device and library file of an address "NAME@LIBRARY" of a driver behind a library. Without '@' the library
-/// is `usual`, which the loader searches for.
+/// Device and vendor library of a device address "NAME@LIBRARY": the device's name, and the library's file.
+/// Without '@' the library is the driver's usual one, which the dynamic loader searches for.
 struct LibraryAddress {
   std::string device, library;
 };
@@ -14,11 +14,13 @@ LibraryAddress split_library(const std::string& path, const char* usual);
 
 class SharedLibrary {
  public:
-  /// Loads a file, or a library that the loader finds by `name`. Throws InputError naming it on failure. It
-  /// stays loaded until the program ends, because vendor libraries run their own threads.
+  /// Loads a shared library by its path, or by a `name` that the dynamic loader searches for. Throws
+  /// InputError that names the library on failure. The library stays loaded until the program ends, because
+  /// vendor libraries run their own threads.
   explicit SharedLibrary(const std::string& name);
 
-  /// Looks up a function by name. Throws InputError naming function and library if it is missing.
+  /// Looks up the library's function `name` and stores its address in `out`. Throws InputError that names
+  /// function and library if it is missing.
   template <class Function>
   void find(const char* name, Function*& out) const {
     out = reinterpret_cast<Function*>(symbol(name));

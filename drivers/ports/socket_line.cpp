@@ -43,7 +43,7 @@ class SocketLine final : public ByteStream {
         out.insert(out.end(), bytes.begin(), bytes.begin() + got);
         sum += static_cast<std::size_t>(got);
       } else if (got == 0) {
-        error_ = where_ + ": connection closed by the other side";
+        error_ = fmt::format("{}: connection closed by the other side", where_);
         break;
       } else if (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR) {
         break;

@@ -46,7 +46,7 @@ SocketListener::SocketListener(const std::string& address, std::uint16_t port) {
     here.sin_port = htons(port);
     descriptor_ = listen_at(here, AF_INET, fmt::format("{}:{}", address, port));
   } else {
-    throw InputError(fmt::format("'{}': must be an address in numbers, as in 127.0.0.1", address));
+    throw InputError(fmt::format("'{}': must be a numeric IP address, e.g. 127.0.0.1", address));
   }
   sockaddr_in6 bound{};  // the port has the same offset in both address types
   socklen_t size = sizeof(bound);

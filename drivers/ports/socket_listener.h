@@ -8,16 +8,17 @@ namespace prosector {
 
 class SocketListener {
  public:
-  /// Listens at a numeric TCP address ("127.0.0.1", "::1"); port 0 selects a free port. Throws InputError on
-  /// failure.
+  /// Listens at a numeric TCP address, such as "127.0.0.1" or "::1". Port 0 selects a free port; port()
+  /// returns it. Throws InputError on failure.
   SocketListener(const std::string& address, std::uint16_t port);
-  /// Listens at a Unix socket, replacing an old socket file. Throws InputError on failure.
+  /// Listens at the Unix socket `path` and replaces an old socket file there. Throws InputError on failure.
   explicit SocketListener(const std::string& path);
   ~SocketListener();
   SocketListener(const SocketListener&) = delete;
   SocketListener& operator=(const SocketListener&) = delete;
 
-  /// Accepts a waiting client. Returns a non-blocking descriptor that the caller owns, or −1.
+  /// Accepts a waiting client without blocking. Returns a non-blocking file descriptor that the caller owns,
+  /// or −1 if no client is waiting.
   int accept();
   int descriptor() const { return descriptor_; }
   std::uint16_t port() const { return port_; }

@@ -15,8 +15,8 @@ namespace prosector {
 
 class StreamPort final : public DevicePort {
  public:
-  /// Creates a closed port. `where` names the program in messages; `connect` throws InputError with the
-  /// reason on failure.
+  /// Creates a closed port to another program. `where` names the program in messages. `connect` opens a byte
+  /// stream to it and throws InputError with the reason on failure.
   StreamPort(std::string where, std::function<std::unique_ptr<ByteStream>()> connect);
 
   bool open() override;

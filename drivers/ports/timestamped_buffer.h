@@ -12,7 +12,7 @@ class TimestampedBuffer {
  public:
   void append(std::span<const std::uint8_t> bytes, std::int64_t time_ns);
   std::span<const std::uint8_t> bytes() const { return std::span(bytes_).subspan(begin_); }
-  /// Returns when the first byte of bytes() was read; 0 when empty.
+  /// Returns the time in ns at which the first byte of bytes() was read from the device; 0 if there is none.
   std::int64_t time_ns() const;
   void drop(std::size_t count);
   void clear();

@@ -10,12 +10,13 @@ namespace prosector {
 template <class T>
 class TripleBuffer {
  public:
-  /// Publishes a value. Only one thread calls it.
+  /// Publishes a value for the reading thread without waiting. Only one thread may call it.
   void write(const T& value) {
     slots_[back_] = value;
     back_ = between_.exchange(static_cast<std::uint8_t>(back_ | fresh)) & slot;
   }
-  /// Returns the latest value; T() before the first one. Only one thread calls it.
+  /// Returns the latest published value without waiting, or T() if none was published. Only one thread may
+  /// call it.
   const T& read() {
     if ((between_.load() & fresh) != 0) front_ = between_.exchange(front_) & slot;
     return slots_[front_];

@@ -13,7 +13,7 @@ namespace prosector {
 
 class WebSocket {
  public:
-  /// State of the connection.
+  /// State of the connection to the WebSocket server, with the reason if there is none.
   struct State {
     bool connected = false;
     std::uint64_t connections = 0;
@@ -23,14 +23,15 @@ class WebSocket {
 
   using Answer = std::function<std::optional<std::vector<std::string>>(std::string_view text)>;
 
-  /// Starts to connect to the endpoint `target` ("/" or "/v6.json"). The thread calls `answer` with each
-  /// received text and sends the returned texts in order. If `answer` returns nothing, the connection is
-  /// closed and opened again.
+  /// Starts a thread that connects to the WebSocket server's endpoint `target`, such as "/" or "/v6.json".
+  /// The thread calls `answer` with each received text and sends the returned texts in order. If `answer`
+  /// returns nothing, the thread closes the connection and opens it again.
   WebSocket(std::string host, std::string port, std::string target, Answer answer);
-  /// Waits up to 50 ms for one more text to answer, then ends.
+  /// Waits up to 50 ms for one more received text, so that the last answer is still sent. Then closes the
+  /// connection and ends the thread.
   ~WebSocket();
 
-  /// Returns the state without waiting. Only one thread calls it.
+  /// Returns the connection's state without waiting. Only one thread may call it.
   const State& state();
 
  private:

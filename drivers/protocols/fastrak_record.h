@@ -13,7 +13,8 @@
 
 namespace prosector::fastrak {
 
-/// One row of the table of output items.
+/// One row of the table of output items that a FASTRAK record may contain, such as position or quaternion:
+/// item code, number of values and widths.
 struct ItemRow {
   int code;
   std::size_t numbers;       // count of numbers in the item
@@ -23,7 +24,8 @@ struct ItemRow {
   const char* name;
 };
 std::span<const ItemRow> item_table();
-/// Returns the row of an item code, or nullptr.
+/// Returns the row of the table of FASTRAK output items with this item code, or nullptr if the code is
+/// unknown.
 const ItemRow* find_item(int code);
 
 inline constexpr std::size_t max_items = 32;
@@ -36,8 +38,8 @@ struct Format {
 };
 std::size_t record_width(const Format& format);
 
-/// One decoded record. The device's frames are right-handed: +X forward, +Y right, +Z down; angles in
-/// degrees.
+/// One decoded data record of a FASTRAK tracker: a receiver's number, error character and measured values.
+/// The device's frames are right-handed with +X forward, +Y right, +Z down; angles are in degrees.
 struct Record {
   std::uint32_t station = 0;  // 0-based
   char error = ' ';
@@ -48,18 +50,19 @@ struct Record {
   std::optional<bool> stylus;
 };
 
-/// Decodes one record of exactly record_width(format) bytes. Returns nothing unless header and separators are
-/// valid, numbers are finite and in range, and the quaternion has nearly unit length.
+/// Decodes one FASTRAK record of exactly record_width(format) bytes. Returns nothing unless header and
+/// separators are valid, numbers are finite and in range, and the quaternion has nearly unit length.
 std::optional<Record> decode(std::span<const std::uint8_t> bytes, const Format& format);
 
-/// Returns R = Rz(azimuth)·Ry(elevation)·Rx(roll), degrees.
+/// Returns the rotation R = Rz(azimuth)·Ry(elevation)·Rx(roll) for the FASTRAK angles azimuth, elevation,
+/// roll in degrees.
 Quat rotation(const std::array<float, 3>& angles);
-/// Computes the angles of rotation(): azimuth and roll in (−180, 180], elevation in [−90, 90] degrees.
+/// Computes the FASTRAK angles azimuth, elevation, roll of a rotation, so that rotation() restores it.
+/// Azimuth and roll are in (−180, 180], elevation in [−90, 90] degrees.
 std::array<double, 3> euler_angles(const Quat& q);
 
-/// Maps a pose from the transmitter's frame (+X forward, +Y right, +Z down) to Prosector's axes (x right, y
-/// up, −z forward), and back. Positions map by x′ = Y, y′ = −Z, z′ = −X; rotations are conjugated with the
-/// same mapping.
+/// Maps a pose from the FASTRAK transmitter's axes (+X forward, +Y right, +Z down) to Prosector's axes (x
+/// right, y up, −z forward) by x′ = Y, y′ = −Z, z′ = −X. Rotations are conjugated with the same mapping.
 Pose from_transmitter(const Pose& transmitter);
 Pose to_transmitter(const Pose& device);
 

@@ -261,8 +261,8 @@ std::optional<Message> Reader::next() {
     Message out{text_of(header.name), text_of(header.device_name), {}, waiting_.time_ns()};
     const std::uint64_t size = header.body_size;
     if (header.version < 1 || header.version > newest_version) {
-      problem_ =
-          fmt::format("received a header of version {}; supported: 1 to {}", header.version, newest_version);
+      problem_ = fmt::format("received an OpenIGTLink header of version {}; supported versions: 1 to {}",
+                             header.version, newest_version);
     } else if (!is_type_name(out.type) || size > longest_body) {
       problem_ = "received data is not OpenIGTLink, or is damaged";
     } else if (!keeps(out.type, size)) {

@@ -31,45 +31,53 @@ struct Message {
   std::int64_t time_ns = 0;  // received: when its first byte was read; sent: time since the epoch, or 0
 };
 
-/// Appends a message. Its header has version 1 by default.
+/// Appends the encoded OpenIGTLink message, header and body, to `out`. `version` is the protocol version in
+/// the header.
 void put(Bytes& out, const Message& message, std::uint16_t version = 1);
 
-/// Pose of a tool as reported: m, the server's frame. The matrix `turn` is not checked to be a rotation.
+/// Name and pose of a tracked tool as an OpenIGTLink server reports it: m, the server's frame. The matrix
+/// `turn` is not checked to be a rotation.
 struct Tool {
   std::string name;
   Vec3 place = Vec3::Zero();
   Mat3 turn = Mat3::Identity();
 };
-/// Encodes the body of a TRANSFORM. The tool's name is in the message header.
+/// Encodes the body of the OpenIGTLink message TRANSFORM, a tool's pose. The tool's name belongs to the
+/// message header instead.
 Bytes transform_body(const Tool& tool);
 std::optional<Tool> transform_of(const Message& message);
 Bytes tools_body(const std::vector<Tool>& tools);
 std::optional<std::vector<Tool>> tools_of(const Message& message);
-/// Encodes the body of STT_TDATA: at most one TDATA per `interval_ms` ms, in the server's frame.
+/// Encodes the body of the OpenIGTLink message STT_TDATA, which requests tool poses (TDATA): at most one
+/// message per `interval_ms` ms, in the server's frame.
 Bytes start_body(std::int32_t interval_ms);
 std::optional<std::int32_t> interval_of(const Message& message);
-/// Encodes the body of RTS_TDATA.
+/// Encodes the body of the OpenIGTLink message RTS_TDATA, with which a server confirms that it starts sending
+/// tool poses.
 Bytes started_body();
 
-/// Encodes the body of an IMAGE: one RGB slice, rows from the top, 1 mm per pixel.
+/// Encodes the body of the OpenIGTLink message IMAGE from a camera image: one RGB slice, rows from the top, 1
+/// mm per pixel.
 Bytes image_body(const Image& image);
-/// Decodes an IMAGE that is one whole slice. Its pixels are bytes with one or three components, or 16-bit
-/// numbers whose range is stretched to 0 … 255. Returns nothing for other images.
+/// Decodes an OpenIGTLink message IMAGE that is one whole slice. Its pixels are bytes with one or three
+/// components, or 16-bit numbers whose range is stretched to 0 … 255. Returns nothing for other images.
 std::optional<Image> image_of(const Message& message);
 
-/// Parses a byte stream into messages. Large bodies and unused message types are skipped without buffering,
-/// as are images unless `keeps_images` is set.
+/// Parser of a byte stream into OpenIGTLink messages. Large bodies and unused message types are skipped
+/// without buffering. Images are skipped, too, unless `keeps_images` is set.
 class Reader {
  public:
   Reader() = default;
   explicit Reader(bool keeps_images) : keeps_images_(keeps_images) {}
 
   void take(std::span<const std::uint8_t> bytes, std::int64_t time_ns = 0);
-  /// Returns the next complete message with a correct checksum.
+  /// Returns the next complete OpenIGTLink message of the received bytes. Messages with a wrong checksum are
+  /// skipped. Returns nothing if more bytes are needed.
   std::optional<Message> next();
-  /// Returns the reason why the stream is unreadable; empty if there is no error.
+  /// Returns the reason why the stream is not readable as OpenIGTLink; empty if there is no error.
   const std::string& problem() const { return problem_; }
-  /// Returns the size in bytes of messages with a wrong checksum since the last call.
+  /// Returns the total size in bytes of messages with a wrong checksum since the last call, and resets this
+  /// count.
   std::size_t consume_bad_byte_count();
 
  private:

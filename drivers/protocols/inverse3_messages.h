@@ -10,7 +10,8 @@
 
 namespace prosector::inverse3 {
 
-/// State of the service's first Inverse3 and first grip.
+/// State that Haply's service reports: the cursor's position (m) of its first Inverse3 arm, and the rotation
+/// and buttons of its first grip.
 struct State {
   std::string device;            // device id; empty: no arm
   Vec3 place = Vec3::Zero();     // of the cursor
@@ -18,20 +19,24 @@ struct State {
   std::uint32_t buttons = 0;     // bits 0, 1, 2: buttons a, b, c
 };
 
-/// Parses a state. Returns nothing if the text is invalid or incomplete. Never throws.
+/// Parses a state message (JSON) of Haply's service. Returns nothing if the text is invalid or incomplete.
+/// Never throws.
 std::optional<State> state_of(std::string_view text);
-/// Formats a state as text. `first`: includes the extra fields of a connection's first state.
+/// Formats a state as a JSON message of Haply's service, for the simulated service. `first` adds the extra
+/// fields of a connection's first state.
 std::string text_of(const State& state, bool first);
 
 struct Force {
   std::string device;  // device id; empty: the message sets no force
   Vec3 force = Vec3::Zero();
 };
-/// Parses a force command. Returns nothing if the text sets no force. Never throws.
+/// Parses a client's force command (JSON) to Haply's service, for the simulated service. Returns nothing if
+/// the text sets no force. Never throws.
 std::optional<Force> force_of(std::string_view text);
 std::string text_of(const Force& force);
 
-/// Returns the rotation from the service's axes to the arm frame (x right, y up, z towards the user).
+/// Returns the rotation from the axes of Haply's service (x right, y forward, z up) to the arm frame (x
+/// right, y up, z towards the user).
 Mat3 axes();
 
 }  // namespace prosector::inverse3

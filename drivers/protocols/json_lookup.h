@@ -8,14 +8,14 @@
 
 namespace prosector {
 
-/// Returns the value of a key; null if the key is missing or `json` is not an object.
+/// Returns the value of a key of a JSON object; JSON null if the key is missing or `json` is not an object.
 inline const nlohmann::json& json_at(const nlohmann::json& json, const char* key) {
   static const nlohmann::json nothing;
   const auto found = json.find(key);
   return found == json.end() ? nothing : *found;
 }
 
-/// Converts an array of three numbers to a vector. Returns nothing for any other value.
+/// Converts a JSON array of three numbers to a vector. Returns nothing for any other JSON value.
 inline std::optional<Vec3> json_vector(const nlohmann::json& json) {
   if (!json.is_array() || json.size() != 3) return std::nullopt;
   Vec3 out;

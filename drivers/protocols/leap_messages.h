@@ -17,8 +17,8 @@ inline constexpr int known_version = 6;
 inline constexpr const char* default_port = "6437";
 inline constexpr const char* target = "/v6.json";
 
-/// Joint positions of a finger, m, from the wrist on: carpus, knuckle, two joints, tip. The thumb's first two
-/// coincide.
+/// Joint positions of a finger (m, Ultraleap's frame), from the wrist on: carpus, knuckle, two joints, tip.
+/// The first two of the thumb coincide.
 using Finger = std::array<Vec3, 5>;
 
 struct Hand {
@@ -29,25 +29,27 @@ struct Hand {
   std::array<Finger, fingers> joints;                         // thumb first
 };
 
-/// A message of the service: a greeting, an event or a frame.
+/// A decoded message of Ultraleap's service: a greeting with the protocol version, an event, or a frame with
+/// the tracked hands.
 struct Text {
   std::optional<int> version;     // of a greeting
   bool is_event = false;          // event of a device, or of an unknown type
   std::optional<bool> streaming;  // of a device event: whether the camera is present and streaming
   std::vector<Hand> hands;        // of a frame
 };
-/// Parses a message. Returns nothing if the text is not a greeting, an event or a frame, or a hand is
-/// implausible.
+/// Parses a JSON message of Ultraleap's service. Returns nothing if the text is not a greeting, an event or a
+/// frame, or a hand is implausible.
 std::optional<Text> read_text(std::string_view text);
 std::string text_of(const Text& text, std::int64_t frame);
-/// Returns the requests for frames: as a background program, and as the program with the focus. The service
-/// sends no frames to a program that has neither state.
+/// Returns the two messages that ask Ultraleap's service for frames: as a background program, and as the
+/// program with the focus. The service sends no frames to a program that has neither state.
 std::vector<std::string> ask_for_frames();
 
-/// Returns the wrist pose: −z along the hand, y out of its back.
+/// Returns the wrist's pose of a hand (m, Ultraleap's frame): −z along the hand, y out of its back.
 Pose wrist_of(const Hand& hand);
-/// Computes flexions comparable to those of a glove's sensors; 90° is 1. A finger's flexion is 2/3 of the
-/// knuckle angle and 1/3 of the next joint's. The thumb's is the mean of its two joint angles.
+/// Computes a hand's finger flexions, thumb first, comparable to those of a glove's sensors; 90° is 1. A
+/// finger's flexion is 2/3 of the knuckle angle plus 1/3 of the next joint's angle. The thumb's flexion is
+/// the mean of its two joint angles.
 std::array<double, fingers> flexion_of(const Hand& hand);
 
 }  // namespace prosector::leap

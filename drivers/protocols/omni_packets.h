@@ -26,7 +26,8 @@ inline constexpr std::uint8_t streams = 0x08;                 // bit of the cont
 
 inline constexpr std::size_t command_bytes = 16, state_bytes = 44;
 
-/// Command packet, which the host sends 1000 times a second.
+/// Command packet to a PHANTOM Omni, which the host sends 1000 times a second: motor commands and brightness
+/// of the dock light.
 struct Command {
   Vec3 motors = Vec3::Zero();  // fraction of full command, −1 … 1
   bool motors_on = false;
@@ -34,7 +35,8 @@ struct Command {
 };
 std::array<std::uint8_t, command_bytes> bytes_of(const Command& command);
 
-/// State packet, which the arm sends 1000 times a second.
+/// State packet of a PHANTOM Omni, which the arm sends 1000 times a second: encoder counts, gimbal
+/// potentiometers, buttons, and whether the stylus is in its dock.
 struct State {
   std::array<std::int16_t, 3> encoders{};
   std::array<std::uint16_t, 3> pots_a{}, pots_b{};  // two potentiometer readings per gimbal axis
@@ -43,11 +45,12 @@ struct State {
   bool docked = false;
   std::uint32_t count = 0;
 };
-/// Decodes a state packet. Returns nothing if the packet is not an Omni's or both readings of a potentiometer
-/// are zero.
+/// Decodes a state packet of a PHANTOM Omni. Returns nothing if the packet is not an Omni's, or if both
+/// readings of a potentiometer are zero.
 std::optional<State> state_of(std::span<const std::uint8_t> bytes);
 
-/// Computes the gimbal angles from the potentiometers of a decoded state, rad.
+/// Computes the three gimbal angles of a PHANTOM Omni, rad, from the potentiometer readings of a decoded
+/// state.
 Vec3 gimbal_of(const State& state);
 
 }  // namespace prosector::omni

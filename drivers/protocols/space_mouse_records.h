@@ -21,7 +21,8 @@ struct Record {
   std::int32_t button = 0;                // of a press or release record, from 0
 };
 
-/// Decodes a record. Returns nothing if it is invalid.
+/// Decodes a record of spacenavd's socket: a motion, or a button pressed or released. Returns nothing if the
+/// record is invalid.
 std::optional<Record> decode(std::span<const std::uint8_t> bytes);
 std::array<std::uint8_t, record_width> encode(const Record& record);
 

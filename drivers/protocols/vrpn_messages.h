@@ -29,12 +29,12 @@ inline constexpr const char* pong_type = "vrpn_Base pong_message";
 inline constexpr const char* field_type = "vrpn_ForceDevice Force_Field";
 inline constexpr const char* error_type = "vrpn_ForceDevice Force_Error";
 
-/// Address of a device of a VRPN server: NAME@HOST[:PORT].
+/// Address NAME@HOST[:PORT] of a device on a VRPN server: the device's name, and the server's host and port.
 struct Place {
   std::string name;
   HostPort at;
 };
-/// Parses an address. Returns nothing for an invalid text.
+/// Parses the address NAME@HOST[:PORT] of a device on a VRPN server. Returns nothing for an invalid text.
 std::optional<Place> parse_device_location(const std::string& text);
 
 struct Message {
@@ -43,14 +43,15 @@ struct Message {
   std::int64_t time_ns = 0;  // received: when its first byte was read; sent: time since the epoch, or 0
 };
 
-/// Returns the cookie that each side sends first.
+/// Returns the VRPN cookie: the bytes with the protocol version that each side of a connection sends first.
 Bytes cookie();
-/// Appends a message.
+/// Appends the encoded VRPN message, header and body, to `out`.
 void put(Bytes& out, const Message& message);
-/// Creates the message that announces the name of a sender or a type.
+/// Creates the VRPN message that announces the name of a sender or of a message type. `kind` is names_sender
+/// or names_type; `number` stands for the name in later messages.
 Message naming(std::int32_t kind, std::int32_t number, const std::string& name);
 
-/// Report of one tracker sensor: m, the server's frame.
+/// Pose of one sensor (receiver) that a VRPN tracker reports: m, the server's frame.
 struct TrackerPose {
   std::int32_t sensor = 0;
   Vec3 place = Vec3::Zero();
@@ -66,13 +67,14 @@ struct Button {
 Bytes body_of(const Button& button);
 std::optional<Button> button_of(const Bytes& body);
 
-/// Channels of an analog device, in any unit.
+/// Values of all channels of a VRPN analog device, in any unit.
 using Channels = std::vector<double>;
 Bytes body_of(const Channels& channels);
-/// Decodes channels. Returns nothing if the count does not match the length.
+/// Decodes the body of a VRPN analog message to the channels' values. Returns nothing if the stated count
+/// does not match the body's length.
 std::optional<Channels> channels_of(const Bytes& body);
 
-/// Rotation of a dial, revolutions.
+/// Rotation of one dial of a VRPN device since its last report, in revolutions.
 struct Dial {
   std::int32_t number = 0;
   double turned = 0;
@@ -80,7 +82,8 @@ struct Dial {
 Bytes body_of(const Dial& dial);
 std::optional<Dial> dial_of(const Bytes& body);
 
-/// Force field that an arm's server renders: force + jacobian·(x − origin) within the radius, zero outside.
+/// Force field that a VRPN server's haptic arm renders: force + jacobian·(x − origin) at positions x within
+/// `radius` of the origin, zero outside.
 struct ForceField {
   Vec3 origin = Vec3::Zero(), force = Vec3::Zero();  // m, N
   Mat3 jacobian = Mat3::Zero();                      // N/m
@@ -94,17 +97,18 @@ inline constexpr std::int32_t duty_cycle_error = 1, force_error = 2, no_force_er
 Bytes body_of(std::int32_t code);
 std::optional<std::int32_t> code_of(const Bytes& body);
 
-/// Parses a byte stream into messages.
+/// Parser of a byte stream into VRPN messages. It learns the announced names of senders and message types.
 class Reader {
  public:
   void take(std::span<const std::uint8_t> bytes, std::int64_t time_ns = 0);
-  /// Returns the next complete message.
+  /// Returns the next complete VRPN message of the received bytes, or nothing if more bytes are needed or the
+  /// stream is broken.
   std::optional<Message> next();
-  /// Returns whether the stream is not VRPN of a compatible version or is corrupt. The reader then returns no
-  /// further messages.
+  /// Returns whether the received stream is corrupt or not VRPN of a compatible version. The reader then
+  /// returns no further messages.
   bool broken() const { return broken_; }
   bool greeted() const { return greeted_; }
-  /// Returns the name of a sender or a type that the peer announced; empty if it announced none.
+  /// Returns the name that the peer announced for the message's sender; empty if it announced none.
   const std::string& sender(const Message& message) const { return name(senders_, message.sender); }
   const std::string& type(const Message& message) const { return name(types_, message.type); }
 

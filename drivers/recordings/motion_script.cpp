@@ -46,7 +46,7 @@ MotionScript MotionScript::load(const std::filesystem::path& file) {
     if (!pose && !flexion) table.fail(i, "needs a pose or flexions");
     if ((pose && !script.poses_[s].empty() && time <= script.poses_[s].back().time) ||
         (flexion && !script.flexions_[s].empty() && time <= script.flexions_[s].back().time))
-      table.fail(i, "time: must rise within a station");
+      table.fail(i, "time: must increase from row to row of the same station");
     if (pose) script.add(s, time, *pose);
     if (flexion) script.add(s, time, *flexion);
   }

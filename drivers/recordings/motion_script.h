@@ -16,7 +16,8 @@ namespace prosector {
 
 class MotionScript {
  public:
-  /// Reads a script. Throws InputError with file and line; times must increase within a station.
+  /// Reads a motion script, a CSV file of keyframes for a simulated device's wearer. Throws InputError with
+  /// file and line; times must increase within a station.
   static MotionScript load(const std::filesystem::path& file);
 
   void add(std::size_t station, double time, const Pose& pose) { poses_[station].push_back({time, pose}); }
@@ -24,10 +25,10 @@ class MotionScript {
     flexions_[station].push_back({time, flexion});
   }
 
-  /// Interpolates between keyframes: x = a + s·(b − a), s = 6u⁵ − 15u⁴ + 10u³ (twice continuously
-  /// differentiable, at rest at each keyframe), rotations by slerp. The pose is constant before the first and
-  /// after the last keyframe. A station without keyframes has the identity pose and an open hand. With
-  /// `loop`, time restarts after the last keyframe of all stations.
+  /// Returns the pose (room frame) of `station` (index from 0) at `time`, s. Interpolates between keyframes a
+  /// and b by x = a + s·(b − a), s = 6u⁵ − 15u⁴ + 10u³, which is at rest at each keyframe; rotations by
+  /// slerp. The pose is constant before the first and after the last keyframe, and the identity for a station
+  /// without keyframes. With `loop`, time restarts after the last keyframe of all stations.
   Pose pose(std::size_t station, double time, bool loop) const;
   std::array<double, fingers> flexion(std::size_t station, double time, bool loop) const;
   double duration() const;

@@ -14,12 +14,14 @@
 
 namespace prosector {
 
-/// Appends samples to a file; time 0 is the first sample.
+/// Recorder of device samples to a CSV file. The time in the file is in s and starts at 0 with the first
+/// sample.
 class SampleRecorder {
  public:
-  /// Opens the file. Throws InputError if it is not writable.
+  /// Creates the recording's CSV file and writes its header. Throws InputError if the file is not writable.
   explicit SampleRecorder(const std::filesystem::path& file);
-  /// Appends the samples. Returns false once writing fails (a full disk).
+  /// Appends the samples to the recording's file. Returns false once writing has failed, for example on a
+  /// full disk.
   bool write(const std::vector<DeviceSample>& samples);
 
  private:
@@ -31,12 +33,14 @@ struct TimedSample {
   double time = 0;  // s
   DeviceSample sample;
 };
-/// Reads a recording. Throws InputError with file and line; times must not decrease.
+/// Reads the samples of a recording (CSV file) in order of time. Throws InputError with file and line; times
+/// must not decrease.
 std::vector<TimedSample> load_recording(const std::filesystem::path& file);
 
 class RecordedDevice final : public Device {
  public:
-  /// Replays from the first poll on. `loop` restarts after the last sample.
+  /// Reads a recording of device samples. The replay starts with the first poll(); `loop` restarts it after
+  /// the last sample. Throws InputError if the file is invalid.
   RecordedDevice(const std::filesystem::path& file, bool loop);
   void poll(std::vector<DeviceSample>& out) override;
   DeviceStatus status() const override;

@@ -42,7 +42,8 @@ std::optional<Pose> read_pose(const CsvTable& table, std::size_t row) {
   if (any(table, row, {"qw", "qx", "qy", "qz"}))
     pose.q = Quat(table.required(row, "qw"), table.required(row, "qx"), table.required(row, "qy"),
                   table.required(row, "qz"));
-  if (std::abs(pose.q.norm() - 1) > unit_tolerance) table.fail(row, "qw, qx, qy, qz: must have length 1");
+  if (std::abs(pose.q.norm() - 1) > unit_tolerance)
+    table.fail(row, "qw, qx, qy, qz: the quaternion must have length 1");
   pose.q.normalize();
   return pose;
 }

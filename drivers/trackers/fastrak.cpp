@@ -206,24 +206,26 @@ DeviceStatus FastrakDevice::status() const {
     status.message += (status.message.empty() ? "" : "; ") + what;
   };
   if (command_errors_ > 0)
-    add(fmt::format("the tracker refused {} command(s), last: {}", command_errors_, command_error_));
+    add(fmt::format("the tracker refused {} command(s), the last one with: {}", command_errors_,
+                    command_error_));
   for (std::size_t i = 0; i < max_stations; ++i)
     if (station_error_[i] != ' ')
       add(
-          fmt::format("receiver {} reports error '{}', its pose may be wrong: check its distance to the "
-                      "transmitter and to metal",
+          fmt::format("receiver {} reports error '{}', its pose may be wrong: check the receiver's distance "
+                      "to the transmitter and to metal",
                       i + 1, station_error_[i]));
   return status;
 }
 
 std::string FastrakDevice::silent_hint() const {
-  return answered_ ? "it responds but sends no records: check that receivers are plugged in"
-                   : fmt::format("it does not respond: check power, cable and that it is set to {} baud",
-                                 fastrak_baud);
+  return answered_
+             ? "the tracker responds but sends no records: check that receivers are plugged in"
+             : fmt::format("the tracker does not respond: check power, cable and that it is set to {} baud",
+                           fastrak_baud);
 }
 
 std::string FastrakDevice::babble_hint() const {
-  return fmt::format("check that it is a FASTRAK at {} baud, 8 data bits, no parity", fastrak_baud);
+  return fmt::format("check that the device is a FASTRAK at {} baud, 8 data bits, no parity", fastrak_baud);
 }
 
 std::unique_ptr<Device> open_fastrak(const std::string& path, const Placement& placement,

@@ -13,20 +13,21 @@
 
 namespace prosector {
 
-/// Returns the commands that the driver sends, in order, after the device has answered the status query.
-/// `stations`: bit mask of active stations. The last command starts continuous output. Units are centimetres;
-/// the output list of every station is 2, 11, 1 (position, quaternion, CR LF).
+/// Returns the commands that configure a FASTRAK tracker, in the order in which the driver sends them after
+/// the status query is answered. `stations` is the bit mask of active stations (receivers). The last command
+/// starts continuous output. Units are centimetres; the output list of every station is 2, 11, 1 (position,
+/// quaternion, CR LF).
 std::vector<std::string> fastrak_commands(std::uint32_t stations, const FastrakConfig& config);
 
-/// One step of the start-up sequence: bytes to send, then a time to wait.
+/// One step of a FASTRAK tracker's start-up sequence: bytes to send, then a time to wait.
 struct FastrakStep {
   std::string bytes;
   std::int64_t wait_ns = 0;
 };
-/// Returns the steps before the status query for start attempt number `attempt`, from 1. The tracker may be
-/// suspended, in the middle of another program's command, in extended mode or in point mode. Later attempts
-/// recover it from more of these states. From the sixth attempt on the tracker reinitialises, which takes 10
-/// s.
+/// Returns the steps that the driver performs before the status query, for start attempt number `attempt`,
+/// from 1. The FASTRAK may be suspended, in the middle of another program's command, in extended mode or in
+/// point mode. Later attempts recover it from more of these states. From the sixth attempt on the tracker
+/// reinitialises, which takes 10 s.
 std::vector<FastrakStep> fastrak_start(int attempt);
 
 class FastrakDevice final : public StreamDevice {
@@ -46,8 +47,8 @@ class FastrakDevice final : public StreamDevice {
   void restart(std::int64_t now_ns);
   void parse_status();
   void parse_records(std::int64_t now_ns, std::vector<DeviceSample>& out);
-  /// Returns the length of a command error record at the front of the buffer; 0 if there is none, −1 if more
-  /// bytes are needed.
+  /// Returns the length in bytes of an error record for a refused command at the front of the buffer. Returns
+  /// 0 if there is none, −1 if more bytes are needed.
   int error_record_length() const;
   DeviceSample sample(const fastrak::Record& record);
 

@@ -50,7 +50,7 @@ void IgtlDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
   if (!reader_.problem().empty())
     refuse(reader_.problem());
   else if (came && health().quiet_ns(now_ns) > unreadable_timeout_ns)
-    refuse("data is received, but neither TRANSFORM nor TDATA");
+    refuse("the server sends data, but neither TRANSFORM nor TDATA messages");
 }
 
 /// Processes a message. Returns whether it is plausible.
@@ -91,12 +91,13 @@ std::optional<std::size_t> IgtlDevice::station_of(const std::string& name) {
 
 std::string IgtlDevice::silent_hint() const {
   return wanted_.empty()
-             ? "the server is connected, but sends neither TRANSFORM nor TDATA"
-             : fmt::format("the server is connected, but sends no data of {}", fmt::join(wanted_, ", "));
+             ? "the server is connected, but sends neither TRANSFORM nor TDATA messages"
+             : fmt::format("the server is connected, but sends no data of the devices {}: check the names",
+                           fmt::join(wanted_, ", "));
 }
 
 std::string IgtlDevice::babble_hint() const {
-  return "wrong checksums, or matrices that are not rotations";
+  return "the server's messages have wrong checksums, or matrices that are not rotations";
 }
 
 std::string IgtlDevice::absent_hint() const {

@@ -13,8 +13,8 @@ namespace prosector {
 
 class IgtlDevice final : public StreamDevice {
  public:
-  /// Takes the names of tools or transforms in the order of stations. If `names` is empty, stations are
-  /// assigned to names in order of appearance.
+  /// Takes the names of the OpenIGTLink server's tools or transforms; the first is station 1, and so on. If
+  /// `names` is empty, names are assigned to stations in order of appearance. `port` connects to the server.
   IgtlDevice(std::vector<std::string> names, std::unique_ptr<DevicePort> port, const Placement& placement);
 
  private:
@@ -37,8 +37,8 @@ class IgtlDevice final : public StreamDevice {
   std::array<std::uint64_t, max_stations> records_{};
 };
 
-/// Opens a tracker of a server, "igtl:lab:18944/Probe,Stylus". Throws InputError for an address that is not
-/// HOST[:PORT][/NAME,NAME,...].
+/// Creates the driver of an OpenIGTLink server's tracker. `path` is the address after "igtl:", such as
+/// "lab:18944/Probe,Stylus". Throws InputError unless it is HOST[:PORT][/NAME,NAME,...].
 std::unique_ptr<Device> open_igtl(const std::string& path, const Placement& placement);
 
 }  // namespace prosector

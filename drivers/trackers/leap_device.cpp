@@ -86,12 +86,14 @@ DeviceStatus LeapDevice::status() const {
     out.health = line_.problem.empty() ? DeviceHealth::connecting : DeviceHealth::absent;
     out.message = line_.problem.empty()
                       ? where_ + " is starting"
-                      : line_.problem + "; check that Ultraleap's tracking WebSocket runs there; retrying";
+                      : fmt::format("{}; check that Ultraleap's tracking WebSocket runs there; retrying",
+                                    line_.problem);
   } else if (out.health == DeviceHealth::babbling) {
-    out.message = where_ + " sends data that are not hand frames";
+    out.message = fmt::format(
+        "{} sends data that are not hand frames: check that it is Ultraleap's tracking service", where_);
   } else if (out.health == DeviceHealth::silent) {
-    out.message = has_camera_ ? where_ + " sends no frames: check that the camera is plugged in"
-                              : where_ + " has no active camera: plug it in";
+    out.message = has_camera_ ? fmt::format("{} sends no frames: check that the camera is plugged in", where_)
+                              : fmt::format("{} has no active camera: plug it in", where_);
   }
   return out;
 }

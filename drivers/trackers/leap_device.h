@@ -20,13 +20,14 @@ namespace prosector {
 
 class LeapDevice final : public Device {
  public:
-  /// Creates a device that is not connected yet. `where` names the service in messages.
+  /// Creates the driver of Ultraleap's hand tracking without connecting it to the service. `where` names the
+  /// service in messages.
   LeapDevice(std::string where, const Placement& placement, const GestureThresholds& gestures);
 
-  /// Starts the thread that communicates with the service at `host` and `port`.
+  /// Starts the thread that communicates with Ultraleap's service at `host` and `port` by WebSocket.
   void connect_service(const std::string& host, const std::string& port);
-  /// Processes a message of the service and returns the answers. Returns nothing for an unknown protocol
-  /// version, which closes the connection. Only one thread calls it.
+  /// Processes a message of Ultraleap's service and returns the texts to answer. Returns nothing for an
+  /// unknown protocol version; the connection is then closed. Only one thread may call it.
   std::optional<std::vector<std::string>> handle_text(std::string_view text);
 
   void poll(std::vector<DeviceSample>& out) override;
@@ -55,8 +56,8 @@ class LeapDevice final : public Device {
   std::unique_ptr<WebSocket> socket_;  // last member: its thread uses those above
 };
 
-/// Opens the hands of a service, "leap:localhost:6437". Throws InputError for an address that is not
-/// HOST[:PORT].
+/// Creates the driver of Ultraleap's hand tracking and starts to connect to its service. `path` is the
+/// address after "leap:", such as "localhost:6437". Throws InputError unless it is HOST[:PORT].
 std::unique_ptr<Device> open_leap(const std::string& path, const Placement& placement,
                                   const GestureThresholds& gestures);
 

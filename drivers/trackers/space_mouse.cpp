@@ -102,11 +102,11 @@ DeviceStatus SpaceMouse::status() const {
 }
 
 std::string SpaceMouse::silent_hint() const {
-  return "its cap is not moved";
+  return "the SpaceMouse's cap is not moved: move it once";
 }
 
 std::string SpaceMouse::babble_hint() const {
-  return "received data are not spacenavd records";
+  return "the received data are not spacenavd records: check the socket's path";
 }
 
 std::string SpaceMouse::absent_hint() const {

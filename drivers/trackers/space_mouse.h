@@ -34,7 +34,8 @@ class SpaceMouse final : public StreamDevice {
   std::uint64_t records_ = 0;
 };
 
-/// Opens a SpaceMouse, "spacemouse:/run/spnav.sock".
+/// Creates the driver of a SpaceMouse. `path` is the socket of the daemon spacenavd, such as
+/// "/run/spnav.sock" in the address "spacemouse:/run/spnav.sock".
 std::unique_ptr<Device> open_space_mouse(const std::string& path, const Placement& placement);
 
 }  // namespace prosector

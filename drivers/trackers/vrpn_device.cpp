@@ -114,11 +114,11 @@ bool VrpnDevice::take_bends(std::int64_t time_ns, std::vector<DeviceSample>& out
 std::string VrpnDevice::silent_hint() const {
   return reader_.greeted()
              ? fmt::format("the server is connected, but sends no data of '{}': check the name", name_)
-             : "no VRPN greeting received: check that it is a VRPN server";
+             : "no VRPN greeting received: check that the address is that of a VRPN server";
 }
 
 std::string VrpnDevice::babble_hint() const {
-  return fmt::format("'{}' reports no poses, buttons or channels", name_);
+  return fmt::format("the VRPN device '{}' reports no valid poses, buttons or channels", name_);
 }
 
 std::string VrpnDevice::absent_hint() const {

@@ -12,7 +12,7 @@ namespace prosector {
 
 class VrpnDevice final : public StreamDevice {
  public:
-  /// Takes the device's name at its server and the port to the server.
+  /// Takes the tracker's name on the VRPN server and the port that connects to this server.
   VrpnDevice(std::string name, std::unique_ptr<DevicePort> port, const Placement& placement,
              const GestureThresholds& gestures, const GloveConfig& glove);
 
@@ -24,7 +24,8 @@ class VrpnDevice final : public StreamDevice {
   std::string babble_hint() const override;
   std::string absent_hint() const override;
 
-  /// Processes a message of the device. Returns whether it is plausible.
+  /// Processes a message that the VRPN server sent about this device, and appends the resulting samples.
+  /// Returns whether the message is plausible.
   bool take(const vrpn::Message& message, std::vector<DeviceSample>& out);
   bool take_pose(const vrpn::Message& message, std::vector<DeviceSample>& out);
   bool take_bends(std::int64_t time_ns, std::vector<DeviceSample>& out);
@@ -41,8 +42,8 @@ class VrpnDevice final : public StreamDevice {
   std::array<double, fingers> channels_{};  // analog channels, or accumulated rotation of the dials
 };
 
-/// Opens a device of a server, "vrpn:Tracker0@lab:3883". Throws InputError for an address that is not
-/// NAME@HOST[:PORT].
+/// Creates the driver of a VRPN server's tracker. `path` is the address after "vrpn:", such as
+/// "Tracker0@lab:3883". Throws InputError unless it is NAME@HOST[:PORT].
 std::unique_ptr<Device> open_vrpn_device(const std::string& path, const Placement& placement,
                                          const GestureThresholds& gestures, const GloveConfig& glove);
 

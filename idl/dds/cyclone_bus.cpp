@@ -129,8 +129,9 @@ bool CycloneBus::publish(const Message& message) {
     counters_.dropped(topic, why);
     return false;
   };
-  if (writer == 0) return refused("not sent by this side");
-  if (topics[topic].requires_reader && has_no_reader(writer)) return refused("no server to receive it");
+  if (writer == 0) return refused("message not sent: this program has no right to write this topic");
+  if (topics[topic].requires_reader && has_no_reader(writer))
+    return refused("message not sent: no server is connected that could receive it");
   WireArena arena;
   void* sample = nullptr;
   if (const Refusal refusal = wire_codec(topic).encode(message, arena, sample)) return refused(refusal);
@@ -213,17 +214,19 @@ void CycloneBus::accept(std::size_t topic, const void* sample, const dds_sample_
     if (claims_.ended(received.writer, received.message))
       out.push_back(std::move(received));
     else
-      counters_.dropped(topic, "disposed by a process that did not write it");
+      counters_.dropped(
+          topic, "end of an instance ignored: it was reported by a process that did not write the instance");
   }
 }
 
 Refusal CycloneBus::accept_data(std::size_t topic, const void* sample, Received& received) {
   const TopicSpec& spec = topics[topic];
-  if (received.writer == 0 && spec.writers != Writers::server) return "from a process that has left";
+  if (received.writer == 0 && spec.writers != Writers::server)
+    return "message discarded: it is from a process that has left the network";
   if (!gate_.admits(topic, received.writer, received.arrival_ns)) return "too many per second";
   if (const Refusal refusal = wire_codec(topic).decode(sample, received.message)) return refusal;
   if (spec.notifies_end && !claims_.said(received.writer, received.message))
-    return "too many instances of one process";
+    return "message discarded: its process has written too many instances of this topic";
   return {};
 }
 

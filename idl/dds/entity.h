@@ -12,7 +12,8 @@ namespace prosector {
 class Entity {
  public:
   Entity() = default;
-  /// Takes the result of a dds_create_… function. Throws std::runtime_error naming `what` if it failed.
+  /// Takes ownership of the DDS entity that a dds_create_… function returned. Throws std::runtime_error
+  /// naming `what` if that function failed.
   Entity(dds_entity_t handle, const char* what) : handle_(handle) {
     if (handle < 0) throw std::runtime_error(std::string("DDS: ") + what + ": " + dds_strretcode(handle));
   }

@@ -38,7 +38,8 @@ std::string only_interface(const std::vector<NetworkInterface>& interfaces) {
   std::string list;
   for (const NetworkInterface& i : interfaces)
     list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", i.name, i.address);
-  throw InputError(fmt::format("several network interfaces are up: choose one with --lan: {}", list));
+  throw InputError(
+      fmt::format("several network interfaces are up; choose one of these with --lan NAME: {}", list));
 }
 
 }  // namespace prosector

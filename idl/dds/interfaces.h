@@ -10,10 +10,11 @@ struct NetworkInterface {
   std::string name, address;  // "eth0", "10.0.0.1"
 };
 
-/// Returns the interfaces that are up and have an IPv4 address, except loopback.
+/// Returns the network interfaces of this machine that are up and have an IPv4 address, except loopback.
 std::vector<NetworkInterface> network_interfaces();
 
-/// Returns the name of the only interface. Throws InputError with the list if there are several or none.
+/// Returns the name of the only network interface in the list. Throws InputError that lists them if there are
+/// several or none.
 std::string only_interface(const std::vector<NetworkInterface>& interfaces);
 
 }  // namespace prosector

@@ -51,7 +51,8 @@ std::optional<std::string> LogDigest::take(std::int64_t now_ns, std::string_view
   if (last_line_ns_ && now_ns - *last_line_ns_ < line_interval_ns) return std::nullopt;
   last_line_ns_ = now_ns;
   const std::uint64_t fresh = count_ - std::exchange(told_, count_);
-  return fmt::format("network: {} errors ({} in total); latest: {}", fresh, count_, shown(message));
+  return fmt::format("network: {} errors since the last report ({} in total); the latest error: {}", fresh,
+                     count_, shown(message));
 }
 
 void condense_network_log() {

@@ -9,10 +9,12 @@
 
 namespace prosector {
 
-/// Condenses any number of log messages to one line per interval.
+/// Filter that condenses the log messages of Cyclone DDS to at most one line per ten seconds, with their
+/// number.
 class LogDigest {
  public:
-  /// Counts `message`. Returns the line to print, at most one per ten seconds.
+  /// Counts a log message of Cyclone DDS that was written at `now_ns`. Returns a line to print, at most once
+  /// per ten seconds, and otherwise nullopt.
   std::optional<std::string> take(std::int64_t now_ns, std::string_view message);
 
  private:
@@ -20,12 +22,12 @@ class LogDigest {
   std::optional<std::int64_t> last_line_ns_;
 };
 
-/// Redirects the log of Cyclone DDS in this process to standard error through a LogDigest, from now on.
+/// Redirects the log of Cyclone DDS in this process to standard error, condensed by a LogDigest, from now on.
 /// May be called repeatedly.
 void condense_network_log();
 
-/// Suppresses the network log while an object exists, for operations that may fail and report errors
-/// themselves.
+/// Guard that suppresses the log of Cyclone DDS while it exists, for operations that may fail and report
+/// their errors separately.
 class ScopedLogSuppression {
  public:
   ScopedLogSuppression();

@@ -24,9 +24,11 @@ Entity create_domain(const BusConfig& config) {
   if (config.end == BusEnd::server)
     throw InputError(fmt::format(
         "cannot open the network: UDP port {} is in use (another server with index {} runs here; choose "
-        "another --index, 0 to {}), or the interface or profile does not match this machine",
+        "another --index, 0 to {}), or this machine lacks the interface or address of --lan or --profile",
         server_port(config.domain, config.server_index), config.server_index, servers_per_host - 1));
-  throw InputError("cannot open the network: the interface or profile does not match this machine");
+  throw InputError(
+      "cannot open the network: this machine lacks the network interface or address given by --lan or "
+      "--profile");
 }
 
 }  // namespace

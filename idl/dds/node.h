@@ -9,13 +9,13 @@
 
 namespace prosector {
 
-/// Returns the mutex that serialises creation and deletion of local entities: Cyclone DDS 0.10 has races
-/// there.
+/// Returns the mutex that must be held to create or delete DDS entities of this process, because Cyclone DDS
+/// 0.10 has race conditions there.
 std::mutex& entity_mutex();
 
 struct Node {
-  /// Opens the network. Throws InputError if it can't be opened as configured. Requires entity_mutex() to be
-  /// held.
+  /// Creates the DDS domain and participant for the configured network. Throws InputError if the network
+  /// can't be opened as configured. Requires entity_mutex() to be held.
   explicit Node(const BusConfig& config);
 
   Entity domain;

@@ -19,7 +19,7 @@ std::string read_profile(const std::string& profile) {
   if (profile == "wan") return wan_profile;
   if (!std::filesystem::exists(profile))
     throw InputError(fmt::format(
-        "cannot read network profile \"{}\": use loopback, lan, wan or a file such as deploy/dds/lan.xml",
+        "network profile \"{}\" does not exist: use loopback, lan, wan or a file such as deploy/dds/lan.xml",
         profile));
   constexpr std::size_t max_bytes = 1 << 20;
   return read_regular_file(profile, max_bytes);
@@ -30,7 +30,10 @@ void require_address(const std::string& text, const char* what) {
   const bool ok = !text.empty() && text.size() < 256 && std::ranges::all_of(text, [](unsigned char c) {
     return std::isalnum(c) || c == '.' || c == ':' || c == '-' || c == '_' || c == '[' || c == ']';
   });
-  if (!ok) throw InputError(fmt::format("{} \"{}\" is not a host, address or interface name", what, text));
+  if (!ok)
+    throw InputError(fmt::format(
+        "{} \"{}\" is not a host name, address or interface name; allowed: letters, digits and . : - _ [ ]",
+        what, text));
 }
 
 bool is_ipv4(const std::string& text) {
@@ -83,10 +86,11 @@ void remove_comments(std::string& xml) {
 
 std::string profile_xml(const BusConfig& config) {
   if (config.domain > max_domain)
-    throw InputError(fmt::format("domain {} is out of range: 0 to {}", config.domain, max_domain));
-  if (config.server_index >= servers_per_host)
     throw InputError(
-        fmt::format("server index {} is out of range: 0 to {}", config.server_index, servers_per_host - 1));
+        fmt::format("DDS domain {} is out of range; allowed: 0 to {}", config.domain, max_domain));
+  if (config.server_index >= servers_per_host)
+    throw InputError(fmt::format("server index {} is out of range; allowed: 0 to {}", config.server_index,
+                                 servers_per_host - 1));
   std::string xml = read_profile(config.profile);
   remove_comments(xml);
   const bool loopback = config.profile.empty() || config.profile == "loopback";

@@ -15,13 +15,14 @@ extern const char* const wan_profile;
 inline constexpr std::uint32_t max_domain = 230;
 inline constexpr std::uint32_t servers_per_host = 10;
 
-/// Returns the UDP port of a server with this index (DDSI 2.3, 9.6.1.1).
+/// Returns the UDP port of the server with this index in a DDS domain (DDSI 2.3, 9.6.1.1).
 constexpr std::uint32_t server_port(std::uint32_t domain, std::uint32_t index) {
   return 7410 + 250 * domain + 2 * index;
 }
 
-/// Returns the profile as XML. Throws InputError if the profile can't be read, if a required setting is
-/// missing, or if a value is out of range.
+/// Returns the configuration of Cyclone DDS as XML: the network profile with the settings of `config` filled
+/// in. Throws InputError if the profile can't be read, if a required setting is missing, or if a value is out
+/// of range.
 std::string profile_xml(const BusConfig& config);
 
 }  // namespace prosector

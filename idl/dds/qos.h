@@ -16,7 +16,8 @@ struct QosDeleter {
 using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 
 Qos endpoint_qos(const TopicSpec& topic);
-/// Makes the QoS of a publisher or subscriber. A session is a partition; "*" matches all sessions.
+/// Returns the QoS of a DDS publisher or subscriber of the session. A session is a DDS partition; "*" matches
+/// all sessions.
 Qos partition_qos(const std::string& session);
 
 }  // namespace prosector

@@ -11,9 +11,10 @@ namespace prosector {
 
 class WriterIds {
  public:
-  /// Returns the id of the writer's process; 0 if the writer is gone and was never seen before.
+  /// Returns the id of the remote process whose writer published a sample; `publication` is the writer's
+  /// handle in this reader. Returns 0 if the writer is gone and was never seen before.
   std::uint64_t of(dds_entity_t reader, dds_instance_handle_t publication);
-  /// Returns the processes whose writers currently match this reader.
+  /// Returns the ids of the remote processes whose writers currently match this reader.
   std::vector<std::uint64_t> present(dds_entity_t reader);
 
  private:

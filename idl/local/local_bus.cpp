@@ -67,7 +67,8 @@ class LocalBus final : public Bus {
       if (topics[topic].notifies_end) end_->claims.said(sample.received.writer, sample.received.message);
       end_->counters.taken();
     } else if (!end_->claims.ended(sample.received.writer, sample.received.message)) {
-      end_->counters.dropped(topic, "disposed by a process that did not write it");
+      end_->counters.dropped(
+          topic, "end of an instance ignored: it was reported by a process that did not write the instance");
       return;
     }
     out.push_back(std::move(sample.received));

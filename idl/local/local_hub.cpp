@@ -35,7 +35,7 @@ std::shared_ptr<Hub::End> Hub::join(const BusConfig& end_config) {
   for (const auto& other : ends)
     if (other->alive && end_config.end == BusEnd::server && other->config.end == BusEnd::server &&
         other->config.domain == end_config.domain && other->config.server_index == end_config.server_index)
-      throw InputError("this server index is taken");
+      throw InputError("another server in this process already uses this domain and server index");
   auto end = std::make_shared<End>();
   end->config = end_config;
   end->id = ++last_id;
@@ -75,9 +75,11 @@ bool Hub::publish(End& from, const Message& message) {
     from.counters.dropped(topic, why);
     return false;
   };
-  if (!from.alive || !writes(from.config.end, from.has_arm(), spec)) return refused("not sent by this side");
+  if (!from.alive || !writes(from.config.end, from.has_arm(), spec))
+    return refused("message not sent: this program has no right to write this topic");
   const auto hears = [&](const auto& to) { return meet(from, *to, topic); };
-  if (spec.requires_reader && std::ranges::none_of(ends, hears)) return refused("no server to receive it");
+  if (spec.requires_reader && std::ranges::none_of(ends, hears))
+    return refused("message not sent: no server is connected that could receive it");
   Sample sample;
   if (const Refusal refusal = through_the_wire(message, sample.received.message, sample.bytes))
     return refused(refusal);

@@ -10,7 +10,7 @@ namespace prosector {
 
 class WireArena {
  public:
-  /// Makes `count` value-initialised elements, valid as long as the arena; nullptr if `count` is 0.
+  /// Returns `count` value-initialised elements, which exist as long as the arena; nullptr if `count` is 0.
   template <class T>
   T* make(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);

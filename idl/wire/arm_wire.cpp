@@ -46,7 +46,7 @@ ContactPlane plane_from_wire(const prosector_ContactPlane& w) {
 Refusal check_plane(const ContactPlane& m) {
   return Checks()
       .that(m.body < max_bodies, "no such body")
-      .that(within(m.arm, max_arm_length), "point too far from the hand")
+      .that(within(m.arm, max_arm_length), "the contact point of a contact plane is too far from the hand")
       .that(within(m.point, max_coordinate), "point out of range")
       .that(m.normal.allFinite() && std::abs(m.normal.norm() - 1) <= quaternion_slack, "normal not unit")
       .that(within(m.force, max_plane_force), "force out of range")

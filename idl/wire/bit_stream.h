@@ -10,7 +10,8 @@ namespace prosector {
 
 class BitWriter {
  public:
-  /// Takes zeroed `bytes`, large enough for all values to be written.
+  /// Starts to write at the first bit of `bytes`, which must be zeroed and large enough for all values to be
+  /// written.
   explicit BitWriter(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
 
   void put(std::uint32_t value, unsigned bits) {
@@ -32,7 +33,7 @@ class BitWriter {
 
 class BitReader {
  public:
-  /// Takes `bytes` that contain all values to be read.
+  /// Starts to read at the first bit of `bytes`, which must contain all values to be read.
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint32_t get(unsigned bits) {

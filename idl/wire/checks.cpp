@@ -26,7 +26,7 @@ Refusal check_color(const Vec3& color) {
 Refusal check_shape(const Affine& shape) {
   constexpr double least_volume = 1e-6;  // determinant: scaling by 1/100 in each direction
   return Checks()
-      .that(within(shape.p, max_coordinate), "shape offset out of range")
+      .that(within(shape.p, max_coordinate), "the offset of a part's displayed shape is out of range")
       .that(shape.A.allFinite() && shape.A.cwiseAbs().maxCoeff() <= max_shape_entry, "shape out of range")
       .that(std::abs(shape.A.determinant()) >= least_volume, "shape collapsed")
       .refusal();

@@ -15,7 +15,7 @@ inline constexpr double max_angular_speed = 1.0e4;  // rad/s
 inline constexpr double flexion_slack = 0.05;       // a glove may report slightly outside [0, 1]
 inline constexpr double quaternion_slack = 0.01;  // largest | |q| − 1 | that is re-normalised, not refused
 
-/// Chain of checks; stores the reason of the first failed one.
+/// Sequence of checks of one sample. It stores the reason of the first check that failed.
 class Checks {
  public:
   Checks& that(bool ok, const char* otherwise) {
@@ -38,12 +38,13 @@ bool enum_within(E value, E last) {
   return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
 }
 
-/// Checks that a position is in the room and that a quaternion is unit within quaternion_slack; re-normalises
-/// the quaternion.
+/// Checks that the pose's position is within the allowed coordinates and that its quaternion has unit length
+/// within quaternion_slack. Re-normalises the quaternion. Returns the reason if a check fails.
 Refusal check_pose(Pose& pose);
 Refusal check_color(const Vec3& color);
-/// Checks that a transform is finite, in the room, and not collapsed (determinant not near 0). Its matrix
-/// entries must be at most max_shape_entry.
+/// Checks that the transform of an inspected body is finite, within the allowed coordinates, and not
+/// collapsed (determinant not near 0). Its matrix entries must be at most max_shape_entry. Returns the reason
+/// if a check fails.
 Refusal check_shape(const Affine& shape);
 
 }  // namespace prosector

@@ -12,7 +12,8 @@ template <std::size_t topic>
 WireCodec codec() {
   using M = std::variant_alternative_t<topic, Message>;
   using W = typename Wire<M>::Struct;
-  static_assert(std::string_view(topics[topic].name) == Wire<M>::name, "a topic has its message's name");
+  static_assert(std::string_view(topics[topic].name) == Wire<M>::name,
+                "each topic must have the name of its message type");
   return {
       Wire<M>::descriptor,
       [](const Message& message, WireArena& arena, void*& sample) -> Refusal {

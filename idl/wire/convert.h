@@ -16,7 +16,7 @@
 
 namespace prosector {
 
-/// Wire form of message M: its struct, descriptor and topic name.
+/// Wire form of message type M: the generated struct, its DDS descriptor, and the topic's name.
 template <class M>
 struct Wire;
 

@@ -138,9 +138,10 @@ Refusal check(ContactSample& m) {
       .that(within(m.normal, 1 + quaternion_slack), "normal out of range")
       .that(within(m.depth, -max_coordinate, max_coordinate), "depth out of range")
       .that(within(m.impulse, 0, max_impulse), "impulse out of range")
-      .that(within(m.local_point, 2 * max_coordinate), "local point out of range")
+      .that(within(m.local_point, 2 * max_coordinate),
+            "the contact point in the body's frame is out of range")
       .that(within(m.force, max_force), "force out of range")
-      .that(within(m.impact, -1, 1), "time of impact out of range")
+      .that(within(m.impact, -1, 1), "the contact's time of impact is out of range")
       .refusal();
 }
 

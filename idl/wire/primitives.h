@@ -90,7 +90,7 @@ inline ContentHash from_wire(const prosector_Digest& w) {
   return hash;
 }
 
-/// Makes a wire sequence that refers to `count` new elements of the arena.
+/// Makes the wire sequence `w` refer to `count` new elements of the arena, value-initialised.
 template <class Element, class Sequence>
 void make_sequence(Sequence& w, std::size_t count, WireArena& arena) {
   PROSECTOR_ASSERT(count <= std::numeric_limits<std::uint32_t>::max());

@@ -79,14 +79,14 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
 }
 
 Refusal check_names(const SceneBody& m) {
-  if (m.names.size() > max_local_names) return "too many names of a body";
+  if (m.names.size() > max_local_names) return "a body of the scene has too many names in other languages";
   for (std::size_t i = 0; i < m.names.size(); ++i) {
     const std::string& language = m.names[i].language;
     const auto same = [&](const LocalName& other) { return other.language == language; };
     if (!is_language_tag(language)) return "language tag not valid";
     if (std::any_of(m.names.begin(), m.names.begin() + static_cast<std::ptrdiff_t>(i), same))
-      return "two names of a body in one language";
-    if (!valid_name(m.names[i].name)) return "name in a language not valid";
+      return "a body of the scene has two names in the same language";
+    if (!valid_name(m.names[i].name)) return "a body's name in another language is not valid text";
   }
   const bool term = m.term.empty() || (m.term.size() <= max_term_length && valid_name(m.term));
   return term ? Refusal() : "term not valid";
@@ -105,13 +105,14 @@ Refusal check_body(SceneBody& m) {
       .that(m.points <= max_streamed_points, "too many points")
       .that(!soft || (m.points > 0 && m.chunk_points > 0), "soft body without points")
       .that(m.chunk_points <= max_chunk_points, "chunks too large")
-      .that(within(m.tube_diameter, 0, max_tube_diameter), "tube diameter out of range")
+      .that(within(m.tube_diameter, 0, max_tube_diameter), "the diameter of a body's tube is out of range")
       .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
       .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")
       .that(within(m.appearance.refractive_index, min_refractive_index, max_refractive_index),
-            "refractive index out of range")
-      .that(within(m.appearance.abbe_number, min_abbe_number, max_abbe_number), "Abbe number out of range")
+            "the refractive index of a body's surface is out of range")
+      .that(within(m.appearance.abbe_number, min_abbe_number, max_abbe_number),
+            "the Abbe number of a body's surface is out of range")
       .that(valid_text(m.method), "method not valid text")
       .that(enum_within(m.fidelity, Fidelity::mesh), "unknown fidelity")
       .refusal();
@@ -194,7 +195,8 @@ Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
   m.name = from_wire(w.name);
   m.description = from_wire(w.description);
   for (std::size_t i = 0; i < w.bodies._length; ++i)
-    if (!sequence_within(w.bodies._buffer[i].names, max_local_names)) return "too many names of a body";
+    if (!sequence_within(w.bodies._buffer[i].names, max_local_names))
+      return "a body of the scene has too many names in other languages";
   m.bodies.clear();
   for (std::size_t i = 0; i < w.bodies._length; ++i) m.bodies.push_back(body_from_wire(w.bodies._buffer[i]));
   m.lights.clear();
@@ -214,7 +216,7 @@ Refusal check(SceneInfo& m) {
   for (const LightInfo& light : m.lights) {
     if (const Refusal refusal = check_light(light)) return refusal;
     if (light.body < -1 || light.body >= static_cast<std::int32_t>(m.bodies.size()))
-      return "light's body is not in the scene";
+      return "a light is fixed to a body that is not in the scene";
   }
   return Checks()
       .that(valid_name(m.name), "scene name not valid")
@@ -222,9 +224,9 @@ Refusal check(SceneInfo& m) {
       .that(parents_form_a_forest(m.bodies), "parents form no tree")
       .that(within(m.camera.eye, max_coordinate) && within(m.camera.target, max_coordinate),
             "camera out of range")
-      .that(within(m.camera.fov, 0.01, 3.1), "field of view out of range")
+      .that(within(m.camera.fov, 0.01, 3.1), "the field of view of the scene's camera is out of range")
       .that(!m.patient || is_valid_patient_frame(*m.patient),
-            "the patient's directions are not perpendicular")
+            "the patient's directions (right and head) are zero or not perpendicular")
       .refusal();
 }
 
@@ -250,7 +252,8 @@ Refusal from_wire(const prosector_AssetChunk& w, AssetChunk& m) {
 }
 
 Refusal check(AssetChunk& m) {
-  if (m.total_bytes == 0 || m.total_bytes > max_asset_bytes) return "asset size out of range";
+  if (m.total_bytes == 0 || m.total_bytes > max_asset_bytes)
+    return "the size of an asset is zero or too large";
   if (m.chunks != (m.total_bytes + asset_chunk_bytes - 1) / asset_chunk_bytes)
     return "wrong number of chunks";
   if (m.chunk >= m.chunks) return "no such chunk";

@@ -25,7 +25,9 @@ class ByteCount {
       ++op;
     }
     while (DDS_OP(*op) == DDS_OP_ADR) op = add_field(op, at + op[1]);
-    if (DDS_OP(*op) != DDS_OP_RTS) throw InternalError("wire: an instruction that isn't a field");
+    if (DDS_OP(*op) != DDS_OP_RTS)
+      throw InternalError(
+          "wire: a message type's description has an instruction that does not describe a field");
   }
   std::size_t bytes() const { return bytes_; }
 
@@ -100,7 +102,7 @@ class ByteCount {
       case DDS_OP_VAL_8BY:
         return 8;
       default:
-        throw InternalError("wire: a kind of field whose size isn't known");
+        throw InternalError("wire: a message type has a kind of field whose size is not known");
     }
   }
 

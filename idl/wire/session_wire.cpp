@@ -30,7 +30,7 @@ Refusal check(SessionInfo& m) {
   checks.that(valid_name(m.session), "session name not valid");
   if (m.version == protocol_version)  // the other fields may have another meaning in another version
     checks.that(valid_name(m.scene), "scene name not valid")
-        .that(within(m.tick_rate, 1, 10000), "tick rate out of range");
+        .that(within(m.tick_rate, 1, 10000), "the session's tick rate is out of range");
   return checks.refusal();
 }
 

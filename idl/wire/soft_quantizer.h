@@ -17,8 +17,9 @@ inline constexpr double velocity_quantum = 4e-3;
 inline constexpr std::uint8_t max_velocity_bits = 8;  // if more would be needed, the error is range / 255 / 2
 inline constexpr unsigned max_component_bits = 26;    // covers 2·max_coordinate at position_quantum
 
-/// A grid over the box [low, low + extent] with 2^bits points per component; with 0 bits, the middle of the
-/// box. The box is stored as floats, as it is transmitted, so that both ends compute the same grid.
+/// A quantisation grid over the box [low, low + extent], with 2^bits points per component; 0 bits stand for
+/// the middle of the box. The box is stored as floats, as it is transmitted, so that sender and receiver
+/// compute the same grid.
 struct Grid {
   std::array<float, 3> low{}, extent{};
   std::array<std::uint8_t, 3> bits{};
@@ -27,16 +28,21 @@ struct Grid {
   double value(std::uint32_t index, std::size_t component) const;
 };
 
-/// Returns the smallest grid over `points` with steps of at most position_quantum.
+/// Returns the quantisation grid over the bounding box of `points` (m) with the fewest bits for which steps
+/// are at most position_quantum.
 Grid position_grid(std::span<const Vec3> points);
-/// Returns the smallest grid over `points` with steps of at most velocity_quantum, or max_velocity_bits.
+/// Returns the quantisation grid over the bounding box of the velocities `points` (m/s). It has the fewest
+/// bits for which steps are at most velocity_quantum, but no more than max_velocity_bits.
 Grid velocity_grid(std::span<const Vec3> points);
-/// Computes the bits from the extent (finite), so that they needn't be transmitted.
+/// Sets the bits of a velocity grid from its extent, which must be finite, so that they needn't be
+/// transmitted.
 void set_velocity_bits(Grid& grid);
 
-/// Returns the number of bytes of `count` points packed on these two grids.
+/// Returns the number of bytes of `count` points whose positions and velocities are packed on these two
+/// quantisation grids.
 std::size_t packed_bytes(const Grid& positions, const Grid& velocities, std::size_t count);
-/// Packs the points one by one, position then velocity; `bytes` must be zeroed and packed_bytes() long.
+/// Packs the points on the two quantisation grids one by one: position, then velocity. `bytes` must be zeroed
+/// and packed_bytes() long.
 void pack(const Grid& position_grid, const Grid& velocity_grid, std::span<const Vec3> positions,
           std::span<const Vec3> velocities, std::span<std::uint8_t> bytes);
 void unpack(const Grid& position_grid, const Grid& velocity_grid, std::span<const std::uint8_t> bytes,

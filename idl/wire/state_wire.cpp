@@ -49,7 +49,7 @@ Refusal check(RigidState& m) {
   return Checks()
       .that(m.body < max_bodies, "no such body")
       .that(within(m.linear_velocity, max_speed), "velocity out of range")
-      .that(within(m.angular_velocity, max_angular_speed), "angular velocity out of range")
+      .that(within(m.angular_velocity, max_angular_speed), "the body's angular velocity is out of range")
       .refusal();
 }
 
@@ -95,8 +95,10 @@ Refusal from_wire(const prosector_SoftState& w, SoftState& m) {
 Refusal check(SoftState& m) {
   Checks checks;
   checks.that(m.body < max_bodies, "no such body")
-      .that(!m.positions.empty() && m.positions.size() <= max_chunk_points, "number of points out of range")
-      .that(m.velocities.size() == m.positions.size(), "number of velocities differs from number of points")
+      .that(!m.positions.empty() && m.positions.size() <= max_chunk_points,
+            "the number of the body's points in the message is zero or too large")
+      .that(m.velocities.size() == m.positions.size(),
+            "the message's number of velocities differs from its number of points; they must be equal")
       .that(m.first_point <= max_streamed_points - m.positions.size(), "points out of range");
   for (const Vec3& x : m.positions) checks.that(within(x, max_coordinate), "position out of range");
   for (const Vec3& v : m.velocities) checks.that(within(v, max_speed), "velocity out of range");
@@ -116,7 +118,8 @@ void to_wire(const Settled& m, prosector_Settled& w, WireArena& arena) {
 Refusal from_wire(const prosector_Settled& w, Settled& m) {
   static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
   if (!sequence_within(w.positions, 3 * max_streamed_points)) return "too many points";
-  if (w.positions._length % 3 != 0) return "number of coordinates is not three per point";
+  if (w.positions._length % 3 != 0)
+    return "the number of coordinates is not a multiple of three; each point needs three";
   m.body = w.body;
   m.time = from_wire(w.time);
   m.revision = w.revision;
@@ -132,7 +135,7 @@ Refusal check(Settled& m) {
   Checks checks;
   checks.that(m.body < max_bodies, "no such body")
       .that(!m.positions.empty() && m.positions.size() <= max_streamed_points,
-            "number of points out of range");
+            "the number of the body's points in the message is zero or too large");
   for (const Eigen::Vector3f& x : m.positions)
     checks.that(x.allFinite() && x.cwiseAbs().maxCoeff() <= limit, "position out of range");
   return checks.refusal();

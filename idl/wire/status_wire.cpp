@@ -61,14 +61,15 @@ Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
 
 Refusal check(ServerStatus& m) {
   Checks checks;
-  checks.that(within(m.real_time_factor, 0, max_statistic), "real-time factor out of range")
+  checks.that(within(m.real_time_factor, 0, max_statistic), "the server's real-time factor is out of range")
       .that(within(m.step_ms_p50, 0, max_statistic) && within(m.step_ms_p99, 0, max_statistic),
-            "step time out of range")
+            "the server's duration of a step is out of range")
       .that(within(m.solver_residual, 0, max_statistic), "residual out of range")
       .that(within(m.energy, -max_statistic, max_statistic), "energy out of range")
       .that(within(m.error, -1, max_statistic), "error out of range")
       .that(valid_text(m.degraded), "degraded not valid text");
-  for (const double ms : m.phase_ms) checks.that(within(ms, 0, max_statistic), "phase time out of range");
+  for (const double ms : m.phase_ms)
+    checks.that(within(ms, 0, max_statistic), "the server's duration of a phase of the step is out of range");
   return checks.refusal();
 }
 
@@ -146,10 +147,11 @@ Refusal check(BodyStatus& m) {
       .that(within(m.parts.discretisation, -max_statistic, max_statistic) &&
                 within(m.parts.model, -max_statistic, max_statistic) &&
                 within(m.parts.solver, 0, max_statistic) && within(m.parts.time, 0, max_statistic),
-            "error component out of range")
+            "a component of the body's estimated error is out of range")
       .that(within(m.expected_ms, -1, max_statistic), "expectation out of range")
-      .that(is_valid_error_map(m.error_map), "error map's size, position or values are inconsistent")
-      .that(m.stepped_down <= max_steps_down, "effort reduction out of range")
+      .that(is_valid_error_map(m.error_map),
+            "the size, position or values of the body's error map are inconsistent")
+      .that(m.stepped_down <= max_steps_down, "the reduction of the body's solver effort is out of range")
       .refusal();
 }
 

@@ -33,13 +33,16 @@ bool is_ascending_below(const std::vector<Entry>& entries, std::size_t limit) {
 Refusal check(const SurfacePatch& patch) {
   Checks checks;
   checks.that(patch.points.size() <= max_streamed_points, "too many points")
-      .that(is_ascending_below(patch.vertices, max_surface_vertices), "vertices out of order or range")
-      .that(is_ascending_below(patch.triangles, max_surface_triangles), "triangles out of order or range");
+      .that(is_ascending_below(patch.vertices, max_surface_vertices),
+            "the vertices of a surface patch are not in ascending order or out of range")
+      .that(is_ascending_below(patch.triangles, max_surface_triangles),
+            "the triangles of a surface patch are not in ascending order or out of range");
   for (const auto& point : patch.points)
     checks.that(is_in_room(point.rest) && is_in_room(point.now), "position out of range");
   for (const auto& vertex : patch.vertices) {
     checks.that(is_in_room(vertex.rest), "position out of range")
-        .that(sound_weights(vertex.weight), "weights out of range or not of sum 1");
+        .that(sound_weights(vertex.weight),
+              "the weights of a surface vertex are out of range or their sum is not 1");
     for (const std::uint32_t point : vertex.point)
       checks.that(point < max_streamed_points, "point out of range");
   }

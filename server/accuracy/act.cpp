@@ -21,8 +21,8 @@ constexpr std::size_t candidates_to_press = 40;
 constexpr double steepest = 0.2;  // least cosine between a face's normal and the push for it to bear pressure
 
 double softest(const SoftDesc& desc) {
-  double least = desc.youngs_modulus;
-  for (const RegionDesc& region : desc.regions)
+  double least = desc.material.youngs_modulus;
+  for (const RegionDesc& region : desc.material.regions)
     if (region.youngs_modulus > 0) least = std::min(least, region.youngs_modulus);
   return least;
 }
@@ -107,8 +107,8 @@ std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& 
   const double thick = thickness(mesh, faces);
   Press press;
   press.radius = std::min(fingertip, thin * thick);
-  press.force = 2 * softest(desc) / (1 - desc.poisson_ratio * desc.poisson_ratio) * press.radius *
-                std::min(dent, shallow * thick);
+  press.force = 2 * softest(desc) / (1 - desc.material.poisson_ratio * desc.material.poisson_ratio) *
+                press.radius * std::min(dent, shallow * thick);
   int place = 0;
   for (const OuterFace& face : pressed_faces(desc, mesh, gravity, faces, presses)) {
     press.point = middle(mesh, face);

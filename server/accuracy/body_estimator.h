@@ -31,7 +31,12 @@
 
 namespace prosector {
 
-/// State of a body at one time.
+namespace estimation {
+struct ErrorWork;
+}
+
+/// State of a soft body at one time, from which its errors are estimated. It has the nodes' positions,
+/// accelerations and time step error, the solver's error, and the work of pressing forces.
 struct BodyMoment {
   VecX x;             // 3n, m
   VecX acceleration;  // 3n, m/s²: gravity's less the nodes' own, over the users' factor on stiffness
@@ -50,32 +55,35 @@ struct Estimate {
 
 class BodyEstimator {
  public:
-  /// Returns whether bodies of that description can be estimated: tetrahedra with a constitutive law.
+  /// Returns whether the errors of bodies with that description and mesh can be estimated. That requires
+  /// tetrahedra and a constitutive law.
   static bool judges(const SoftDesc& desc, const TetMesh& mesh);
 
-  /// Makes an estimator for a body with the rest shape `mesh` (world frame; for quadratic elements with the
-  /// edge midpoints among its nodes). `ties`: stiffness that ties each node, n, N/m. `tissue`: the law that
-  /// tissue is assumed to follow.
+  /// Prepares the estimator for a body with the rest shape `mesh` (world frame; for quadratic elements with
+  /// the edge midpoints among its nodes). `ties` is the stiffness (n, N/m) of the attachments at each node.
+  /// `tissue` names the constitutive law that real tissue is assumed to follow.
   BodyEstimator(const SoftDesc& desc, const TetMesh& mesh, const VecX& ties, const std::string& tissue);
   ~BodyEstimator();
   BodyEstimator(BodyEstimator&&) noexcept;
 
-  /// Returns the number of pieces of work in an estimate, each of about a microsecond.
+  /// Returns the number of pieces of work into which an estimate is divided, each of about a microsecond.
   std::size_t pieces() const;
-  /// Begins an estimate of that state, which is swapped in.
+  /// Begins an estimate of the errors in the state `moment`, which is swapped with a member: afterwards
+  /// `moment` contains an earlier state's buffers.
   void begin(BodyMoment& moment);
-  /// Runs up to that many pieces. Returns whether the estimate is complete. Allocates nothing.
+  /// Runs up to `pieces` pieces of work on the estimate that was begun. Returns whether the estimate is
+  /// complete. Allocates no memory.
   bool go_on(std::size_t pieces);
-  /// Returns the last complete estimate.
+  /// Returns the last estimate that was completed.
   const Estimate& newest() const;
 
-  /// Stores the state of the newest estimate as unpressed: loads added later count as a press.
+  /// Stores the state of the newest estimate as the unpressed state. Loads added later count as a press,
+  /// whose force's relative error is estimated separately.
   void keep_as_quiet();
   const TetMesh& mesh() const;
 
  private:
-  struct Work;
-  std::unique_ptr<Work> work_;
+  std::unique_ptr<estimation::ErrorWork> work_;
 };
 
 }  // namespace prosector

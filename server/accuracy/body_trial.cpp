@@ -89,8 +89,8 @@ void BodyTrial::leave_out_unborne() {
 std::unique_ptr<BodyTrial::Solved> BodyTrial::solve(const std::string& model, const std::string& element,
                                                     const Anatomy& mesh) const {
   SoftDesc desc = desc_;
-  desc.model = model;
-  desc.element = element;
+  desc.configuration.model = model;
+  desc.configuration.element = element;
   auto out = std::make_unique<Solved>(desc, mesh);
   for (std::size_t i = 0; i < acts_.size(); ++i) {
     const Act& act = acts_[i];
@@ -113,7 +113,10 @@ double BodyTrial::difference(std::size_t act, const Solved& one, const Solved& o
 }
 
 std::vector<ActError> BodyTrial::measure(const std::string& model, const std::string& element) const {
-  if (element == "tet10" && !divided_) throw std::logic_error("quadratic elements judged by their own kind");
+  if (element == "tet10" && !divided_)
+    throw std::logic_error(
+        "configurations with tet10 elements cannot be judged: the reference solution has tet10 elements of "
+        "the same size");
   const auto solved = solve(model, element, mesh_);
   std::vector<ActError> out;
   for (std::size_t act = 0; act < acts_.size(); ++act)

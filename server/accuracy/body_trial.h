@@ -22,8 +22,8 @@
 
 namespace prosector {
 
-/// The error of a body that is inside out, or does not settle. No relative error of displacements is that
-/// large.
+/// Value of a relative error that stands for a trial body that turned inside out or does not come to rest. No
+/// relative error of displacements is that large.
 inline constexpr double collapsed = 1e3;
 
 struct ActError {
@@ -32,10 +32,10 @@ struct ActError {
   double unsettled = 0;  // share of `error` that is the reference's own
 };
 
-/// Returns the act with the largest error; `acts` must not be empty.
+/// Returns the act (test load) with the largest error; `acts` must not be empty.
 const ActError& worst(const std::vector<ActError>& acts);
 
-/// The law that tissue is assumed to follow where an author names none.
+/// Name of the constitutive law that real tissue is assumed to follow where a scene's author names none.
 inline constexpr const char* tissue_law = "fem_neo_hookean";
 
 struct TrialSettings {
@@ -44,21 +44,25 @@ struct TrialSettings {
   int presses = 6;               // places that a fingertip presses
   bool tilts = true;             // whether a free body is tilted, too
   double weight = 1;             // factor on the body's weight
-  /// Called before each step of the solver; may throw to abort the trial.
+  /// Function that is called before each step of the solver. It may throw an exception to abort the trial.
+  /// Empty: not called.
   std::function<void()> before_step = {};
 };
 
 class BodyTrial {
  public:
-  /// Computes the reference on `mesh`, in the world frame. The mesh's surface is not used.
+  /// Computes the reference displacements of the body under each test load on `mesh`, in the world frame. The
+  /// anatomy's surface is not used.
   BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, const TrialSettings& settings);
   ~BodyTrial();
   BodyTrial(BodyTrial&&) noexcept;
 
-  /// Returns whether quadratic elements can be judged, too.
+  /// Returns whether the reference mesh was divided, so that quadratic elements can be judged by it, too. An
+  /// undivided reference judges linear elements only.
   bool judges_quadratic() const { return divided_; }
-  /// Returns the errors of model and element, act by act, with the reference's own error included. Throws
-  /// std::logic_error for quadratic elements that can't be judged.
+  /// Returns the relative displacement errors of that model and element on the body, one for each act (test
+  /// load). The reference's own error is included. Throws std::logic_error for quadratic elements if
+  /// judges_quadratic() is false.
   std::vector<ActError> measure(const std::string& model, const std::string& element) const;
   const std::vector<Act>& acts() const { return acts_; }
 

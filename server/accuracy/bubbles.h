@@ -13,8 +13,8 @@
 
 namespace prosector {
 
-/// One function N of a tetrahedron. Integrals are over the volume, per unit of volume; [c][d]: c, d are
-/// corners.
+/// A hierarchical function N of the next order on a tetrahedron, given by its integrals over the volume, per
+/// unit of volume. Matrix indices [c][d] are corners of the tetrahedron.
 struct Bubble {
   std::vector<std::size_t> corners;  // of its edge or face, ascending
   Eigen::Matrix4d stress;            // ∫L_c·∂N/∂L_d: for a linear stress
@@ -24,7 +24,8 @@ struct Bubble {
   double square = 0;                 // ∫N²
 };
 
-/// A function N on a triangle, whose corners are those of a tetrahedron's face.
+/// A hierarchical function N of the next order on a triangle. The triangle's corners are those of a
+/// tetrahedron's face.
 struct FaceBubble {
   std::vector<std::size_t> corners;  // of its edge or the face: among 0, 1, 2, ascending
   Vec3 load;                         // ∫N·L_c over the triangle, per unit of area

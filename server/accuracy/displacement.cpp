@@ -86,7 +86,10 @@ double relative_difference(const Probes& a, const VecX& x_a, const Probes& b, co
     all += v->squaredNorm();
     ++shared;
   }
-  if (2 * shared < places) throw std::logic_error("two meshes of a body share less than half of it");
+  if (2 * shared < places)
+    throw std::logic_error(
+        "less than half of the probe positions are inside both meshes of the body, so their displacements "
+        "cannot be compared");
   return std::sqrt(off / all);
 }
 

@@ -11,16 +11,17 @@
 
 namespace prosector {
 
-/// Returns about `count` positions that are spread evenly over the volume at rest, each inside a tetrahedron.
-/// There are fewer if the mesh has fewer tetrahedra.
+/// Returns about `count` positions (m) spread evenly over the volume of the mesh at rest, each inside a
+/// tetrahedron. There are fewer if the mesh has fewer tetrahedra.
 std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count);
 
-/// Positions in the room, located in a body at rest.
+/// Positions at which displacements of bodies with different meshes are compared. Each is located once in a
+/// body at rest, and its displacement is then interpolated from that body's nodes.
 class Probes {
  public:
   Probes(const StaticBody& body, std::span<const Vec3> places);
-  /// Returns the displacement from rest of the tissue at position k, m, with nodes at `x` (3n); nothing where
-  /// the position is outside the mesh.
+  /// Returns the displacement from rest (m) of the tissue at position k when the body's nodes are at `x` (3n,
+  /// m). Returns nothing if the position is outside the body's mesh.
   std::optional<Vec3> displacement(std::size_t k, const VecX& x) const;
 
  private:
@@ -32,9 +33,9 @@ class Probes {
   std::vector<std::optional<Row>> rows_;
 };
 
-/// Returns the root mean square of the difference between two bodies' displacements over that of the second,
-/// at the positions that both contain. Throws std::logic_error where they share less than half of the
-/// positions.
+/// Returns the relative difference between the displacements of two bodies: the root mean square of their
+/// difference, divided by the root mean square of the second body's. The mean is over the positions that lie
+/// in both bodies, out of `places`. Throws std::logic_error if they share less than half of the positions.
 double relative_difference(const Probes& a, const VecX& x_a, const Probes& b, const VecX& x_b,
                            std::size_t places);
 

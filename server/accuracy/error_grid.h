@@ -13,12 +13,13 @@ namespace prosector {
 
 class ErrorGrid {
  public:
-  /// Makes a grid of cubes over the first `vertices` positions of the mesh, with max_error_map_side values
-  /// along the longest axis.
+  /// Makes a grid of cubic cells over the first `vertices` positions of the mesh. It has max_error_map_side
+  /// values along the longest axis.
   ErrorGrid(const TetMesh& mesh, std::size_t vertices);
 
-  /// Returns the map of errors (fractions) by vertex. Each value is the mean of the vertices around it,
-  /// weighted by nearness. Values without vertices around get the mean of their neighbours.
+  /// Returns the map of relative errors (fractions) on the grid, computed from the errors at the mesh's
+  /// vertices. Each value is the mean over the vertices around it, weighted by nearness. Values without
+  /// vertices around get the mean of their neighbours.
   ErrorMap map_of(std::span<const double> errors);
 
  private:

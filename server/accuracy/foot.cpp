@@ -37,7 +37,7 @@ std::optional<Foot> foot_of(const SoftDesc& desc, const TetMesh& mesh, const Vec
   const EndsAlong along = extent(mesh, foot.axis);
   foot.level = along.high;
   foot.depth = fading * along.length();
-  foot.stiffness = stiffness * desc.youngs_modulus / (along.length() * along.length());
+  foot.stiffness = stiffness * desc.material.youngs_modulus / (along.length() * along.length());
   return foot;
 }
 

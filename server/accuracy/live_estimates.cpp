@@ -19,9 +19,9 @@ constexpr double least_moved = 5e-5;     // m: half the precision of drawn surfa
 
 int order_of(const SoftDesc& desc) {
   for (const IntegratorRow& row : integrators())
-    if (row.name == desc.integrator) return row.order;
+    if (row.name == desc.configuration.integrator) return row.order;
   for (const auto& row : explicit_integrators())
-    if (row.name == desc.integrator) return row.order;
+    if (row.name == desc.configuration.integrator) return row.order;
   return 1;  // position-based models
 }
 
@@ -78,7 +78,8 @@ void LiveEstimates::rebuild(const Simulation& simulation, BodyId id, Body& body)
   if (!BodyEstimator::judges(soft.desc(), mesh)) return;
   const VecX ties = body.attached ? soft.attachment_stiffness() : VecX(VecX::Zero(soft.nodes()));
   // Fibres are the author's knowledge of this tissue: a law without them is no reference for it.
-  const std::string tissue = soft.desc().model == "fem_fibers" ? soft.desc().model : tissue_law;
+  const std::string tissue =
+      soft.desc().configuration.model == "fem_fibers" ? soft.desc().configuration.model : tissue_law;
   body.estimator = std::make_unique<BodyEstimator>(soft.desc(), mesh, ties, tissue);
   body.grid = std::make_unique<ErrorGrid>(body.estimator->mesh(), body.estimator->newest().local.size());
 }

@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// The newest estimate of one body.
+/// The newest estimate of the error of one soft body: total, parts, error of the pressing force, and error
+/// map.
 struct LiveEstimate {
   std::uint64_t tick = 0;  // tick of the estimated state
   double error = -1;       // as in BodyStatus; 0 where the body moved by less than the precision of its shape
@@ -27,11 +28,12 @@ class LiveEstimates {
  public:
   explicit LiveEstimates(const Simulation& simulation);
 
-  /// Continues the estimates after a tick. The number of pieces of work depends on the bodies alone, not on a
-  /// clock. Awake bodies are estimated each quarter of a second. A body that was cut or detached is estimated
-  /// once it has not changed for half a second.
+  /// Continues the error estimates of soft bodies after a tick. The number of pieces of work depends on the
+  /// bodies alone, not on a clock. Awake bodies are estimated each quarter of a second. A body that was cut
+  /// or detached is estimated once it has not changed for half a second.
   void follow(const Simulation& simulation, const StepReport& report);
-  /// Returns the newest estimate of a body; null: there is none, or it is no longer valid.
+  /// Returns the newest error estimate of a body. Returns null if there is none, or if it is no longer valid
+  /// because the body was cut, detached or attached since.
   const LiveEstimate* newest(BodyId body) const;
 
  private:

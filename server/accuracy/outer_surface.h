@@ -11,21 +11,24 @@
 
 namespace prosector {
 
-/// Corners, counter-clockwise seen from outside.
+/// Corners of an outer face of a tetrahedral mesh: three node indices, counter-clockwise seen from outside.
 using OuterFace = std::array<std::uint32_t, 3>;
 
-/// Returns the faces that belong to only one tetrahedron, in the tetrahedra's order.
+/// Returns the outer faces of the mesh: those that belong to only one tetrahedron, in the tetrahedra's order.
 std::vector<OuterFace> outer_faces(const TetMesh& mesh);
 Vec3 middle(const TetMesh& mesh, const OuterFace& face);
 /// Returns the area vector of a face, m², along its outward normal.
 Vec3 area_vector(const TetMesh& mesh, const OuterFace& face);
-/// Returns four times volume over surface, m: for a long beam its side, for a cube two thirds of its edge.
+/// Returns a measure of the body's thickness (m), four times its volume over the area of `faces`. For a long
+/// square beam it is the side of the section, for a cube two thirds of its edge.
 double thickness(const TetMesh& mesh, const std::vector<OuterFace>& faces);
 
-/// Returns the depth of the body, m, from the middle of one of its outer faces inwards along the normal.
+/// Returns the depth of the body (m), measured from the middle of the outer face `face` inwards along its
+/// normal to the first other face. Infinite if there is none.
 double depth_below(const TetMesh& mesh, const std::vector<OuterFace>& faces, const OuterFace& face);
 
-/// An integration point at rest.
+/// An integration point on an outer face of a body at rest, with its share of the area and its shape
+/// functions.
 struct SurfacePoint {
   Vec3 at;                              // m
   double area;                          // m²: its share of the face
@@ -33,8 +36,8 @@ struct SurfacePoint {
   std::array<double, 6> shape{};        // shape functions; 0 on edges of linear elements
 };
 
-/// Calls f for the integration points of each face that `wanted` accepts. On a face with edges of a
-/// centimetre there is about one per millimetre.
+/// Calls f for each integration point on the outer faces that `wanted` accepts. On a face with edges of a
+/// centimetre there is about one point per millimetre.
 void for_surface_points(const StaticBody& body, const std::function<bool(const OuterFace&)>& wanted,
                         const std::function<void(const SurfacePoint&)>& f);
 

@@ -13,10 +13,12 @@ namespace prosector {
 
 class Secants {
  public:
-  /// Stores the change of the gradient over a step. Pairs without positive curvature are ignored.
+  /// Stores a solver's step and the change of the gradient over it. A pair without positive curvature
+  /// (step·change ≤ 0) is ignored.
   void remember(const VecX& step, const VecX& change);
-  /// Returns the descent direction −B⁻¹·gradient. `solve` returns H⁻¹r for the current approximate Hessian,
-  /// which serves for directions that no pair covers.
+  /// Returns the descent direction −B⁻¹·gradient, where B is the Hessian as corrected by the stored pairs
+  /// (L-BFGS). `solve` returns H⁻¹r for the current approximate Hessian H, which is used for directions that
+  /// no pair covers.
   VecX direction(const VecX& gradient, const std::function<VecX(const VecX& r)>& solve) const;
 
  private:

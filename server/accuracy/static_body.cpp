@@ -24,8 +24,8 @@ constexpr SolverSettings solve_settings = {400, 1e-4};
 /// Returns the description without damping and with a fast solver, neither of which affects the shape at
 /// rest.
 SoftDesc undamped(SoftDesc desc) {
-  desc.damping_mass = desc.damping_stiffness = 0;
-  desc.solver = "multigrid";  // several times as fast here as a factorisation
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
+  desc.configuration.solver = "multigrid";  // several times as fast here as a factorisation
   return desc;
 }
 
@@ -38,7 +38,7 @@ bool StaticAnswer::usable() const {
 /// Potential, Hessian and linear solver of the minimisation.
 struct StaticBody::Newton {
   Newton(const SoftMatter& matter, Eigen::Index nodes)
-      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}
+      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.configuration.solver)) {}
   IncrementalPotential potential;
   BodyOnSprings hessian;
   std::unique_ptr<LinearSolver> solver;
@@ -84,7 +84,8 @@ const VecX& StaticBody::volume() const {
   return matter_->model->volume();
 }
 VecX StaticBody::weight(const Vec3& acceleration) const {
-  return (matter_->desc.density * acceleration * matter_->model->shape_volume().transpose()).reshaped();
+  return (matter_->desc.material.density * acceleration * matter_->model->shape_volume().transpose())
+      .reshaped();
 }
 bool StaticBody::quadratic() const {
   return matter_->quadratic.has_value();

@@ -13,7 +13,7 @@ namespace prosector {
 
 struct SoftMatter;
 
-/// Shape of a body at rest under a load.
+/// Shape of a body at rest under a load, and whether the solver found it.
 struct StaticAnswer {
   VecX x;                // 3n, m
   bool settled = false;  // the last Newton step gained less than 1e-7 of the energy
@@ -23,27 +23,29 @@ struct StaticAnswer {
 
 class StaticBody {
  public:
-  /// Makes the body. `anatomy` is in the world frame. Throws InputError as SoftBody does.
+  /// Makes the body from its description and its `anatomy`, which is in the world frame. Throws InputError
+  /// for descriptions that SoftBody rejects.
   StaticBody(const SoftDesc& desc, Anatomy anatomy);
   ~StaticBody();
   StaticBody(StaticBody&&) noexcept;
 
-  /// Returns the mesh; for quadratic elements with the edge midpoints among the nodes.
+  /// Returns the body's mesh at rest. For quadratic elements the edge midpoints are among the nodes.
   const TetMesh& mesh() const;
   const VecX& rest() const;    // 3n, m
   const VecX& mass() const;    // n, kg
   const VecX& volume() const;  // n, m³
-  /// Returns the force (3n, N) of its weight under an acceleration (m/s²), as its elements bear it.
+  /// Returns the force (3n, N) of the body's weight on its nodes under an acceleration (m/s²), distributed by
+  /// the shape functions of its elements.
   VecX weight(const Vec3& acceleration) const;
   bool quadratic() const;
   const SoftMatter& matter() const { return *matter_; }
 
-  /// Ties the nodes to their rest positions by springs, besides the ties of the description. Replaces the
-  /// springs of an earlier call. `stiffness`: n, N/m.
+  /// Ties each node to its rest position by a spring, in addition to the attachments of the description.
+  /// Replaces the springs of an earlier call. `stiffness`: n, N/m.
   void tie(const VecX& stiffness);
 
-  /// Finds the shape at rest under `load` (3n, N), starting from the rest shape. Something must tie the body.
-  /// `before_step` is called before each Newton step, and may throw to abort.
+  /// Finds the shape at rest under `load` (3n, N), starting from the rest shape. Attachments or springs of
+  /// tie() must hold the body. `before_step` is called before each Newton step, and may throw to abort.
   StaticAnswer settle(const VecX& load, const std::function<void()>& before_step = {});
 
  private:

@@ -18,10 +18,10 @@ constexpr double worth_offering = 0.9;           // of the error before: larger 
 }  // namespace
 
 SoftDesc without_fixed_rung(SoftDesc desc) {
-  const bool names_a_law = desc.fixed.model && is_law(desc.model);
-  const bool from_a_file = !desc.mesh.empty() && !is_surface_file(desc.mesh);
-  desc.fixed = {.model = names_a_law, .cell = from_a_file};
-  desc.accuracy = desc.budget = {};
+  const bool names_a_law = desc.choice.fixed.model && is_law(desc.configuration.model);
+  const bool from_a_file = !desc.geometry.mesh.empty() && !is_surface_file(desc.geometry.mesh);
+  desc.choice.fixed = {.model = names_a_law, .cell = from_a_file};
+  desc.choice.accuracy = desc.choice.budget = {};
   return desc;
 }
 
@@ -31,13 +31,15 @@ AccuracyChange::AccuracyChange(const SceneDesc& scene, const std::string& body, 
   const auto found = std::find_if(scene.soft.begin(), scene.soft.end(), of_that_name);
   if (found == scene.soft.end())
     throw InputError(
-        fmt::format("{} is not a [[soft]] body of the scene file: its model is unchanged", body));
+        fmt::format("{} is not a [[soft]] body of the scene file: its model is unchanged. Accuracy can be "
+                    "set only for bodies listed as [[soft]]",
+                    body));
   scene_.soft = {without_fixed_rung(*found)};
 }
 
 Choice AccuracyChange::choose(double percent) const {
   SceneDesc scene = scene_;
-  scene.soft.front().accuracy.value = percent;
+  scene.soft.front().choice.accuracy.value = percent;
   return choose_rungs(scene, options_).front();
 }
 

@@ -11,21 +11,22 @@
 
 namespace prosector {
 
-/// Removes the rung that the author fixed. The material stays, and so do a constitutive law and a mesh file
-/// that the author named.
+/// Returns the description without the configuration (model, element, solver and effort) that the scene's
+/// author fixed, so that another one can be chosen. The material remains, and so do a constitutive law and a
+/// mesh file that the author named.
 SoftDesc without_fixed_rung(SoftDesc desc);
 
 class AccuracyChange {
  public:
-  /// Prepares choices for a body of a scene that has its current choices adopted. Throws InputError when it
-  /// has no soft body of that name.
+  /// Prepares the choice of another configuration for the body named `body`. The current choices for all
+  /// bodies must already be adopted in `scene`. Throws InputError if the scene has no soft body of that name.
   AccuracyChange(const SceneDesc& scene, const std::string& body, ChoiceOptions options);
 
-  /// Returns the cheapest rung with an error of at most `percent`. Throws InputError for a body without
-  /// tetrahedra.
+  /// Returns the cheapest rung (model configuration) with an error of at most `percent` %. Throws InputError
+  /// for a body without tetrahedra.
   Choice choose(double percent) const;
-  /// Returns the errors and costs that the body can have, the cheapest first, each more accurate than the one
-  /// before: its Pareto front over the rungs tried.
+  /// Returns the pairs of error and cost that are available for the body, the cheapest first, each more
+  /// accurate than the one before. They are the Pareto front of the configurations tried.
   std::vector<Price> prices() const;
 
  private:
@@ -33,7 +34,8 @@ class AccuracyChange {
   ChoiceOptions options_;
 };
 
-/// Returns prices as text: "30 % for 0.8 ms a frame, 7 % for 4.1".
+/// Returns the available errors and costs of a body as text, such as "30 % for 0.8 ms per frame, 7 % for 4.1
+/// ms per frame".
 std::string in_words(const std::vector<Price>& prices);
 
 }  // namespace prosector

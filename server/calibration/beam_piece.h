@@ -6,22 +6,24 @@
 namespace prosector {
 
 inline const Vec3 beam_size(0.4, 0.1, 0.1);
-/// First bending frequency of the continuum at ν = 0.3, Hz, converged to 2e-4.
+/// First bending frequency (Hz) of the reference beam, a clamped continuum of 0.4 × 0.1 × 0.1 m with Poisson
+/// ratio 0.3. Converged to a relative error of 2e-4.
 inline constexpr double beam_first_frequency = 1.6864;
 
-/// Makes a beam of `cells` cells along its length: a multiple of 4, or of 8 for a node at the tip's centre.
+/// Makes the reference beam with `cells` cells along its length. The number is a multiple of 4, or of 8 for a
+/// node at the tip's centre.
 TestPiece beam_piece(unsigned cells, double poisson_ratio);
 
-/// Direction of the swing: along a diagonal of the section. A square section has the same frequency in every
-/// direction. But a Kuhn mesh couples directions that are not along a diagonal of its end face, and the plane
-/// of the swing would rotate. The mesh is softest in this direction.
+/// Direction in which the reference beam swings: along a diagonal of its section. A square section has the
+/// same frequency in every direction. But a Kuhn mesh couples directions that are not along a diagonal of its
+/// end face, and the plane of the swing would rotate. The mesh is softest in this direction.
 inline const Vec3 swing_direction = Vec3(0, 1, -1).normalized();
 
-/// Bends the rest positions in `swing_direction` as a clamped–free beam's first mode (Euler–Bernoulli), by
-/// `amplitude` m at the tip.
+/// Returns the beam's rest positions `rest` (3n, m) bent in `swing_direction` into the first mode of a
+/// clamped–free beam (Euler–Bernoulli). The displacement at the tip is `amplitude` m.
 VecX in_first_mode(const VecX& rest, double amplitude);
 
-/// Returns the centre of the free face, m.
+/// Returns the centre of the reference beam's free end face, m.
 inline Vec3 beam_tip() {
   return {beam_size[0], beam_size[1] / 2, beam_size[2] / 2};
 }

@@ -18,7 +18,8 @@ constexpr Sag tissue = continuum[3];
 
 double of(const Sag& row, double poisson_ratio) {
   const auto at = std::find(bend_ratios.begin(), bend_ratios.end(), poisson_ratio);
-  if (at == bend_ratios.end()) throw std::logic_error("no reference at this Poisson ratio");
+  if (at == bend_ratios.end())
+    throw std::logic_error("the bending benchmark has no reference deflection for this Poisson ratio");
   return row.at_ratio[static_cast<std::size_t>(at - bend_ratios.begin())];
 }
 

@@ -50,7 +50,7 @@ void add_rungs(const std::string& model, const std::string& element, const std::
   Rung rung;
   rung.model = model;
   rung.element = element;
-  rung.integrator = SoftDesc{}.integrator;
+  rung.integrator = SoftDesc{}.configuration.integrator;
   rung.solver = solver;
   for (const Effort& effort : efforts_of(solver)) {
     rung.newton_iterations = effort.newton;
@@ -63,8 +63,8 @@ void add_rungs(const std::string& model, const std::string& element, const std::
 void add_substepped(const std::string& model, std::vector<Rung>& out) {
   Rung rung;
   rung.model = model;
-  rung.integrator = SoftDesc{}.integrator;
-  rung.solver = SoftDesc{}.solver;
+  rung.integrator = SoftDesc{}.configuration.integrator;
+  rung.solver = SoftDesc{}.configuration.solver;
   for (const int n : substeps) {
     rung.substeps = n;
     out.push_back(rung);
@@ -73,7 +73,7 @@ void add_substepped(const std::string& model, std::vector<Rung>& out) {
 
 /// Returns whether the material has fibres or relaxation, which only constitutive laws model.
 bool needs_a_law(const SoftDesc& desc) {
-  return desc.fiber_stiffness > 0 || !desc.relaxation.empty();
+  return desc.material.fiber_stiffness > 0 || !desc.material.relaxation.empty();
 }
 
 /// A candidate rung at one resolution.
@@ -105,8 +105,8 @@ class Options {
 
  private:
   void add(const Rung& rung) {
-    if (desc_.fixed.cell) return add(rung, mesh_cell_);
-    const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.poisson_ratio);
+    if (desc_.choice.fixed.cell) return add(rung, mesh_cell_);
+    const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.material.poisson_ratio);
     double last = 0;
     // The table's errors don't apply to meshes finer than its finest; errors on the body itself may.
     const double last_fineness = (known_.on_the_body ? beyond_the_table : 1) * finest;
@@ -121,8 +121,10 @@ class Options {
   void add(const Rung& rung, double cell) {
     BodyGeometry body = mesh_;
     body.elements *= std::pow(mesh_cell_ / cell, 3);
-    auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
-    if (!expected) throw std::logic_error("an eligible configuration was not measured");
+    auto expected = table_.prospect(rung, desc_.material.poisson_ratio, body, desc_.choice.fixed.model);
+    if (!expected)
+      throw std::logic_error(
+          "a model configuration is to be compared, but the table has no measured cost and error for it");
     std::vector<ActError> acts;
     if (known_.on_the_body) acts = known_.on_the_body(rung.model, rung.element, cell);
     const double of_the_way =
@@ -149,7 +151,8 @@ const Option* least(const std::vector<Option>& options, const Allowed& allowed, 
 }
 
 bool enough(const SoftDesc& desc, const Prospect& expected) {
-  return desc.accuracy ? 100 * expected.error <= desc.accuracy.value : expected.ms <= desc.budget.value;
+  return desc.choice.accuracy ? 100 * expected.error <= desc.choice.accuracy.value
+                              : expected.ms <= desc.choice.budget.value;
 }
 
 }  // namespace
@@ -158,15 +161,15 @@ std::vector<Rung> candidates(const SoftDesc& desc) {
   std::vector<std::string> models{std::begin(usual_models), std::end(usual_models)};
   std::vector<std::string> elements = {"tet4", "tet10"};
   std::vector<std::string> solvers{std::begin(usual_solvers), std::end(usual_solvers)};
-  if (desc.fixed.model) models = {desc.model};
-  if (desc.fixed.element) elements = {desc.element};
-  if (desc.fixed.solver) solvers = {desc.solver};
+  if (desc.choice.fixed.model) models = {desc.configuration.model};
+  if (desc.choice.fixed.element) elements = {desc.configuration.element};
+  if (desc.choice.fixed.solver) solvers = {desc.configuration.solver};
   std::vector<Rung> out;
   for (const std::string& model : models) {
     const ModelRow& row = find_row(prosector::models(), "model", model);
-    if (!desc.fixed.model && needs_a_law(desc) && (row.position_based || row.fabric)) continue;
+    if (!desc.choice.fixed.model && needs_a_law(desc) && (row.position_based || row.fabric)) continue;
     if (row.position_based) {
-      if (!desc.fixed.solver && elements.front() == "tet4") add_substepped(model, out);
+      if (!desc.choice.fixed.solver && elements.front() == "tet4") add_substepped(model, out);
       continue;
     }
     for (const std::string& element : elements) {
@@ -175,15 +178,15 @@ std::vector<Rung> candidates(const SoftDesc& desc) {
     }
   }
   if (out.empty())
-    throw InputError(
-        fmt::format("soft body \"{}\": no configuration has model \"{}\", element \"{}\" and solver \"{}\"; "
-                    "omit one of them",
-                    desc.name, desc.model, desc.element, desc.solver));
+    throw InputError(fmt::format(
+        "soft body \"{}\": no configuration combines model \"{}\", element \"{}\" and solver "
+        "\"{}\"; omit one of these keys",
+        desc.name, desc.configuration.model, desc.configuration.element, desc.configuration.solver));
   return out;
 }
 
 std::vector<RungTrial> trials_for(const SoftDesc& desc) {
-  const double ratio = table_ratio(desc.poisson_ratio);
+  const double ratio = table_ratio(desc.material.poisson_ratio);
   std::vector<RungTrial> out;
   for (const Rung& rung : candidates(desc))
     for (const unsigned cells : resolutions(rung.element, ratio)) out.push_back({rung, ratio, cells});
@@ -197,22 +200,23 @@ Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeome
   const auto ms = [](const Option& o) { return o.expected.ms; };
   const auto fits = [&](const Option& o) { return enough(desc, o.expected); };
   const auto any = [](const Option&) { return true; };
-  const Option* best = desc.accuracy ? least(options.all(), fits, ms) : least(options.all(), fits, error);
+  const Option* best =
+      desc.choice.accuracy ? least(options.all(), fits, ms) : least(options.all(), fits, error);
   const bool good_enough = best != nullptr;
-  if (!best) best = desc.accuracy ? least(options.all(), any, error) : least(options.all(), any, ms);
-  return {desc.name, best->rung, best->cell, desc.grade, best->expected, good_enough, best->acts};
+  if (!best) best = desc.choice.accuracy ? least(options.all(), any, error) : least(options.all(), any, ms);
+  return {desc.name, best->rung, best->cell, desc.geometry.grade, best->expected, good_enough, best->acts};
 }
 
 bool serves_better(const SoftDesc& desc, const Choice& one, const Choice& other) {
   if (one.good_enough != other.good_enough) return one.good_enough;
-  const bool by_cost = static_cast<bool>(desc.accuracy) == one.good_enough;
+  const bool by_cost = static_cast<bool>(desc.choice.accuracy) == one.good_enough;
   return by_cost ? one.expected.ms < other.expected.ms : one.expected.error < other.expected.error;
 }
 
 void adopt(const Choice& choice, SoftDesc& desc) {
   choice.rung.apply_to(desc);
-  desc.cell = choice.cell;
-  desc.grade = choice.grade;
+  desc.geometry.cell = choice.cell;
+  desc.geometry.grade = choice.grade;
 }
 
 std::string in_words(const std::vector<ActError>& acts) {
@@ -227,24 +231,27 @@ std::string in_words(const std::vector<ActError>& acts) {
 std::string explain(const Choice& choice, const SoftDesc& desc) {
   SoftDesc chosen = desc;
   adopt(choice, chosen);
-  const std::string asked = desc.accuracy ? fmt::format("accuracy {} %", desc.accuracy.value)
-                                          : fmt::format("budget {} ms", desc.budget.value);
+  const std::string asked = desc.choice.accuracy ? fmt::format("accuracy {} %", desc.choice.accuracy.value)
+                                                 : fmt::format("budget {} ms", desc.choice.budget.value);
   std::string line = fmt::format(
-      "{} requested, chosen: {}, cell {:.1f} mm{}; expected error {}, {:.2g} ms per frame", asked,
-      in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at the attachment rims" : "",
+      "{} requested, chosen configuration: {}, cell {:.1f} mm{}; expected error {}, expected cost {:.2g} ms "
+      "per frame",
+      asked, in_words(chosen), 1e3 * choice.cell,
+      choice.grade == Grading::rims ? ", with smaller elements at the rims of the attached regions" : "",
       percent_text(choice.expected.error), choice.expected.ms);
   if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);
-  if (!choice.good_enough && desc.accuracy)
+  if (!choice.good_enough && desc.choice.accuracy)
     line += fmt::format(
         "; no configuration is accurate enough: the most accurate one misses the requested accuracy by {}",
-        percent_text(choice.expected.error - 0.01 * desc.accuracy.value));
-  if (!choice.good_enough && desc.budget)
+        percent_text(choice.expected.error - 0.01 * desc.choice.accuracy.value));
+  if (!choice.good_enough && desc.choice.budget)
     line += fmt::format("; no configuration is fast enough: the fastest one exceeds the budget by {:.2g} ms",
-                        choice.expected.ms - desc.budget.value);
-  if (table_ratio(desc.poisson_ratio) < desc.poisson_ratio)
-    line +=
-        fmt::format("; configurations were measured at a Poisson ratio of {}, not {}: expect a larger error",
-                    table_ratio(desc.poisson_ratio), desc.poisson_ratio);
+                        choice.expected.ms - desc.choice.budget.value);
+  if (table_ratio(desc.material.poisson_ratio) < desc.material.poisson_ratio)
+    line += fmt::format(
+        "; the configurations were measured at a Poisson ratio of {}, but this body has {}: expect a larger "
+        "error",
+        table_ratio(desc.material.poisson_ratio), desc.material.poisson_ratio);
   return line;
 }
 

@@ -1,6 +1,7 @@
 #include "server/calibration/choose_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,9 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
       missing.push_back(trial);
   if (missing.empty()) return false;
   say(options,
-      fmt::format("measuring cost and error of {} configurations on this machine; the results are cached",
-                  missing.size()));
+      fmt::format(
+          "measuring cost and error of {} model configurations on this machine; the results are cached",
+          missing.size()));
   const std::size_t stride = std::max<std::size_t>(1, missing.size() / progress_lines);
   std::size_t disturbed = 0;
   for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -51,9 +53,10 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
     if (table.rows().back().figures.share < least_share) ++disturbed;
   }
   if (disturbed > 0)
-    say(options, fmt::format("{} of {} configurations were measured while other programs used the processor: "
-                             "their cost may be overestimated; they will be measured again next time",
-                             disturbed, missing.size()));
+    say(options,
+        fmt::format("{} of {} model configurations were measured while other programs used the processor: "
+                    "their cost may be overestimated; they will be measured again at the next start",
+                    disturbed, missing.size()));
   return true;
 }
 
@@ -79,20 +82,32 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   if (!complete(table, wanted, options) || options.table_file.empty()) return table;
   add_missing(read_table(options.table_file, options.machine).table, table);
   if (!write_table(options.table_file, options.machine, table))
-    say(options, fmt::format("{} cannot be written: configurations will be measured again next time",
+    say(options, fmt::format("the cache {} of measured configurations cannot be written: they will be "
+                             "measured again at the next start",
                              options.table_file.string()));
   return table;
+}
+
+/// Returns the grading of this name. Throws InputError for another name.
+Grading grading_of(std::string_view name) {
+  const auto found = std::find(grading_names.begin(), grading_names.end(), name);
+  if (found == grading_names.end())
+    throw InputError(
+        fmt::format("journal: grade is \"{}\"; allowed: {}", name, fmt::join(grading_names, ", ")));
+  return static_cast<Grading>(found - grading_names.begin());
 }
 
 /// Checks that a choice is within the ranges that the scene file's fields must meet.
 void check(const Choice& c) {
   const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
   const Rung& r = c.rung;
-  if ((c.grade != "none" && c.grade != "rims") || !within(r.newton_iterations, 1, 100) ||
-      !within(r.solver_iterations, 1, 100000) || !within(r.solver_tolerance, 1e-300, 0.5) ||
-      !within(r.substeps, 1, 1000) || !within(c.cell, 5e-4, 1) || !within(c.expected.error, 0, 1e12) ||
-      !within(c.expected.ms, 0, 1e12))
-    throw InputError(fmt::format("journal: the choice for \"{}\" is out of range", c.body));
+  if (!within(r.newton_iterations, 1, 100) || !within(r.solver_iterations, 1, 100000) ||
+      !within(r.solver_tolerance, 1e-300, 0.5) || !within(r.substeps, 1, 1000) || !within(c.cell, 5e-4, 1) ||
+      !within(c.expected.error, 0, 1e12) || !within(c.expected.ms, 0, 1e12))
+    throw InputError(
+        fmt::format("journal: the stored model configuration of soft body \"{}\" has a value out of range; "
+                    "the journal is damaged",
+                    c.body));
 }
 
 /// Returns the sources without the callback for progress: notes on a mesh are reported when it is used.
@@ -105,7 +120,10 @@ CompileOptions quiet(const ChoiceOptions& options) {
 BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceOptions& options) {
   const Anatomy anatomy = soft_anatomy(desc, scene, quiet(options));
   if (mesh_kind(anatomy) != MeshKind::tets)
-    throw InputError(fmt::format("soft body \"{}\": accuracy and budget need tetrahedra", desc.name));
+    throw InputError(
+        fmt::format("soft body \"{}\": accuracy and budget need tetrahedra; for sheets and ropes, give model "
+                    "and cell instead",
+                    desc.name));
   return geometry_of(anatomy.tets);
 }
 
@@ -122,23 +140,23 @@ class Chooser {
         largest_cell_(cells_across * mesh_.thickness) {}
 
   Choice choose(const KnownErrors& known) {
-    Choice choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, known);
-    for (int meshes = 1; meshes < most_meshes && !desc_.fixed.cell; ++meshes) {
-      if (std::abs(choice.cell / desc_.cell - 1) < same_cell) break;
+    Choice choice = choose_rung(desc_, table_, mesh_, desc_.geometry.cell, largest_cell_, known);
+    for (int meshes = 1; meshes < most_meshes && !desc_.choice.fixed.cell; ++meshes) {
+      if (std::abs(choice.cell / desc_.geometry.cell - 1) < same_cell) break;
       SoftDesc chosen = desc_;
-      chosen.cell = choice.cell;
+      chosen.geometry.cell = choice.cell;
       try {
         mesh_ = mesh_of(chosen, scene_, options_);
         desc_ = chosen;
       } catch (const InputError&) {
         largest_cell_ = too_coarse * choice.cell;  // the body is thinner in places than its mean thickness
       }
-      choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, known);
+      choice = choose_rung(desc_, table_, mesh_, desc_.geometry.cell, largest_cell_, known);
     }
     return choice;
   }
   /// Returns the approximate number of elements of the body with cells of that size.
-  double elements_at(double cell) const { return mesh_.elements * std::pow(desc_.cell / cell, 3); }
+  double elements_at(double cell) const { return mesh_.elements * std::pow(desc_.geometry.cell / cell, 3); }
 
  private:
   const SceneDesc& scene_;
@@ -160,7 +178,7 @@ class TriedBody {
               .mesh =
                   [&scene, desc, sources = quiet(options)](double cell) {
                     SoftDesc at = desc;
-                    at.cell = cell;
+                    at.geometry.cell = cell;
                     return soft_anatomy(at, scene, sources);
                   },
               .cache_dir = options.sources.cache_dir,
@@ -214,9 +232,9 @@ Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& tab
     tried.push_back({std::move(body), std::move(choice)});
   };
   add(desc);
-  if (!desc.fixed.grade && !desc.attach.empty()) {
+  if (!desc.choice.fixed.grade && !desc.attach.empty()) {
     SoftDesc graded = desc;
-    graded.grade = "rims";
+    graded.geometry.grade = Grading::rims;
     try {
       add(graded);
     } catch (const InputError&) {  // a mesh that can't be graded
@@ -252,7 +270,10 @@ void adopt(const std::vector<Choice>& choices, SceneDesc& scene) {
     if (choice != choices.end())
       adopt(*choice, desc);
     else if (chosen_by_need(desc))
-      throw InputError(fmt::format("journal: no choice for soft body \"{}\"", desc.name));
+      throw InputError(
+          fmt::format("journal: no choice of a model configuration is stored for soft body \"{}\"; the "
+                      "journal does not match its scene",
+                      desc.name));
   }
 }
 
@@ -262,7 +283,7 @@ std::string encode(const std::vector<Choice>& choices) {
     nlohmann::ordered_json row = {{"body", c.body}};
     row.update(rung_to_json(c.rung));
     row.update(nlohmann::ordered_json{{"cell", c.cell},
-                                      {"grade", c.grade},
+                                      {"grade", grading_names[static_cast<std::size_t>(c.grade)]},
                                       {"expected_error", c.expected.error},
                                       {"expected_ms", c.expected.ms},
                                       {"good_enough", c.good_enough}});
@@ -280,7 +301,8 @@ std::vector<Choice> decode_choices(const std::string& text) {
       row.at("body").get_to(c.body);
       c.rung = rung_from_json(row);
       row.at("cell").get_to(c.cell);
-      c.grade = row.value("grade", c.grade);  // missing in journals from before meshes were graded
+      c.grade = grading_of(row.value(
+          "grade", std::string(grading_names[0])));  // missing in journals from before meshes were graded
       row.at("expected_error").get_to(c.expected.error);
       row.at("expected_ms").get_to(c.expected.ms);
       row.at("good_enough").get_to(c.good_enough);
@@ -290,7 +312,7 @@ std::vector<Choice> decode_choices(const std::string& text) {
     }
     return out;
   } catch (const nlohmann::json::exception&) {
-    throw InputError("journal: its stored choices of configurations are damaged");
+    throw InputError("journal: its stored choices of model configurations are damaged, so it cannot be used");
   }
 }
 

@@ -22,16 +22,17 @@ struct ChoiceOptions {
   std::function<void()> before_step = {};  // called before each step of a trial; may throw to abort it
 };
 
-/// Chooses for every body with `accuracy` or `budget`, writes the choices into the scene, and reports each in
-/// one line. Meshes each such body at least once to count its elements. Throws InputError if no rung fits.
+/// Chooses a configuration for every body with `accuracy` or `budget`, writes the choices into the scene, and
+/// reports each in one line. Meshes each such body at least once to count its elements. Throws InputError if
+/// no configuration agrees with what the scene fixed.
 std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options);
 
-/// Writes earlier choices into the scene, also those of bodies that don't ask for one. Throws InputError when
-/// a body that needs a choice has none.
+/// Writes earlier choices of configurations into the scene, including those of bodies that don't request one.
+/// Throws InputError if a body that needs a choice has none.
 void adopt(const std::vector<Choice>& choices, SceneDesc& scene);
 
-/// Encodes choices as text, for a journal. decode_choices() decodes them, and throws InputError on damaged
-/// text.
+/// Encodes choices of configurations as text for a session's journal. decode_choices() decodes them, and
+/// throws InputError for damaged text.
 std::string encode(const std::vector<Choice>& choices);
 std::vector<Choice> decode_choices(const std::string& text);
 

@@ -31,7 +31,8 @@ const char* kind_of(const ActError& act) {
 }
 
 bool counts(const SoftDesc& desc, const char* kind) {
-  return std::find(desc.accuracy_of.begin(), desc.accuracy_of.end(), kind) != desc.accuracy_of.end();
+  return std::find(desc.choice.accuracy_of.begin(), desc.choice.accuracy_of.end(), kind) !=
+         desc.choice.accuracy_of.end();
 }
 
 /// Hash of all data that a trial's outcome depends on.
@@ -50,17 +51,18 @@ class TrialKey {
 };
 
 void add_material(TrialKey& key, const SoftDesc& desc) {
-  for (const double x : {desc.youngs_modulus, desc.poisson_ratio, desc.fiber_stiffness, desc.density,
-                         desc.spring_stiffness, double(desc.hold_volume), double(desc.gravity)})
+  for (const double x : {desc.material.youngs_modulus, desc.material.poisson_ratio,
+                         desc.material.fiber_stiffness, desc.material.density, desc.material.spring_stiffness,
+                         double(desc.material.hold_volume), double(desc.gravity)})
     key.add(x);
-  key.add(desc.fiber_direction);
-  for (const RegionDesc& region : desc.regions) {
+  key.add(desc.material.fiber_direction);
+  for (const RegionDesc& region : desc.material.regions) {
     for (const Vec3& x : {region.center, region.size, region.fiber_direction}) key.add(x);
     for (const double x :
          {region.radius, region.youngs_modulus, region.poisson_ratio, region.fiber_stiffness})
       key.add(x);
   }
-  for (const RelaxationDesc& term : desc.relaxation)
+  for (const RelaxationDesc& term : desc.material.relaxation)
     for (const double x : {term.share, term.time}) key.add(x);
   for (const AttachDesc& tie : desc.attach) {
     key.add(tie.center);
@@ -97,8 +99,9 @@ double inferred(const std::map<double, double>& tried, double cell) {
 }  // namespace
 
 OwnErrors::OwnErrors(JudgedBody body) : body_(std::move(body)) {
-  if (body_.desc.fixed.model && is_law(body_.desc.model)) settings_.law = body_.desc.model;
-  if (body_.desc.fixed.cell) body_.most_tets = std::max(body_.most_tets, most_tets_given);
+  if (body_.desc.choice.fixed.model && is_law(body_.desc.configuration.model))
+    settings_.law = body_.desc.configuration.model;
+  if (body_.desc.choice.fixed.cell) body_.most_tets = std::max(body_.most_tets, most_tets_given);
   settings_.most_tets = body_.most_tets;
   if (!counts(body_.desc, "touch")) settings_.presses = 0;
   settings_.before_step = body_.before_step;
@@ -155,7 +158,7 @@ bool OwnErrors::attempt(const Way& way, double cell, double elements) {
     const bool more = !quadratic && !divided && attempt({settings_.law, "tet10"}, cell, elements);
     return measure(way, cell) || more;
   }
-  if (body_.desc.fixed.cell) return false;
+  if (body_.desc.choice.fixed.cell) return false;
   const double finest = cell * std::cbrt(elements / affordable);
   const bool one = measure(way, finest), other = !proving() && measure(way, next_cell * finest);
   return one || other;

@@ -20,7 +20,7 @@
 
 namespace prosector {
 
-/// A body and the settings of its trials.
+/// A body whose errors are found by trials on its own meshes, and the settings of these trials.
 struct JudgedBody {
   SoftDesc desc;
   Vec3 gravity;                              // m/s²
@@ -37,17 +37,18 @@ class OwnErrors {
  public:
   explicit OwnErrors(JudgedBody body);
 
-  /// Returns the errors of model and element with cells of that size (m), act by act, of the acts that the
-  /// description counts. Errors are 1.5 times those of trials, to cover acts that were not tried. Between
-  /// trials they are interpolated in double logarithms. At finer cells they follow the rate of the last two
-  /// trials, or first order after a single one, with a quarter added. Empty where there was no trial.
+  /// Returns the errors of that model and element on the body with cells of `cell` m, one for each test load
+  /// that the description counts. Errors are 1.5 times those of trials, to cover loads that were not tried.
+  /// Between trials they are interpolated in double logarithms. At finer cells they follow the rate of the
+  /// last two trials, or first order after a single one, with a quarter added. Empty if there was no trial of
+  /// that model and element.
   std::vector<ActError> at(const std::string& model, const std::string& element, double cell) const;
-  /// Tries model and element with such cells, of which the body has that many elements. Where that is too
-  /// expensive, it tries the finest affordable cells and cells half as large again. Returns whether anything
-  /// new was found.
+  /// Tries the model and element on the body with cells of `cell` m, with which the body has `elements`
+  /// elements. If that is too expensive, it tries the finest affordable cells and cells 1.5 times as large.
+  /// Returns whether anything new was found.
   bool attempt(const std::string& model, const std::string& element, double cell, double elements);
-  /// Repeats attempt() with a larger reference, where that is more accurate. Returns whether anything new was
-  /// found.
+  /// Verifies the errors of the model and element by repeating attempt() with a larger reference mesh, where
+  /// that is more accurate. Returns whether anything new was found.
   bool prove(const std::string& model, const std::string& element, double cell, double elements);
 
  private:

@@ -18,11 +18,11 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   SoftDesc desc;
   desc.name = "specimen";
   rung.apply_to(desc);
-  desc.youngs_modulus = piece.youngs_modulus;
-  desc.poisson_ratio = piece.poisson_ratio;
-  desc.density = piece.density;
-  desc.damping_mass = piece.damping_mass;
-  desc.damping_stiffness = piece.damping_stiffness;
+  desc.material.youngs_modulus = piece.youngs_modulus;
+  desc.material.poisson_ratio = piece.poisson_ratio;
+  desc.material.density = piece.density;
+  desc.material.damping_mass = piece.damping_mass;
+  desc.material.damping_stiffness = piece.damping_stiffness;
   if (piece.clamped_axis >= 0) {
     constexpr double far = 1e6;  // m: a sphere so large that its surface is a plane to within 0.1 µm here
     desc.attach.push_back({-far * Vec3::Unit(piece.clamped_axis), far + 1e-6, piece.hold_stiffness});
@@ -33,7 +33,7 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
     half.center = Vec3(0.75 * size[0], size[1] / 2, size[2] / 2);
     half.size = Vec3(size[0] / 2, 2 * size[1], 2 * size[2]);
     half.youngs_modulus = piece.stiffness_ratio * piece.youngs_modulus;
-    desc.regions.push_back(half);
+    desc.material.regions.push_back(half);
   }
   if (piece.held_point) desc.attach.push_back({*piece.held_point, 1e-6, piece.hold_stiffness});
   return desc;
@@ -86,7 +86,8 @@ class RungSpecimen final : public Specimen {
       const VecX x = state_.motion.x;
       set_motion(x, VecX::Zero(x.size()));
       figures.reset = true;
-      member.note = "reset: not finite or out of the room";
+      member.note =
+          "the body's positions were not finite or out of the room: reset to its last valid state, at rest";
     }
     count_quiet_ticks(member);
     const bool laden = !gravity.isZero();  // its rest shape under load differs from its initial shape
@@ -115,14 +116,14 @@ class RungSpecimen final : public Specimen {
 }  // namespace
 
 void Rung::apply_to(SoftDesc& desc) const {
-  desc.model = model;
-  desc.element = element;
-  desc.integrator = integrator;
-  desc.solver = solver;
-  desc.newton_iterations = newton_iterations;
-  desc.solver_iterations = solver_iterations;
-  desc.solver_tolerance = solver_tolerance;
-  desc.substeps = substeps;
+  desc.configuration.model = model;
+  desc.configuration.element = element;
+  desc.configuration.integrator = integrator;
+  desc.configuration.solver = solver;
+  desc.configuration.newton_iterations = newton_iterations;
+  desc.configuration.solver_iterations = solver_iterations;
+  desc.configuration.solver_tolerance = solver_tolerance;
+  desc.configuration.substeps = substeps;
 }
 
 bool Rung::is_position_based() const {

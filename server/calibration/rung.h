@@ -10,20 +10,20 @@
 
 namespace prosector {
 
-/// A configuration to simulate a soft body: model, element, integrator, solver, effort. The effort defaults
-/// to SoftDesc's values.
+/// A configuration to simulate a soft body: model, element, integrator, solver and effort. The effort
+/// (iterations, tolerance and substeps) defaults to SoftDesc's values.
 struct Rung {
   std::string model, integrator, solver;
-  std::string element = SoftDesc{}.element;
-  int newton_iterations = SoftDesc{}.newton_iterations;
-  int solver_iterations = SoftDesc{}.solver_iterations;
-  double solver_tolerance = SoftDesc{}.solver_tolerance;
-  int substeps = SoftDesc{}.substeps;  // position-based models
+  std::string element = SoftDesc{}.configuration.element;
+  int newton_iterations = SoftDesc{}.configuration.newton_iterations;
+  int solver_iterations = SoftDesc{}.configuration.solver_iterations;
+  double solver_tolerance = SoftDesc{}.configuration.solver_tolerance;
+  int substeps = SoftDesc{}.configuration.substeps;  // position-based models
 
   bool operator==(const Rung&) const = default;
-  /// Writes the rung into a body's description.
+  /// Writes this rung (model configuration) into a soft body's description.
   void apply_to(SoftDesc& desc) const;
-  /// Returns the effort of a step as text.
+  /// Returns the effort of a step (iterations, tolerance or substeps) as text.
   std::string effort() const;
   std::string name() const;  // model, element, integrator, solver
   bool is_position_based() const;
@@ -32,7 +32,8 @@ struct Rung {
 std::vector<std::string> element_names();
 std::vector<std::string> solver_names();
 
-/// Makes a specimen of that piece. Throws InputError when the rung can't model it.
+/// Makes a specimen (a benchmarked body) of that test piece, simulated with the rung (model configuration).
+/// Throws InputError if the rung can't model it.
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece);
 
 }  // namespace prosector

@@ -8,8 +8,8 @@
 namespace prosector {
 
 nlohmann::ordered_json rung_to_json(const Rung& rung);
-/// Reads a rung. Throws nlohmann::json::exception where a field is missing or has a wrong type. Ignores other
-/// fields.
+/// Reads a rung (model configuration) from a JSON object. Throws nlohmann::json::exception where a field is
+/// missing or has a wrong type. Ignores other fields.
 Rung rung_from_json(const nlohmann::ordered_json& row);
 
 }  // namespace prosector

@@ -16,7 +16,8 @@ namespace prosector {
 
 inline constexpr double frame_seconds = 1. / 60;
 
-/// A measurement: a rung at a resolution.
+/// Settings of one measurement on the bending beam: the rung (model configuration) that is measured, the
+/// Poisson ratio, and the number of mesh cells along the beam.
 struct RungTrial {
   Rung rung;
   double poisson_ratio = 0.45;  // one of bend_ratios
@@ -37,12 +38,12 @@ struct RungFigures {
 
 class RungMeter {
  public:
-  /// Runs the trial on one thread, whatever the caller's arena. Throws InputError when the rung can't model
-  /// the beam.
+  /// Measures the cost and error of the trial's configuration on the bending beam. Runs on one thread,
+  /// whatever task arena the caller is in. Throws InputError if the configuration can't model the beam.
   RungFigures measure(const RungTrial& trial);
 
  private:
-  /// The converged solution of a model on a mesh.
+  /// The converged solution of a model on a mesh of the beam: its deflection at rest and its motion.
   struct Exact {
     double settled_sag;
     std::vector<VecX> path;  // displacements frame by frame, 3n each

@@ -30,10 +30,11 @@ struct BodyGeometry {
   double thickness = 0;  // m
   double fineness() const;
 };
-/// Measures a mesh of tetrahedra, whose surface may be open.
+/// Measures a tetrahedral mesh: its number of elements, volume and thickness. The anatomy's surface mesh,
+/// which may be open, is not used.
 BodyGeometry geometry_of(const TetMesh& mesh);
 
-/// Expected error and cost of a body that is simulated with a rung.
+/// Expected error and cost of a body that is simulated with a certain rung (model configuration).
 struct Prospect {
   double error = 0;  // relative error of displacements: of the mesh and model, and of the limited effort
   double drift = 0;  // the share of `error` that the effort causes; all of it for position-based models
@@ -44,12 +45,13 @@ class RungTable {
  public:
   void add(const RungTrial& trial, const RungFigures& figures) { rows_.push_back({trial, figures}); }
   const RungFigures* find(const RungTrial& trial) const;
-  /// Returns the expected error and cost of the body with the rung; nothing when the rung is not in the table
-  /// at that ratio. `own_law`: true: errors are relative to the model's own continuum, where it has one;
-  /// false: to tissue's.
+  /// Returns the expected error and cost of the body with the rung (model configuration). Returns nothing if
+  /// the table has no row for the rung at that Poisson ratio. With `own_law`, errors are relative to the
+  /// model's own continuum, if it has one. Otherwise they are relative to tissue's.
   std::optional<Prospect> prospect(const Rung& rung, double poisson_ratio, const BodyGeometry& body,
                                    bool own_law) const;
-  /// Returns the fineness of the coarsest and of the finest mesh that the rung was measured on; 0, 0: none.
+  /// Returns the fineness (body thickness in mean element sizes) of the coarsest and of the finest beam mesh
+  /// on which the rung was measured. Returns 0, 0 if it was not measured.
   std::pair<double, double> measured_fineness(const Rung& rung, double poisson_ratio) const;
 
   struct Row {
@@ -64,12 +66,13 @@ class RungTable {
   std::vector<const Row*> rows_of(const Rung& rung, double poisson_ratio) const;
 };
 
-/// Returns the table's Poisson ratio for a body's: the next larger one, or the largest.
+/// Returns the Poisson ratio for which the table is read for a body with `poisson_ratio`: the next larger
+/// measured one, or the largest.
 double table_ratio(double poisson_ratio);
 
-/// Interpolates y at x between (xs, ys), x rising, all positive, in double logarithms. Beyond the ends it
-/// extrapolates with the exponent of the nearest two, limited to [low, high]; with one value the exponent is
-/// `low`. `xs` must not be empty.
+/// Returns y at x, interpolated in double logarithms between the points (xs, ys), with xs ascending and all
+/// values positive. Beyond the ends it extrapolates with the exponent of the nearest two points, limited to
+/// [low, high]. With one point the exponent is `low`. `xs` must not be empty.
 double log_interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x, double low,
                        double high);
 

@@ -70,7 +70,8 @@ Eigen::Index node_at(const VecX& rest, const Vec3& place) {
   for (Eigen::Index i = 0; i < rest.size() / 3; ++i) {
     if ((rest.segment<3>(3 * i) - place).norm() < 1e-9) return i;
   }
-  throw std::logic_error("no node at the position that the benchmark measures");
+  throw std::logic_error(
+      "the benchmark specimen's mesh has no node at the position whose displacement is measured");
 }
 
 }  // namespace prosector

@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-/// Description of a piece of tissue to be tested.
+/// Description of a piece of tissue to be tested: mesh, material and supports.
 struct TestPiece {
   TetMesh mesh;
   double youngs_modulus = 3e5;  // Pa
@@ -18,21 +18,24 @@ struct TestPiece {
   double density = 1000;         // kg/m³
   double damping_mass = 0;       // 1/s, Rayleigh
   double damping_stiffness = 0;  // s
-  /// Axis on which nodes with the coordinate 0 are held; −1: none are.
+  /// Axis (0, 1 or 2: x, y or z) on which nodes with the coordinate 0 are held in place. −1: no nodes are.
   int clamped_axis = -1;
   double hold_stiffness = 1e13;  // N/m⁴, of the springs that hold nodes: see AttachDesc
-  /// Factor on Young's modulus in the half beyond the middle of x. (Only for our own rungs.)
+  /// Factor on Young's modulus in the half of the piece beyond the middle of its x-extent. (Only for our own
+  /// model configurations, not for other simulators.)
   double stiffness_ratio = 1;
-  /// Rest position of a node that is held. (Only for our own rungs.)
+  /// Rest position (m) of a node that is held in place; empty: none. (Only for our own model configurations,
+  /// not for other simulators.)
   std::optional<Vec3> held_point;
-  /// A sheet's cells or a rope's segments on the mesh's nodes, instead of tetrahedra: see Anatomy. (Only for
-  /// our own rungs.)
+  /// Cells of a sheet or segments of a rope, as indices of the mesh's nodes, used instead of tetrahedra: see
+  /// Anatomy. (Only for our own model configurations, not for other simulators.)
   std::vector<std::array<std::uint32_t, 4>> quads = {};
   std::vector<std::array<std::uint32_t, 2>> segments = {};
   double thickness = 0;  // m, of a sheet; diameter of a rope
 };
 
-/// Report of one step.
+/// Report of one time step of a benchmarked body: the solver's convergence, and any deviation from the
+/// configuration.
 struct StepFigures {
   double residual = 0;        // relative, of the last linear solve
   int solver_iterations = 0;  // of the linear solver
@@ -45,7 +48,8 @@ struct StepFigures {
   std::string note;
 };
 
-/// A simulation that advances in time steps.
+/// Interface of a simulated body that advances in time steps, whether by this program or by another
+/// simulator.
 class Steppable {
  public:
   virtual ~Steppable() = default;
@@ -56,32 +60,34 @@ class Steppable {
 class Specimen : public Steppable {
  public:
   virtual std::size_t elements() const = 0;
-  /// Returns the mass (kg) of each node of the mesh that it computes with; n entries.
+  /// Returns the mass (kg) of each of the n nodes of the mesh that the specimen is simulated with.
   virtual const VecX& node_mass() const = 0;
   virtual VecX rest() const = 0;        // 3n, m
   virtual VecX velocities() const = 0;  // 3n, m/s
   virtual void set_motion(const VecX& x, const VecX& v) = 0;
-  /// Returns the elastic energy (J) at the current positions; NaN if the simulator does not report it.
+  /// Returns the elastic energy (J) of the body at its current node positions; NaN if the simulator does not
+  /// report it.
   virtual double elastic_energy() = 0;
-  /// Returns the potential energy (J) of the body's weight under `gravity` (m/s²), as its elements bear it.
-  /// The default computes it from the node masses.
+  /// Returns the potential energy (J) of the body's weight under `gravity` (m/s²), with the weight
+  /// distributed as in the body's elements. The default computes it from the node masses.
   virtual double weight_energy(const Vec3& gravity) const;
 };
 
-/// Returns the centre of mass, m. The two functions below return the momentum, and the angular momentum about
-/// the room's origin.
+/// Returns the centre of mass (m). momentum() returns the momentum (kg·m/s), and angular_momentum() the
+/// angular momentum (kg·m²/s) about the room's origin.
 Vec3 mass_center(const Specimen& specimen);
 Vec3 momentum(const Specimen& specimen);
 Vec3 angular_momentum(const Specimen& specimen);
 double kinetic_energy(const Specimen& specimen);
-/// Returns the volume (m³) of the tetrahedra at positions x (3n; corner nodes first).
+/// Returns the total volume (m³) of the mesh's tetrahedra with nodes at the positions x (3n, m; corner nodes
+/// first).
 double volume(const TetMesh& mesh, const VecX& x);
-/// Returns the largest distance (m) of a node from its rest position after rigid alignment of `rest` with
-/// `x`. The alignment minimises the mean square distance of the nodes, weighted by mass (Kabsch 1976).
-/// Infinite when x is not finite.
+/// Returns the largest distance (m) of a node's position in `x` from its position in `rest`, after `rest` has
+/// been rigidly aligned with `x`. The alignment minimises the mean square distance of the nodes, weighted by
+/// mass (Kabsch 1976). Infinite if x is not finite. Both are 3n, m.
 double shape_error(const VecX& rest, const VecX& x, const VecX& node_mass);
-/// Returns the index of the node at that position of the rest shape. Throws std::logic_error when there is
-/// none.
+/// Returns the index of the node whose rest position in `rest` (3n, m) is `place`. Throws std::logic_error if
+/// there is none.
 Eigen::Index node_at(const VecX& rest, const Vec3& place);
 
 }  // namespace prosector

@@ -92,7 +92,8 @@ FoundTable read_table(const std::filesystem::path& file, const std::string& mach
   try {
     const Json json = Json::parse(in);
     if (json.at("format") != format_name) return {{}, "is of another version"};
-    if (json.at("machine") != machine) return {{}, "was measured on another machine or by another build"};
+    if (json.at("machine") != machine)
+      return {{}, "contains figures measured on another machine or by another build"};
     if (json.at("seal") != seal_of(json)) return {{}, "is damaged"};
     FoundTable out;
     for (const Json& row : json.at("rows")) add_row(row, out.table);

@@ -15,8 +15,8 @@ constexpr double slowest = 0.5;  // Hz: inertia at this frequency supports a bod
 /// Returns the description without damping. Solids are solved by multigrid; a sheet or a rope has no coarse
 /// levels.
 SoftDesc at_rest(SoftDesc desc, bool solid) {
-  desc.damping_mass = desc.damping_stiffness = 0;
-  desc.solver = solid ? "multigrid" : "cg";
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
+  desc.configuration.solver = solid ? "multigrid" : "cg";
   return desc;
 }
 
@@ -43,7 +43,7 @@ Vec3 moved(const ContactSide& side, const VecX& u) {
 
 struct TissueCompliance::Solver {
   Solver(const SoftMatter& matter, Eigen::Index nodes)
-      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}
+      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.configuration.solver)) {}
   IncrementalPotential potential;
   BodyOnSprings hessian;
   std::unique_ptr<LinearSolver> solver;

@@ -16,7 +16,8 @@ namespace prosector {
 
 struct SoftMatter;
 
-/// Points at which a hand presses a body, or is about to. Each point is a spring between body and hand.
+/// Points at which a hand presses a soft body, or is about to. Each point acts as a spring between body and
+/// hand.
 struct Patch {
   struct Point {
     ContactSide side;
@@ -29,22 +30,23 @@ struct Patch {
   bool presses = false;  // true: in contact; false: only close to it
 };
 
-/// Stiffness of a patch, N/m: growth of its force as the whole hand moves along the patch's normal, and along
-/// its plane. Friction does not count in `normal`: it sticks only over hundredths of a millimetre, then
-/// tissue slides past the finger.
+/// Stiffness (N/m) of the contact between a hand and a soft body: how its force grows as the whole hand moves
+/// along the patch's normal, and along its plane. Friction does not count in `normal`: it sticks only over
+/// hundredths of a millimetre, then tissue slides past the finger.
 struct Slopes {
   double normal = 0, tangential = 0;
 };
 
 class TissueCompliance {
  public:
-  /// Makes a copy of the body to compute on, with separate elements, matrices and multigrid levels. `ties`:
-  /// n, N/m.
+  /// Makes a copy of the soft body to compute on, with separate elements, matrices and multigrid levels.
+  /// `ties` is the stiffness (n, N/m) of the attachments at each node.
   TissueCompliance(const SoftDesc& desc, Anatomy anatomy, const VecX& ties);
   ~TissueCompliance();
 
-  /// Returns the slopes of each patch with the nodes at x (3n, m). `strength`: factor on the stiffness of the
-  /// described material.
+  /// Returns the stiffness that a hand feels at each patch of contact points, with the body's nodes at x (3n,
+  /// m). `strength` is a factor on the stiffness of the described material. `supports` are the contacts and
+  /// holds that support the body elsewhere.
   std::vector<Slopes> find(const VecX& x, double strength, const std::vector<Support>& supports,
                            const std::vector<Patch>& patches);
 

@@ -14,14 +14,15 @@
 
 namespace prosector {
 
-/// Description, meshes and ties of a body, from which the worker makes its copy.
+/// Description, meshes and attachments of a soft body, from which the worker thread makes its copy.
 struct BodyCopy {
   SoftDesc desc;
   Anatomy anatomy;
   VecX ties;
 };
 
-/// Request for the slopes of one body's patches. The caller chooses the patches' names.
+/// Request to compute the stiffness that hands feel at one body's contact patches. The caller numbers the
+/// patches in `names`, and the answer refers to these numbers.
 struct ComplianceQuestion {
   BodyId body = 0;
   std::uint64_t version = 0;                  // of the body's mesh and ties
@@ -46,9 +47,9 @@ class ComplianceWorker {
   ~ComplianceWorker();
 
   bool busy() const;
-  /// Submits a question. Returns false, and drops the question, if the worker is busy.
+  /// Submits a request to the worker thread. Returns false, and drops the request, if the worker is busy.
   bool ask(ComplianceQuestion question);
-  /// Returns the answers since the last call.
+  /// Returns the answers that the worker thread has finished since the last call.
   std::vector<ComplianceAnswer> take();
 
  private:

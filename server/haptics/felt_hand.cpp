@@ -26,7 +26,8 @@ constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as
 /// slopes.
 double punch_stiffness(const SoftBody& body, double area, double strength) {
   const SoftDesc& desc = body.desc();
-  const double plane = strength * desc.youngs_modulus / (1 - desc.poisson_ratio * desc.poisson_ratio);
+  const double plane = strength * desc.material.youngs_modulus /
+                       (1 - desc.material.poisson_ratio * desc.material.poisson_ratio);
   return 2 * plane * std::sqrt(area / std::numbers::pi);
 }
 
@@ -163,7 +164,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   if (simulation.kind(group.body) == BodyKind::soft) {
     const SoftBody& body = simulation.soft(group.body);
     radius = std::max(radius, 2 * std::sqrt(area_of(body, group.touches) / std::numbers::pi));
-    damping = body.desc().damping_stiffness / give;
+    damping = body.desc().material.damping_stiffness / give;
   }
   ContactPlane plane;
   plane.id = place.id;

@@ -18,14 +18,16 @@ class FeltHand {
   explicit FeltHand(const HandRef& ref) : ref_(ref) {}
 
   const HandRef& ref() const { return ref_; }
-  /// Updates the planes after a tick. Returns the message for the arm, with the stiffnesses known so far.
+  /// Updates the hand's contact planes after a tick. Returns the message for the haptic arm, with the
+  /// stiffnesses that have been computed so far.
   FeltPlanes follow(const Simulation& simulation, const HandState& hand);
 
-  /// Returns the supports of the soft bodies that the hand touches.
+  /// Returns the supports (pressing contacts and holds) of the soft bodies that the hand touches.
   const std::vector<Support>& supports() const { return around_.supports; }
-  /// Appends a patch for each of the hand's planes on that soft body, and the patches' names.
+  /// Appends a patch of contact points for each of the hand's contact planes on that soft body to `patches`,
+  /// and the patches' numbers to `names`.
   void patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const;
-  /// Stores the slopes of those planes that the answer names.
+  /// Stores the computed stiffnesses of `answer` in those contact planes of the hand that it refers to.
   void take(const ComplianceAnswer& answer);
 
  private:

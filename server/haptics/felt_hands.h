@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// A hand with a haptic arm, and the newest of its inputs that the tick consumed.
+/// A hand that a haptic arm moves, and the sequence number of its newest input that the tick has consumed.
 struct FeelingHand {
   HandRef hand;
   std::uint64_t input_sequence = 0;
@@ -20,7 +20,8 @@ struct FeelingHand {
 
 class FeltHands {
  public:
-  /// Updates all hands after a tick. Returns a message for each hand, even without planes.
+  /// Updates the contact planes of all `hands` after a tick. Returns one message for the haptic arm of each
+  /// hand, even if it has no planes.
   std::vector<FeltPlanes> follow(const Simulation& simulation, std::span<const FeelingHand> hands);
 
  private:

@@ -11,8 +11,8 @@
 
 namespace prosector {
 
-/// Returns the planes of an open panel that the tip of the index finger touches, or is about to touch.
-/// `pose`: the simulated pose of the hand.
+/// Returns the contact planes of an open control panel that the tip of the index finger touches, or is about
+/// to touch. `hand` is the side of the hand, and `pose` its simulated pose.
 std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, const HandPose& pose);
 
 }  // namespace prosector

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Touches on one side of a body, or all points at which the hand holds the body.
+/// Points where a hand touches one side of a body, or all points at which it holds the body. Each group
+/// becomes one contact plane of a haptic arm.
 struct TouchGroup {
   BodyId body = 0;
   bool holds = false;  // the hand holds the body: forces pull as well as press
@@ -20,8 +21,9 @@ struct TouchGroup {
 
 inline constexpr double same_side = 0.7;  // cosine: normals with a smaller angle belong to one plane
 
-/// Groups touches into planes: all touches of a body if they press in one direction, else those of each side.
-/// Holds come first. Returns at most `max_contact_planes` groups.
+/// Groups a hand's touches; each group becomes one contact plane. A group contains all touches of a body if
+/// they press in one direction, otherwise those of one of its sides. Groups of holds come first. Returns at
+/// most `max_contact_planes` groups.
 std::vector<TouchGroup> grouped(std::vector<HandTouch> touches);
 
 }  // namespace prosector

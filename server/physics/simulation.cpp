@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "server/physics/stations/compile/compile.h"
 #include "server/physics/stations/compile/equilibrium.h"
-#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/dissecting/refining.h"
 #include "server/physics/stations/hands/touching.h"
 #include "server/physics/stations/save/checkpoint.h"
@@ -179,8 +179,10 @@ Refusal Simulation::take_over(const Simulation& from) {
     if (Refusal why = prosector::take_over(from.impl_->state, impl_->state)) return why;
     checkpoint();
   } catch (const InputError& error) {  // of the bytes that carry the state over
-    return fmt::format("internal error: the state cannot be transferred: {}. Please report this.",
-                       error.what());
+    return fmt::format(
+        "internal error: the simulation's state cannot be transferred to the rebuilt scene: {}. Please "
+        "report this.",
+        error.what());
   }
   clear_last_tick(impl_->state, impl_->buffers);
   return {};

@@ -33,8 +33,8 @@ struct SoftBodyState;
 
 class Simulation {
  public:
-  /// Compiles the scene: meshes, masses, matrices, and the equilibrium under gravity, so that no body sags
-  /// when it is first touched. Throws InputError if the scene is invalid.
+  /// Compiles the scene into meshes, masses, matrices, and the equilibrium under gravity, so that no body
+  /// sags when it is first touched. Throws InputError if the scene is invalid.
   Simulation(const SceneDesc& scene, const CompileOptions& options);
   ~Simulation();
 
@@ -47,14 +47,17 @@ class Simulation {
   const SoftBody& soft(BodyId body) const;
   std::uint32_t revision(BodyId soft_body) const;      // of its topology
   const Numbering& numbering(BodyId soft_body) const;  // of soft(body).anatomy()
-  /// Returns the content hash with which the topology was reported. It does not count temporary refinement.
+  /// Returns the content hash (of connectivity, rest shape and masses) with which the body's topology was
+  /// reported. Temporary mesh refinement near contacts does not change it.
   std::uint64_t topology_hash(BodyId soft_body) const;
-  /// Returns how many times the surface, itself unchanged, was re-embedded in other nodes.
+  /// Returns how many times the body's surface, itself unchanged, was embedded in other nodes, because the
+  /// mesh below it was refined or coarsened.
   std::uint64_t rehung(BodyId soft_body) const;
   ContentHash content_hash() const;  // hash of everything compiled
 
   // ---- Running
-  /// Advances one tick. Never throws because of user actions; errors are in the report.
+  /// Advances the simulation by one tick, consuming `input`. Never throws because of user actions; their
+  /// errors are in the returned report.
   const StepReport& step(const TickInput& input);
   SimTime time() const;
   RigidBodyState rigid_state(BodyId body) const;
@@ -62,28 +65,30 @@ class Simulation {
   bool asleep(BodyId body) const;
   const Part& part(BodyId body) const;       // the changes that participants made to the body
   std::span<const HandState> hands() const;  // canonical order
-  /// Returns the contacts of the hand in the last tick, the near contacts within `reach` (m), and the
-  /// supports of the touched bodies.
+  /// Returns the contacts of the hand in the last tick, the points of other tissue within `reach` (m) of it,
+  /// and the supports of the bodies that it touches.
   HandSurroundings around(const HandRef& hand, double reach) const;
   std::vector<Panel> panels() const;  // open ones, by participant
   double room_lights() const;         // brightness of all lights except those that bodies carry, 0 … 1
   std::vector<Exchange> exchanges() const;  // of the last tick, in a fixed order
-  /// Returns the largest distance of a surface vertex from its equilibrium, m.
+  /// Returns the largest distance (m) of a vertex of the body's surface from its position at equilibrium
+  /// under gravity.
   double max_displacement(BodyId soft_body) const;
 
-  /// Hashes every bit that affects the next tick.
+  /// Returns a hash of every bit of the state that affects the next tick.
   std::uint64_t state_hash() const;
-  /// Returns the current state; a CutEvent can rewind to it. Adds the names of the saved values to `labels`.
+  /// Returns the current state as bytes, to which a CutEvent can later rewind. Adds the names of the saved
+  /// values and their offsets to `labels`, unless that is null.
   std::vector<std::uint8_t> save(RecordLabels* labels = nullptr) const;
-  /// Saves the state, restores it from the saved bytes, and returns them. This run and a run that restores
-  /// the bytes both rebuild their caches canonically, so they stay equal. Throws InputError, and changes
-  /// nothing, if the saved state can't be restored.
+  /// Saves the state, restores it from the saved bytes, and returns them. This run rebuilds its caches in the
+  /// same way as a run that restores the bytes, so both stay equal. Throws InputError, and changes nothing,
+  /// if the saved state can't be restored.
   std::vector<std::uint8_t> checkpoint();
-  /// Restores a checkpoint. Throws InputError, and changes nothing, when the bytes are no checkpoint of this
-  /// compiled scene.
+  /// Restores a state that checkpoint() returned. Throws InputError, and changes nothing, if `bytes` are no
+  /// checkpoint of this compiled scene.
   void restore(std::span<const std::uint8_t> bytes);
-  /// Takes over the state of a simulation of the same bodies, of which some are modelled differently
-  /// (take_over.h). If the take-over is refused, this simulation's state is undefined.
+  /// Copies the state of another simulation of the same bodies, of which some are modelled differently here.
+  /// If the result is a refusal, this simulation's state is undefined.
   Refusal take_over(const Simulation& from);
 
   struct Impl;  // for the simulation's own files
@@ -92,7 +97,7 @@ class Simulation {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the number of tetrahedra of all bodies.
+/// Returns the total number of tetrahedra of all soft bodies in the simulation.
 std::size_t tet_count(const Simulation& simulation);
 
 }  // namespace prosector

@@ -67,8 +67,8 @@ TEST(BodyTrial, ErrorsFallWithTheCells) {
 /// throughout.
 TEST(BodyTrial, ErrorsFallMostWithElementsAtTheRims) {
   SoftDesc desc = test::pinned(1, 5400, 0.49);
-  desc.element = "tet10";
-  desc.grade = "rims";
+  desc.configuration.element = "tet10";
+  desc.geometry.grade = Grading::rims;
   const auto cube = [](std::uint32_t cells) { return test::box({0.1, 0.1, 0.1}, cells, cells, cells); };
   StaticBody reference(desc, graded_at_rims(desc, cube(5)));
   const std::vector<Vec3> places = places_in(reference.mesh(), 200);
@@ -168,7 +168,7 @@ TEST(Foot, HoldsEveryMeshAlike) {
   ASSERT_TRUE(foot);
   const double all = ties_of(*foot, StaticBody(desc, fine)).sum();
   for (const char* element : {"tet4", "tet10"}) {
-    desc.element = element;
+    desc.configuration.element = element;
     EXPECT_NEAR(ties_of(*foot, StaticBody(desc, test::box({0.1, 0.1, 0.1}, 5, 5, 5))).sum() / all, 1, 0.1)
         << element;
   }

@@ -19,10 +19,10 @@ inline SoftDesc pinned(int axis, double youngs_modulus, double poisson_ratio) {
   constexpr double far = 1e4;
   SoftDesc desc;
   desc.name = "box";
-  desc.model = "fem_neo_hookean";
-  desc.youngs_modulus = youngs_modulus;
-  desc.poisson_ratio = poisson_ratio;
-  desc.density = 1000;
+  desc.configuration.model = "fem_neo_hookean";
+  desc.material.youngs_modulus = youngs_modulus;
+  desc.material.poisson_ratio = poisson_ratio;
+  desc.material.density = 1000;
   desc.attach.push_back({-far * Vec3::Unit(axis), far + 1e-6, 1e13});
   return desc;
 }

@@ -11,7 +11,7 @@ namespace {
 
 StaticBody made(const char* element, unsigned cells) {
   SoftDesc desc = test::pinned(0, 5400, 0.3);
-  desc.element = element;
+  desc.configuration.element = element;
   return StaticBody(desc, test::box({0.2, 0.1, 0.1}, 2 * cells, cells, cells));
 }
 

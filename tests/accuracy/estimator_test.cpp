@@ -43,7 +43,7 @@ Estimate estimate(BodyEstimator& estimator, BodyMoment moment) {
 struct Settled {
   Settled(SoftDesc desc, const Anatomy& mesh, const char* model, const char* element,
           const Vec3& acceleration)
-      : body((desc.model = model, desc.element = element, desc), mesh) {
+      : body((desc.configuration.model = model, desc.configuration.element = element, desc), mesh) {
     VecX load(body.rest().size());
     for (Eigen::Index i = 0; i < body.mass().size(); ++i)
       load.segment<3>(3 * i) = body.mass()[i] * acceleration;
@@ -89,7 +89,7 @@ TEST(BodyEstimator, FindsNothingWrongWithEvenStrain) {
   F << 1.1, 0.03, 0, 0, 0.92, 0.02, 0, 0, 1.01;
   for (const char* element : {"tet4", "tet10"}) {
     SoftDesc desc = test::pinned(1, 5400, 0.45);
-    desc.element = element;
+    desc.configuration.element = element;
     const StaticBody body(desc, mesh);
     VecX ties = VecX::Zero(body.mass().size()), x = body.rest();
     for (Eigen::Index i = 0; i < ties.size(); ++i) {
@@ -155,7 +155,7 @@ TEST(BodyEstimator, IsTheSameHoweverTheBodyIsTurnedAndHoweverItsWorkIsDivided) {
   const Anatomy mesh = test::box({0.1, 0.1, 0.1}, 3, 3, 3);
   const Settled body(desc, mesh, "fem_corotational", "tet4", test::gravity);
   SoftDesc free = desc;
-  free.model = "fem_corotational";
+  free.configuration.model = "fem_corotational";
   const VecX none = VecX::Zero(body.body.mass().size());
   BodyEstimator whole(free, body.body.mesh(), none, tissue_law),
       parted(free, body.body.mesh(), none, tissue_law);
@@ -212,7 +212,7 @@ TEST(BodyEstimator, KnowsWhatATickIsTooLongFor) {
 /// laws are then, however little it is: a difference at rest, over it, would grow without bound.
 TEST(BodyEstimator, TellsOfTheLawInTissueUnderTensionWhateverItMoves) {
   SoftDesc desc = test::pinned(1, 5400, 0.45);
-  desc.model = "fem_corotational";
+  desc.configuration.model = "fem_corotational";
   Anatomy box = test::box({0.1, 0.1, 0.1}, 3, 3, 3);
   const Mat3 grown = Vec3(0.95, 1 / (0.95 * 0.95), 0.95).asDiagonal();
   box.tets.stretch = std::make_shared<RestStretch>(box.tets, std::vector(box.tets.tets.size(), grown));

@@ -94,7 +94,7 @@ TEST(LiveEstimates, BeginWithBodiesThatMove) {
 /// What no law tells the stress of isn't judged.
 TEST(LiveEstimates, SayNothingOfSpringsAndRopes) {
   SceneDesc scene = pressed_scene();
-  scene.soft[0].model = "mass_spring";
+  scene.soft[0].configuration.model = "mass_spring";
   Simulation simulation(scene, test::options());
   LiveEstimates estimates(simulation);
   for (int tick = 0; tick < 60; ++tick) estimates.follow(simulation, simulation.step({}));

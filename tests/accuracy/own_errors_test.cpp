@@ -54,12 +54,12 @@ TEST(OwnErrors, KnowNothingBeforeATrial) {
 
 TEST(OwnErrors, AreOfTheActsThatTheSceneAsksFor) {
   Judged judged;
-  judged.desc.accuracy_of = {"shape"};
+  judged.desc.choice.accuracy_of = {"shape"};
   OwnErrors own = judged.errors();
   EXPECT_TRUE(own.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05)));
   EXPECT_FALSE(own.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05))) << "tried already";
   EXPECT_EQ(own.at("fem_neo_hookean", "tet4", 0.05).size(), 3u);
-  judged.desc.accuracy_of = {"touch"};
+  judged.desc.choice.accuracy_of = {"touch"};
   OwnErrors touched = judged.errors();
   touched.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05));
   EXPECT_EQ(touched.at("fem_neo_hookean", "tet4", 0.05).size(),
@@ -69,7 +69,7 @@ TEST(OwnErrors, AreOfTheActsThatTheSceneAsksFor) {
 /// Where a trial is too dear, coarser ones tell: no more than these, but for caution.
 TEST(OwnErrors, AreInferredWhereATrialIsTooDear) {
   Judged judged;
-  judged.desc.accuracy_of = {"shape"};
+  judged.desc.choice.accuracy_of = {"shape"};
   OwnErrors own = judged.errors();
   EXPECT_TRUE(own.attempt("fem_neo_hookean", "tet10", 0.01, elements(0.01)));
   const double fine = worst(own.at("fem_neo_hookean", "tet10", 0.01)).error;
@@ -93,7 +93,7 @@ TEST(OwnErrors, AreKeptFromRunToRun) {
              other = second.at("fem_corotational", "tet4", 0.05);
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].error, other[k].error);
-  judged.desc.youngs_modulus *= 2;
+  judged.desc.material.youngs_modulus *= 2;
   OwnErrors stiffer = judged.errors();
   stiffer.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
   EXPECT_EQ(judged.lines, 2) << "another material is tried anew";
@@ -106,7 +106,7 @@ TEST(OwnErrors, AreProvedByADividedReference) {
   Judged judged;
   judged.desc = test::pinned(0, 2e4, 0.49);
   judged.desc.attach = {{Vec3(0, 0.05, 0.05), 0.055, 1e13}};
-  judged.desc.accuracy_of = {"shape"};
+  judged.desc.choice.accuracy_of = {"shape"};
   judged.most_tets = 96;
   judged.cache = new_folder();
   EXPECT_FALSE(judged.errors().prove("fem_neo_hookean", "tet4", 0.05, 96))

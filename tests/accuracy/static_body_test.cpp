@@ -35,7 +35,7 @@ TEST(StaticBody, HangingBarIsAsLongAsTheClosedFormSays) {
   constexpr double length = 0.2, modulus = 1e7;
   for (const char* element : {"tet4", "tet10"}) {
     SoftDesc desc = test::pinned(1, modulus, 0);
-    desc.element = element;
+    desc.configuration.element = element;
     StaticBody body(desc, test::box({0.05, length, 0.05}, 2, 8, 2));
     const StaticAnswer answer = body.settle(weights(body, -test::gravity));
     ASSERT_TRUE(answer.usable());
@@ -51,7 +51,7 @@ TEST(StaticBody, ForcesBalanceUnderEveryLaw) {
   for (const char* model : {"fem_linear", "fem_corotational", "fem_neo_hookean", "fem_neo_hookean_polynomial",
                             "fem_stvk", "mass_spring"}) {
     SoftDesc desc = test::pinned(1, 5400, 0.45);
-    desc.model = model;
+    desc.configuration.model = model;
     StaticBody body(desc, test::box({0.1, 0.1, 0.1}, 4, 4, 4));
     const VecX load = weights(body, test::gravity);
     const StaticAnswer once = body.settle(load), again = body.settle(load);
@@ -87,7 +87,7 @@ TEST(Acts, APressIsItsForceAtItsPoint) {
   for (const char* element : {"tet4", "tet10"})
     for (const unsigned cells : {2u, 3u, 5u}) {
       SoftDesc desc = test::pinned(1, 5400, 0.45);
-      desc.element = element;
+      desc.configuration.element = element;
       const StaticBody body(desc, test::box({0.1, 0.1, 0.1}, cells, cells, cells));
       const VecX load = load_of({"press", Vec3::Zero(), press}, body);
       Vec3 force = Vec3::Zero(), moment = Vec3::Zero();

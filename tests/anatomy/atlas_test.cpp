@@ -55,7 +55,7 @@ TEST(Atlas, EachLabelIsABodyByName) {
   EXPECT_EQ(s.soft[0].name, "liver");
   EXPECT_EQ(s.soft[0].names, (std::vector<LocalName>{{"de", "Leber"}}));
   EXPECT_EQ(s.soft[0].term, "A05.8.01.001");
-  EXPECT_EQ(s.soft[0].label, 7);
+  EXPECT_EQ(s.soft[0].geometry.label, 7);
   EXPECT_EQ(s.soft[0].pose.p, Vec3(0, 1, 0));
   EXPECT_TRUE(s.soft[0].part && s.rigid[0].part);
   EXPECT_EQ(s.rigid[0].name, "rib");
@@ -75,7 +75,7 @@ TEST(Atlas, WithoutATableLabelsGoByNumber) {
   ASSERT_EQ(s.soft.size(), 2u);
   EXPECT_EQ(s.soft[0].name, "region 7");
   EXPECT_EQ(s.soft[1].name, "region 9");
-  EXPECT_EQ(s.soft[0].cell, 0.008);
+  EXPECT_EQ(s.soft[0].geometry.cell, 0.008);
   EXPECT_TRUE(s.soft[0].attach.empty());
   EXPECT_NE(s.soft[0].appearance.color, s.soft[1].appearance.color);
 }
@@ -101,7 +101,7 @@ TEST(Atlas, SaysWhatIsWrong) {
       {"labels = \"names.csv\"\nonly = [\"livre\"]\n",
        "\"livre\": no label of names.csv has this name; did you mean \"liver\""},
       {"labels = \"names.csv\"\nonly = [\"nowhere\"]\n",
-       "label 12 (\"nowhere\") does not occur in map.inr, which has 7, 9"},
+       "label 12 (\"nowhere\") does not occur in map.inr, which has the labels 7, 9"},
       {"labels = \"names.csv\"\nleave_out = [\"liver\", \"rib\"]\n", "no label remains; map.inr has 7, 9"},
       {"labels = \"gone.csv\"\n", "gone.csv is missing; searched for"},
       {"labels = \"noid.csv\"\n", "\"liver\" has no id"},
@@ -144,7 +144,7 @@ TEST(Atlas, SpecksAreLeftOutUnlessAskedFor) {
   const SceneDesc s =
       completed(map.scene(""), map.paths, [&](const std::string& line) { said += line + "\n"; });
   ASSERT_EQ(s.soft.size(), 1u);
-  EXPECT_EQ(s.soft[0].label, 7);
+  EXPECT_EQ(s.soft[0].geometry.label, 7);
   EXPECT_NE(said.find("label 9 (\"region 9\") has only 2 voxels: omitted"), std::string::npos) << said;
   EXPECT_EQ(completed(map.scene("only = [\"region 9\"]\n"), map.paths, {}).soft.size(), 1u);
 }
@@ -164,8 +164,8 @@ TEST(Atlas, ThinStructuresGetFinerCells) {
   write(map.dir.path / "map.inr", inrimage(n, n, n, {2, 2, 2}, voxels));
   const SceneDesc s = completed(map.scene(""), map.paths, {});
   ASSERT_EQ(s.soft.size(), 2u);
-  EXPECT_NEAR(s.soft[0].cell, 0.3 * 0.016, 1e-9);  // by volume: of a cube of 16 mm
-  EXPECT_LT(s.soft[1].cell, 0.9 * s.soft[0].cell);
+  EXPECT_NEAR(s.soft[0].geometry.cell, 0.3 * 0.016, 1e-9);  // by volume: of a cube of 16 mm
+  EXPECT_LT(s.soft[1].geometry.cell, 0.9 * s.soft[0].geometry.cell);
   // What fills its map has no faces, and is still a body.
   write(map.dir.path / "map.inr", inrimage(8, 8, 8, {2, 2, 2}, std::vector<std::uint8_t>(512, 3)));
   EXPECT_EQ(completed(map.scene(""), map.paths, {}).soft.size(), 1u);

@@ -249,12 +249,12 @@ std::optional<double> made(const Mutant& mutant, Lines& said) {
   SoftDesc desc;
   desc.name = "organ";
   const bool volume = mutant.name == "m.nii";
-  (volume ? desc.volume : desc.mesh) = mutant.name;
-  desc.label = 1;
-  desc.smoothing = 0.7;
-  desc.scale = 1e-3;
-  desc.cell = volume ? 0.004 : 0.008;
-  desc.surface_cell = 0.008;
+  (volume ? desc.geometry.volume : desc.geometry.mesh) = mutant.name;
+  desc.geometry.label = 1;
+  desc.geometry.smoothing = 0.7;
+  desc.geometry.scale = 1e-3;
+  desc.geometry.cell = volume ? 0.004 : 0.008;
+  desc.geometry.surface_cell = 0.008;
   try {
     return 1e6 * tet_quality(make_anatomy(desc, {dir.path, {}, {}}, said.progress()).tets).volume;
   } catch (const InputError& error) {

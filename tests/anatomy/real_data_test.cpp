@@ -27,10 +27,10 @@ TEST(RealData, OrgansOfTheAbdominalCt) {
       SCOPED_TRACE(std::string(organ.name) + " at " + std::to_string(cell));
       SoftDesc d;
       d.name = organ.name;
-      d.volume = file;
-      d.label = organ.label;
-      d.cell = cell;
-      d.surface_cell = cell / 2;
+      d.geometry.volume = file;
+      d.geometry.label = organ.label;
+      d.geometry.cell = cell;
+      d.geometry.surface_cell = cell / 2;
       const Anatomy a = make_anatomy(d, {}, {});
       const TetQuality q = tet_quality(a.tets);
       EXPECT_GE(q.min_dihedral_deg, 10);
@@ -70,10 +70,10 @@ TEST(RealData, SkullAndBrainByThreshold) {
 
   SoftDesc brain;
   brain.name = "brain";
-  brain.volume = mri;
-  brain.threshold = 60;
-  brain.cell = 0.013;
-  brain.surface_cell = 0.006;
+  brain.geometry.volume = mri;
+  brain.geometry.threshold = 60;
+  brain.geometry.cell = 0.013;
+  brain.geometry.surface_cell = 0.006;
   const TetQuality quality = tet_quality(make_anatomy(brain, {}, {}).tets);
   EXPECT_GE(quality.min_dihedral_deg, 10);
   EXPECT_GT(quality.volume, 1.1e-3);

@@ -20,10 +20,10 @@ using namespace testing_files;
 SoftDesc ball_of(int label) {
   SoftDesc d;
   d.name = "ball";
-  d.volume = "balls.inr";
-  d.label = label;
-  d.cell = 0.008;
-  d.surface_cell = 0.004;
+  d.geometry.volume = "balls.inr";
+  d.geometry.label = label;
+  d.geometry.cell = 0.008;
+  d.geometry.surface_cell = 0.004;
   return d;
 }
 
@@ -42,7 +42,7 @@ TEST(Sources, VolumeToTheRoomsFrameAtThePose) {
   EXPECT_EQ(report.warning(), "");
   for (std::size_t i = 0; i < a.surface.positions.size(); ++i)
     EXPECT_EQ(a.surface.positions[i], a.embedding.apply(i, a.tets.positions[0].data()));
-  EXPECT_TRUE(said.say("kept the largest of 2 pieces (1 voxels dropped)"));
+  EXPECT_TRUE(said.say("only the largest of 2 separate pieces is used (1 voxels dropped)"));
   EXPECT_TRUE(said.say("dihedral"));
 }
 
@@ -56,7 +56,7 @@ TEST(Sources, MissingFileFallsBackOrSaysWhereItLooked) {
     const std::string what = e.what();
     EXPECT_NE(what.find("/nowhere/scenes/balls.inr, /nowhere/data/balls.inr"), std::string::npos) << what;
   }
-  d.fallback = "kidney";
+  d.geometry.fallback = "kidney";
   Lines said;
   EXPECT_FALSE(make_anatomy(d, paths, said.progress()).tets.tets.empty());
   EXPECT_TRUE(said.say("balls.inr is missing: using the implicit shape \"kidney\" instead"));
@@ -83,9 +83,9 @@ TEST(Sources, PipesFoldersAndDevicesAreNotMissing) {
   const auto complaint_of = [&](const std::string& volume, const std::string& mesh) {
     SoftDesc d;
     d.name = "organ";
-    d.volume = volume;
-    d.mesh = mesh;
-    d.fallback = "kidney";
+    d.geometry.volume = volume;
+    d.geometry.mesh = mesh;
+    d.geometry.fallback = "kidney";
     try {
       make_anatomy(d, paths, {});
       return std::string("accepted");
@@ -135,21 +135,21 @@ TEST(Sources, VolumesFarFromTheirLabelsAreRefusedUnlessAsked) {
   for (const bool cached : {false, true}) {
     SCOPED_TRACE(cached);
     SoftDesc d = ball_of(1);
-    d.volume = "halves.inr";
+    d.geometry.volume = "halves.inr";
     const std::string halves = complaint(d, paths);
     EXPECT_NE(halves.find("% less than the 98.78 ml of its voxels"), std::string::npos) << halves;
     EXPECT_NE(halves.find("If a label has several pieces, the largest is used"), std::string::npos) << halves;
-    d.volume = "hollow.inr";
+    d.geometry.volume = "hollow.inr";
     const std::string hollow = complaint(d, paths);
     EXPECT_NE(hollow.find("% more than the"), std::string::npos) << hollow;
-    d.max_volume_error.value = 100;
+    d.geometry.max_volume_error.value = 100;
     Lines said;
     EXPECT_EQ(complaint(d, paths, &said), "");
     EXPECT_TRUE(said.say("ball: warning: its volume is"));
-    d.max_volume_error.value = 0;
-    d.volume = "thin.inr";
-    d.smoothing = 0.5;
-    d.cell = 0.003;
+    d.geometry.max_volume_error.value = 0;
+    d.geometry.volume = "thin.inr";
+    d.geometry.smoothing = 0.5;
+    d.geometry.cell = 0.003;
     const std::string thin = complaint(d, paths);
     EXPECT_NE(thin.find("than the 7.2 ml of its voxels"), std::string::npos) << thin;
     EXPECT_NE(thin.find("parts as thin as a voxel need a finer volume"), std::string::npos) << thin;
@@ -161,7 +161,7 @@ TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
   write(dir.path / "balls.inr", two_balls());
   const SourcePaths paths{dir.path, {}, dir.path / "cache"};
   SoftDesc d = ball_of(9);
-  d.max_volume_error.value = 40;  // its cells are coarse
+  d.geometry.max_volume_error.value = 40;  // its cells are coarse
   const Anatomy first = make_anatomy(d, paths, {});
   const auto same = [&](const Anatomy& a) {
     return a.tets.positions == first.tets.positions && a.tets.tets == first.tets.tets &&
@@ -198,7 +198,7 @@ TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
   EXPECT_TRUE(flipped.say("its cached mesh is damaged: rebuilt"));
   // Another parameter is another file; the pose is not part of it.
   SoftDesc finer = d;
-  finer.cell = 0.006;
+  finer.geometry.cell = 0.006;
   make_anatomy(finer, paths, {});
   EXPECT_EQ(cached().size(), 2u);
   SoftDesc moved = d;
@@ -227,7 +227,7 @@ TEST(Sources, ASelfIntersectingSurfaceIsSaidEachTime) {
   rigid.mesh = "crossed.off";
   SoftDesc soft;
   soft.name = "crossed organ";
-  soft.mesh = "crossed.vtk";
+  soft.geometry.mesh = "crossed.vtk";
   for (const bool cached : {false, true}) {
     Lines said;
     make_surface(rigid, paths, said.progress());
@@ -268,13 +268,13 @@ TEST(Sources, AStructureOfAVolumeAsARigidSurface) {
 TEST(Sources, ShapesScaleToTheirSize) {
   SoftDesc d;
   d.name = "liver";
-  d.shape = "liver";
-  d.size = {0.2, 0.15, 0.14};
+  d.geometry.shape = "liver";
+  d.geometry.size = {0.2, 0.15, 0.14};
   const Anatomy a = make_anatomy(d, {}, {});
   const TetQuality q = tet_quality(a.tets);
   EXPECT_GT(q.tets, 1000u);
   EXPECT_GE(q.min_dihedral_deg, 10);
-  d.shape = "teapot";
+  d.geometry.shape = "teapot";
   EXPECT_THROW(make_anatomy(d, {}, {}), InputError);
 }
 
@@ -286,9 +286,9 @@ TEST(Sources, WhatIsRefusedNamesTheBody) {
   EXPECT_NE(complaint(ball_of(8), paths).find("ball: "), std::string::npos);
   SoftDesc coarse;
   coarse.name = "thin one";
-  coarse.shape = "cylinder";
-  coarse.size = {0.01, 0.3, 0.01};
-  coarse.cell = 0.3;
+  coarse.geometry.shape = "cylinder";
+  coarse.geometry.size = {0.01, 0.3, 0.01};
+  coarse.geometry.cell = 0.3;
   EXPECT_EQ(complaint(coarse, paths).rfind("thin one: mesh: a cell of 300 mm gives no tetrahedra", 0), 0u)
       << complaint(coarse, paths);
   SoftDesc surface;
@@ -302,7 +302,7 @@ TEST(Sources, WhatIsRefusedNamesTheBody) {
                      {"open.obj", "open.obj: not closed: 3 edges at the borders of holes"},
                      {"organ.xyz", "organ.xyz: not a tetrahedral mesh; allowed: .msh (Gmsh), .vtk"}};
   for (const auto& row : table) {
-    surface.mesh = row.file;
+    surface.geometry.mesh = row.file;
     const std::string said = complaint(surface, paths);
     EXPECT_EQ(said.rfind("liver: ", 0), 0u) << said;
     EXPECT_NE(said.find(row.why), std::string::npos) << said;
@@ -326,10 +326,10 @@ TEST(Sources, LabelsAreListedInOrderAndInRanges) {
 TEST(Sources, ManyTetrahedraAreAnnounced) {
   SoftDesc d;
   d.name = "ball";
-  d.shape = "ball";
-  d.size = Vec3::Constant(0.1);
-  d.cell = 0.1 / 38;
-  d.surface_cell = 0.02;
+  d.geometry.shape = "ball";
+  d.geometry.size = Vec3::Constant(0.1);
+  d.geometry.cell = 0.1 / 38;
+  d.geometry.surface_cell = 0.02;
   Lines said;
   make_anatomy(d, {}, said.progress());
   EXPECT_TRUE(said.lines.front().find("ball: meshing with about 2.2e+05 tetrahedra, which takes a while") ==
@@ -346,11 +346,11 @@ TEST(Sources, MeshFilesOfQuadraticElementsHaveASurfaceVertexOnEachEdge) {
   const SourcePaths paths{dir.path, {}, dir.path / "cache"};
   SoftDesc d;
   d.name = "one";
-  d.mesh = "one.msh";
+  d.geometry.mesh = "one.msh";
   for (int again = 0; again < 2; ++again) {  // made, then from the cache
-    d.element = "tet4";
+    d.configuration.element = "tet4";
     EXPECT_EQ(make_anatomy(d, paths, {}).surface.positions.size(), 4u);
-    d.element = "tet10";
+    d.configuration.element = "tet10";
     const Anatomy a = make_anatomy(d, paths, {});
     EXPECT_EQ(a.surface.positions.size(), 10u);
     EXPECT_EQ(a.surface.triangles.size(), 16u);

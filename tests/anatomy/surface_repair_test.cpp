@@ -50,11 +50,11 @@ Filled filled(const TriangleMesh& mesh, double accepted = 0, double cell = 0.008
   write(dir.path / "organ.off", as_off(mesh, 1));
   SoftDesc desc;
   desc.name = "organ";
-  desc.mesh = "organ.off";
-  desc.scale = 1e-3;
-  desc.cell = cell;
-  desc.surface_cell = 0.006;
-  desc.max_volume_error.value = accepted;
+  desc.geometry.mesh = "organ.off";
+  desc.geometry.scale = 1e-3;
+  desc.geometry.cell = cell;
+  desc.geometry.surface_cell = 0.006;
+  desc.geometry.max_volume_error.value = accepted;
   Filled out;
   try {
     out.volume = 1e6 * tet_quality(make_anatomy(desc, {dir.path, {}, {}}, out.said.progress()).tets).volume;
@@ -180,7 +180,7 @@ TEST(SurfaceRepair, RigidBodiesSayWhatTheirMassIsOff) {
   EXPECT_THROW(said_of(together(box(0, 80), box(2, 78))), InputError);
   TriangleMesh open = box(0, 80);
   open.triangles.pop_back();
-  EXPECT_TRUE(said_of(open).say("not closed: 3 open"));
+  EXPECT_TRUE(said_of(open).say("not closed: the surface has 3 open"));
 }
 
 TEST(WindingTree, IsTheSumOfSolidAngles) {
@@ -249,7 +249,7 @@ TEST(Stl, BinaryIsToldByItsSize) {
   other[0] = 'x';
   EXPECT_NE(refusal_of([&] {
               parse_stl(other.substr(0, 600), notes);
-            }).find("its 12 triangles need 684 bytes, it has 600"),
+            }).find("its 12 triangles need 684 bytes, but it has 600"),
             std::string::npos);
   EXPECT_NE(refusal_of([&] { parse_stl("hello", notes); }), "");
   EXPECT_NEAR(enclosed_volume(parse_stl(as_stl(box(0, 2), 1), notes)), 8, 1e-9);

@@ -69,8 +69,8 @@ MadeOfCells made_from(const std::string& name, const std::string& text, double a
   write(dir.path / name, text);
   SoftDesc desc;
   desc.name = "organ";
-  desc.mesh = name;
-  desc.max_volume_error.value = accepted;
+  desc.geometry.mesh = name;
+  desc.geometry.max_volume_error.value = accepted;
   MadeOfCells out;
   try {
     out.anatomy = make_anatomy(desc, {dir.path, {}, {}}, out.said.progress());
@@ -162,7 +162,7 @@ TEST(TetRepair, QuadraticCellsAreTakenByTheirCorners) {
     EXPECT_NEAR(made.volume, 1e-3 / 6, 1e-12) << made.refusal;
     EXPECT_EQ(made.anatomy.tets.positions.size(), 4u);
     EXPECT_TRUE(made.said.say(
-        "organ: repaired: 1 quadratic tetrahedra are replaced by linear ones with straight edges"));
+        "organ: repaired: 1 quadratic tetrahedra are replaced by linear elements with straight edges"));
     EXPECT_TRUE(made.said.say("organ: not used: 1 triangles"));
   }
 }

@@ -1,5 +1,6 @@
-// The cantilever that other codes were measured on: 0.4 × 0.1 × 0.1 m, clamped at x = 0, E = 2e5 Pa,
-// ν = 0.4, 1000 kg/m³, under gravity from rest at t = 0 in steps of 1/60 s, no damping but implicit Euler's.
+// The cantilever of other codes' published results: 0.4 × 0.1 × 0.1 m, clamped at x = 0, E = 2e5 Pa,
+// ν = 0.4, 1000 kg/m³, under gravity from rest at t = 0 in steps of 1/60 s, no damping except implicit
+// Euler's.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -21,14 +22,14 @@ namespace {
 constexpr double h = 1. / 60;
 constexpr int moving_frames = 120;
 constexpr int settled_frames = 30;
-constexpr int relaxation_frames = 600;  // at most
+constexpr int relaxation_frames = 600;  // maximum
 const Vec3 gravity(0, -9.81, 0);
 const Vec3 size(0.4, 0.1, 0.1);
 
 struct Model {
   const char* name;
-  double continuum;    // m: settled −u_y of the tip face's centre, converged over meshes
-  const char* bullet;  // the nearest that Bullet has
+  double continuum;    // m: static −u_y of the tip face's centre, mesh-converged
+  const char* bullet;  // Bullet's closest model
 };
 constexpr Model models[] = {{"fem_corotational", 0.1704, "bullet_deformable_linear"},
                             {"fem_neo_hookean_polynomial", 0.1712, "bullet_deformable_neo_hookean"}};
@@ -38,7 +39,7 @@ constexpr double enough_of_bullet = 20e3;  // ms of CPU
 struct Solver {
   const char* element;
   SolverEffort effort;
-  std::uint32_t most_cells = 100;  // across: beyond, a frame takes seconds
+  std::uint32_t most_cells = 100;  // cells across; larger meshes take seconds per frame
 };
 constexpr Solver solver_rows[] = {
     {"tet4", {"cg", 1, 1000, 1e-3}},          {"tet4", {"cg", 3, 60, 1e-3}},
@@ -54,18 +55,19 @@ Anatomy mesh(std::uint32_t n) {
 SoftDesc beam(const Model& model, const Solver& solver) {
   SoftDesc desc;
   desc.name = "beam";
-  desc.model = model.name;
-  desc.element = solver.element;
+  desc.configuration.model = model.name;
+  desc.configuration.element = solver.element;
   solver.effort.apply_to(desc);
-  desc.youngs_modulus = youngs_modulus;
-  desc.poisson_ratio = poisson_ratio;
-  desc.density = density;
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.material.youngs_modulus = youngs_modulus;
+  desc.material.poisson_ratio = poisson_ratio;
+  desc.material.density = density;
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   desc.attach.push_back(clamp_at(0, size / 2));
   return desc;
 }
 
-/// Mean over the nodes nearest to the middle of the face x = 0.4 (one where n is even, else four).
+/// Returns the mean displacement of the nodes closest to the centre of the face x = 0.4 (one if n is even,
+/// else four).
 double tip_height(const SoftBody& body, const VecX& x) {
   const auto& rest = body.anatomy().tets.positions;
   const Vec3 middle(size[0], size[1] / 2, size[2] / 2);
@@ -80,10 +82,10 @@ double tip_height(const SoftBody& body, const VecX& x) {
   return sum / count;
 }
 
-/// What the same mesh does when every step is solved to the end.
+/// Converged solution of the same mesh: every step is solved to convergence.
 struct Converged {
-  double sag = 0;          // m, settled
-  std::vector<VecX> path;  // after each moving frame
+  double sag = 0;          // m, static deflection
+  std::vector<VecX> path;  // positions after each frame of the motion
 };
 
 Converged converge(const Model& model, const char* element, std::uint32_t n) {
@@ -122,8 +124,8 @@ ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, con
   return row;
 }
 
-/// Bullet's deformable body on the same mesh, moving: how this machine compares with the one that other codes
-/// were measured on, where Bullet ran as well.
+/// Measures Bullet's deformable body on the same mesh, moving. Bullet was also measured on the machine of the
+/// other codes, so this relates the two machines.
 ReportRow measure_bullet(const Model& model, std::uint32_t n) {
   TestPiece piece;
   piece.mesh = mesh(n).tets;
@@ -160,16 +162,15 @@ ReportRow measure_bullet(const Model& model, std::uint32_t n) {
 
 Report bench_beam(const BeamBenchOptions& options) {
   fmt::print(
-      "ms a frame: the median, wall clock, while moving and settled; cpu: of all threads; errors: settled "
-      "against "
-      "this mesh's\nand the continuum's answer; dynamic: RMS of the first {} frames\n",
+      "ms per frame: median wall time, moving and settled; cpu: all threads; errors: static solution against "
+      "this mesh's\nand the continuum's; dynamic: RMS over the first {} frames\n",
       moving_frames);
   using enum Column::Kind;
   const TextTable table({{text, "model", "model", 27},
                          {text, "element", "elem"},
                          {text, "solver", "solver", 9},
                          {count, "newton_iterations", "N"},
-                         {count, "solver_iterations", "at most"},
+                         {count, "solver_iterations", "max. it."},
                          {number, "solver_tolerance", "to"},
                          {count, "tets", "tets", 6},
                          {count, "threads", "T"},
@@ -186,7 +187,7 @@ Report bench_beam(const BeamBenchOptions& options) {
   for (const Model& model : models) {
     if (!options.model.empty() && options.model != model.name) continue;
     for (const std::uint32_t n : options.cells) {
-      std::map<std::string, Converged> converged;  // by element
+      std::map<std::string, Converged> converged;  // per element
       for (const Solver& solver : solver_rows) {
         if (!options.solver.empty() && options.solver != solver.effort.name) continue;
         if (n > solver.most_cells) continue;

@@ -34,13 +34,13 @@ Anatomy mesh() {
 SoftDesc beam(const SolverEffort& solver) {
   SoftDesc desc;
   desc.name = "beam101k";
-  desc.model = "fem_corotational";
+  desc.configuration.model = "fem_corotational";
   solver.apply_to(desc);
-  desc.youngs_modulus = 1000;
-  desc.poisson_ratio = 0.3;
-  desc.density = 50 / size.prod();
-  desc.damping_mass = desc.damping_stiffness = 0.1;
-  desc.cell = 0.25;
+  desc.material.youngs_modulus = 1000;
+  desc.material.poisson_ratio = 0.3;
+  desc.material.density = 50 / size.prod();
+  desc.material.damping_mass = desc.material.damping_stiffness = 0.1;
+  desc.geometry.cell = 0.25;
   desc.attach.push_back(clamp_at(0, corner + size / 2));
   return desc;
 }
@@ -57,7 +57,7 @@ double tip_height(const SoftBody& body, const VecX& x) {
   return sum / count;
 }
 
-/// Of all nodes that may reach the ground within the step.
+/// Returns contacts of all nodes that may reach the ground within the step.
 std::vector<Contact> ground_contacts(const VecX& x, const VecX& v) {
   std::vector<Contact> contacts;
   for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
@@ -89,7 +89,7 @@ Path run(const SolverEffort& solver, bool with_ground, int steps) {
   return path;
 }
 
-/// RMS over the path, of what the tip should have moved.
+/// Returns the RMS path error of the tip, relative to its RMS displacement.
 double path_error(const Path& path, const Path& converged) {
   double off = 0, all = 0;
   for (std::size_t i = 0; i < path.tip.size(); ++i) {
@@ -103,7 +103,7 @@ double path_error(const Path& path, const Path& converged) {
 }  // namespace
 
 Report bench_beam101k(const Beam101kBenchOptions& options) {
-  fmt::print("steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS of the tip's path\n",
+  fmt::print("steps/s: wall clock, median of {} steps; cpu: all threads; error: RMS of the tip's path\n",
              options.steps);
   using enum Column::Kind;
   const TextTable table = path_table({{count, "ground", "ground"}}, {number, "tip_m", "tip m"});

@@ -1,6 +1,6 @@
-// Printed boards before a synthetic camera: how far off they are found by distance, tilt, motion, cover,
-// light and resolution, how much they scatter at rest, and what a picture costs one thread. A face, too: its
-// turn is that of the way from the eyes to the screen's middle.
+// Detection of printed boards with a synthetic camera: pose errors by distance, tilt, motion, occlusion,
+// light and resolution, scatter at rest, and CPU time per image. Also of a face, whose rotation error is that
+// of the direction from the eyes to the screen's centre.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 namespace prosector {
 namespace {
 
-/// One row to measure: what is varied, and its value.
+/// One row to measure: the varied parameter and its value.
 struct CameraTrial {
   std::string board, varied;
   double value;
@@ -32,7 +32,7 @@ TagCase case_of(const Board& board, double distance) {
   return what;
 }
 
-/// Lists what is measured of one board.
+/// Lists the rows measured for one board.
 std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, double usual_distance) {
   std::vector<CameraTrial> out;
   const auto add = [&](const std::string& varied, double value, auto change) {
@@ -43,7 +43,7 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
   for (const double d : {0.3, 0.4, 0.6, 0.8, 1.2, 1.8})
     add("distance m", d, [](TagCase& w, double v) { w.distance = v; });
   for (const double d : {0.8, 1., 1.2, 1.8})
-    add("distance m, read on", d, [](TagCase& w, double v) {
+    add("distance m, tracked", d, [](TagCase& w, double v) {
       w.distance = v;
       w.reads_on = true;
     });
@@ -63,7 +63,7 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
     });
   for (const double d : {1., 2.}) add("decimate", d, [](TagCase& w, double v) { w.finder.decimate = v; });
   for (const double e : {1.0, 1.8, 2.2, 2.6})
-    add("response assumed, 2.2 true", e, [](TagCase& w, double v) { w.assumed = v; });
+    add("assumed gamma, 2.2 true", e, [](TagCase& w, double v) { w.assumed = v; });
   for (const double d : {0.4, 0.8})
     add("scatter at rest, m", d, [](TagCase& w, double v) {
       w.distance = v;
@@ -72,7 +72,7 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
   return out;
 }
 
-/// Lists what is measured of a printed picture.
+/// Lists the rows measured for a printed image.
 std::vector<CameraTrial> page_trials(const std::filesystem::path& file) {
   const Board page{"page", {}, std::make_shared<const PrintedImage>(PrintedImage{read_image(file), 0.2})};
   std::vector<CameraTrial> out;
@@ -118,10 +118,10 @@ Report bench_camera(const CameraBenchOptions& options) {
                          {number, "depth_mm", "depth mm"},
                          {number, "depth_95_mm", "95 %"},
                          {number, "lateral_mm", "lateral mm"},
-                         {number, "turn_deg", "turn deg"},
-                         {number, "told_mm", "told mm"},
-                         {number, "straighten_ms", "straighten ms"},
-                         {number, "find_ms", "find ms"},
+                         {number, "turn_deg", "rotation deg"},
+                         {number, "told_mm", "reported mm"},
+                         {number, "straighten_ms", "undistort ms"},
+                         {number, "find_ms", "detect ms"},
                          {number, "fit_ms", "fit ms"},
                          {number, "lag_ms", "lag ms"}});
   table.print_header();
@@ -132,7 +132,7 @@ Report bench_camera(const CameraBenchOptions& options) {
     for (CameraTrial& trial : page_trials(options.page)) trials.push_back(std::move(trial));
   std::set<std::string> begun;
   for (CameraTrial& trial : trials) {
-    // In a hurry one value of each is enough.
+    // Smoke test: one value of each parameter.
     if (options.quick && !begun.insert(trial.varied).second) continue;
     trial.what.places = options.quick ? 1 : 24;
     const ReportRow row = row_of(trial);

@@ -1,5 +1,5 @@
 #pragma once
-// Rungs chosen by need, as the server chooses them, for benches.
+// Options for benchmarks that choose model configurations by need, as the server does.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Returns options that keep tables, meshes and trials in that folder. `meter` must outlive them.
+/// Returns options that cache tables, meshes and trials in `folder`. `meter` must outlive them.
 ChoiceOptions choice_options(const std::string& cache, RungMeter& meter);
 
 }  // namespace prosector

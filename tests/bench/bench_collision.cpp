@@ -1,4 +1,4 @@
-// How sessions find contacts at all fidelities: cost, errors against the reference, growth.
+// Collision detection of sessions at all fidelities: cost, errors against the reference, scaling.
 
 #include <cmath>
 #include <utility>
@@ -16,12 +16,12 @@ namespace {
 
 using enum Column::Kind;
 
-constexpr int most_cells = 64;            // along a sheet: of finer ones very many lie within the margin
-constexpr std::array scales = {3., 10.};  // of rigid pairs, beside life size
+constexpr int most_cells = 64;  // cells along a sheet: finer ones have too many cells within the margin
+constexpr std::array scales = {3., 10.};  // scales of rigid pairs, in addition to 1
 constexpr std::array fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
                                    Fidelity::mesh};
 
-/// Returns a table of pairs: `first`, what all of them tell of errors, `last`.
+/// Returns a text table for pairs: the columns `first`, the error columns, the columns `last`.
 TextTable pair_table(std::vector<Column> first, const std::vector<Column>& last = {}) {
   first.insert(first.end(), {{percent, "false_hits", "false hits", 8},
                              {percent, "missed_hits", "missed", 8},
@@ -73,8 +73,8 @@ void add_organ_pairs(const CollisionBenchOptions& options, Report& report) {
 void add_bodies(const CollisionBenchOptions& options, Report& report) {
   const TextTable table({{text, "fidelity", "fidelity", 8},
                          {count, "bodies", "bodies", 8},
-                         {number, "ms_place", "ms to place", 9},
-                         {number, "ms_detect", "ms to detect", 9},
+                         {number, "ms_place", "ms update", 9},
+                         {number, "ms_detect", "ms detect", 9},
                          {count, "contacts", "contacts", 9},
                          {number, "bytes_per_body", "bytes/body", 9}});
   table.print_header();
@@ -91,11 +91,11 @@ void add_bodies(const CollisionBenchOptions& options, Report& report) {
 
 void add_surfaces(const CollisionBenchOptions& options, Report& report) {
   const TextTable table({{count, "triangles", "triangles", 9},
-                         {number, "ms_build", "ms to build", 9},
+                         {number, "ms_build", "ms build", 9},
                          {number, "ms_refit", "refit", 9},
                          {number, "ms_apart", "near", 9},
                          {number, "ms_crossing", "deep", 9},
-                         {number, "ms_list", "list itself", 11},
+                         {number, "ms_list", "list self", 11},
                          {number, "ms_self", "itself", 9},
                          {number, "bytes_per_triangle", "bytes/triangle", 9}});
   table.print_header();
@@ -107,7 +107,7 @@ void add_surfaces(const CollisionBenchOptions& options, Report& report) {
 
 void add_layers(const CollisionBenchOptions& options, Report& report) {
   const TextTable table({{count, "cells", "cells", 9},
-                         {number, "ms_refit", "ms to refit", 9},
+                         {number, "ms_refit", "ms refit", 9},
                          {number, "ms_layers", "layers", 9},
                          {count, "meetings", "meetings", 9}});
   table.print_header();
@@ -119,8 +119,8 @@ void add_layers(const CollisionBenchOptions& options, Report& report) {
 
 void add_soft_sessions(const CollisionBenchOptions& options, Report& report) {
   const TextTable table({{count, "bodies", "soft bodies", 11},
-                         {count, "all_pairs", "pairs of them", 13},
-                         {number, "ms_narrow", "ms to detect", 12}});
+                         {count, "all_pairs", "body pairs", 13},
+                         {number, "ms_narrow", "ms detect", 12}});
   table.print_header();
   for (const int bodies : {10, 100, 1000}) {
     if (bodies > options.max_bodies) break;

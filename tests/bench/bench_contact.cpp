@@ -1,4 +1,4 @@
-// What bodies make of touching each other: force, friction, momentum, rest, and what no input may break.
+// Contact test suite: force, friction, momentum, rest, and robustness to extreme input.
 
 #include <filesystem>
 

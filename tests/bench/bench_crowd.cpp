@@ -1,4 +1,4 @@
-// What a step costs while more and more people press one organ of a scene.
+// Step time as more users press one organ of a scene.
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@
 namespace prosector {
 namespace {
 
-constexpr double settling = 0.75;  // s: hands come down, contacts form
+constexpr double settling = 0.75;  // s, for hands to arrive and contacts to form
 
-/// What the measured ticks took.
+/// Times of the measured ticks.
 struct Ticks {
   std::vector<double> wall, cpu;  // ms
   std::array<std::vector<double>, step_phases> phases;
@@ -63,7 +63,7 @@ Ticks run(Simulation& simulation, const Crowd& crowd, int count) {
   return ticks;
 }
 
-/// Returns how many soft bodies are awake.
+/// Returns the number of awake soft bodies.
 std::size_t awake(const Simulation& simulation) {
   std::size_t count = 0;
   for (BodyId body = 0; body < simulation.body_count(); ++body)
@@ -71,7 +71,7 @@ std::size_t awake(const Simulation& simulation) {
   return count;
 }
 
-/// Returns the force with which hands press, N: the sum over all, in the last tick.
+/// Returns the sum of all hands' contact forces in the last tick, N.
 double pressing(const Simulation& simulation) {
   double sum = 0;
   for (const HandState& hand : simulation.hands()) sum += hand.contact.impulse;
@@ -145,7 +145,7 @@ Report bench_crowd(const CrowdBenchOptions& options) {
     Simulation simulation(scene, compile);
     const BodyId organ = pressed_body(simulation, options.organ);
     if (!headed)
-      fmt::print("{}: {} pressed, {} tetrahedra in the scene\n", scene.name, simulation.name(organ),
+      fmt::print("{}: organ {} pressed, scene of {} tetrahedra\n", scene.name, simulation.name(organ),
                  tet_count(simulation));
     if (!headed) table.print_header();
     headed = true;

@@ -1,5 +1,5 @@
-// What a cut costs: ticks that cut beside ticks that don't, growth of the mesh, its shapes and volume, and
-// the solver's work.
+// Cost of cutting: ticks that cut and other ticks, growth of the mesh, element angles, volume, and solver
+// iterations.
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -33,11 +33,11 @@ constexpr double nick = 0.03;  // m deep
 constexpr int ticks_before = 30, ticks_after = 30, runs_through = 7;
 constexpr BodyId knife = 0, liver = 1;
 
-/// Right through at once.
+/// A cut right through in one tick.
 struct Through {
   const char* name;
-  double height;    // of the cut, in shares of the organ's upper half
-  bool cut_before;  // the organ has a nick already, so its surface is the tetrahedra's own
+  double height;    // height of the cut, as a fraction of the organ's upper half
+  bool cut_before;  // nicked before, so that the surface is already that of the tetrahedra
 };
 constexpr Through through[] = {
     {"through at once", 0, false}, {"through, cut before", 0, true}, {"a tip off, cut before", 0.8, true}};
@@ -56,8 +56,7 @@ const std::vector<Stroke>& strokes() {
   return all;
 }
 
-/// A liver, tied where it is, that a knife meets no resistance in; the knife's edge is longer than it is
-/// high.
+/// Returns a scene with an attached liver without toughness, and a blade longer than the liver is high.
 SceneDesc scene_of(double cell, const CutBenchOptions& options = {}) {
   SceneDesc scene;
   scene.gravity = Vec3::Zero();
@@ -65,29 +64,29 @@ SceneDesc scene_of(double cell, const CutBenchOptions& options = {}) {
   scene.rigid[knife].edges = {{{0, -0.04, 0}, {0, -0.28, 0}}};
   SoftDesc& soft = scene.soft.emplace_back();
   soft.name = "liver";
-  soft.shape = "liver";
-  soft.size = {0.24, 0.11, 0.17};
-  soft.cell = cell;
-  soft.surface_cell = cell;
-  soft.toughness = 0;
+  soft.geometry.shape = "liver";
+  soft.geometry.size = {0.24, 0.11, 0.17};
+  soft.geometry.cell = cell;
+  soft.geometry.surface_cell = cell;
+  soft.material.toughness = 0;
   soft.attach = {{Vec3::Zero(), 1, 1e7}};
-  if (!options.model.empty()) soft.model = options.model;
-  if (!options.element.empty()) soft.element = options.element;
-  if (!options.solver.empty()) soft.solver = options.solver;
-  soft.self_contact = options.self_contact;
+  if (!options.model.empty()) soft.configuration.model = options.model;
+  if (!options.element.empty()) soft.configuration.element = options.element;
+  if (!options.solver.empty()) soft.configuration.solver = options.solver;
+  soft.contact.self_contact = options.self_contact;
   return scene;
 }
 
-/// A membrane instead, tied at two sides.
+/// Returns a scene with a membrane attached at two sides.
 SceneDesc sheet_scene(const char* model, double cell) {
   SceneDesc scene = scene_of(cell);
   SoftDesc& soft = scene.soft[0];
   soft.name = "membrane";
-  soft.shape = "sheet";
-  soft.size = {0.2, 0.001, 0.2};
-  soft.model = model;
-  soft.youngs_modulus = 1e5;
-  soft.damping_mass = 5;
+  soft.geometry.shape = "sheet";
+  soft.geometry.size = {0.2, 0.001, 0.2};
+  soft.configuration.model = model;
+  soft.material.youngs_modulus = 1e5;
+  soft.material.damping_mass = 5;
   soft.attach = {{{0, 0, 0.15}, 0.1, 1e9}, {{0, 0, -0.15}, 0.1, 1e9}};
   return scene;
 }
@@ -108,14 +107,14 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-/// m³ of tetrahedra; of sheets, the mass over the density.
+/// Returns the volume of the tetrahedra, m³; for sheets, mass over density.
 double rest_volume(const Simulation& simulation) {
   double sum = 0;
   for (BodyId body = liver; body < simulation.body_count(); ++body) {
     if (simulation.surface(body).triangles.empty()) continue;
     const SoftBody& soft = simulation.soft(body);
     const TetMesh& mesh = soft.anatomy().tets;
-    if (mesh.tets.empty()) sum += soft.total_mass() / soft.desc().density;
+    if (mesh.tets.empty()) sum += soft.total_mass() / soft.desc().material.density;
     for (const auto& t : mesh.tets) {
       Mat3 edges;
       for (std::size_t k = 1; k < 4; ++k)
@@ -130,7 +129,8 @@ double degrees(double cosine) {
   return 180 / std::numbers::pi * std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-/// Least dihedral angle of each tetrahedron at rest, or least angle of a sheet's triangles, degrees.
+/// Returns the smallest dihedral angle of each undeformed tetrahedron, or the smallest angle of each triangle
+/// of a sheet, degrees.
 std::vector<double> least_angles(const SoftBody& body) {
   const Anatomy& anatomy = body.anatomy();
   const std::vector<Vec3>& x = anatomy.tets.positions;
@@ -158,14 +158,14 @@ std::vector<double> least_angles(const Simulation& simulation) {
   return out;
 }
 
-/// `when`: before or after.
+/// Adds angles to the row. `when`: before or after.
 void add_quality(ReportRow& row, const std::string& when, const std::vector<double>& angles) {
   row["least_angle_deg_" + when] = quantile(angles, 0);
   row["p1_angle_deg_" + when] = quantile(angles, 0.01);
   row["median_angle_deg_" + when] = quantile(angles, 0.5);
 }
 
-/// The solver's iterations, a tick, of all bodies.
+/// Returns the solver iterations per tick, summed over all bodies.
 struct Effort {
   double iterations = 0;
   std::size_t ticks = 0;
@@ -176,7 +176,8 @@ struct Effort {
   double mean() const { return ticks > 0 ? iterations / static_cast<double>(ticks) : 0; }
 };
 
-/// One stroke through an organ or a sheet, whose triangles count as tetrahedra; wall time of its ticks.
+/// Measures the wall time of the ticks of a stroke through an organ or a sheet (triangles count as
+/// tetrahedra).
 ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   CompileOptions options;
   options.threads = threads;
@@ -211,11 +212,11 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   ReportRow row;
   const SoftDesc& tissue = scene.soft[0];
   row["stroke"] = stroke.name;
-  row["tissue"] = tissue.shape == "sheet" ? tissue.model + " sheet" : tissue.name;
-  row["model"] = tissue.model;
-  row["element"] = tissue.element;
-  row["solver"] = tissue.solver;
-  row["self_contact"] = tissue.self_contact;
+  row["tissue"] = tissue.geometry.is_sheet() ? tissue.configuration.model + " sheet" : tissue.name;
+  row["model"] = tissue.configuration.model;
+  row["element"] = tissue.configuration.element;
+  row["solver"] = tissue.configuration.solver;
+  row["self_contact"] = tissue.contact.self_contact;
   row["tets"] = tets;
   row["tets_after"] = cells(simulation);
   row["threads"] = threads;
@@ -246,8 +247,7 @@ struct Made {
   void find_surface() { surface.emplace(solver->anatomy().embedding, solver->anatomy().surface); }
 };
 
-/// Brings the bodies up to date, by index, as the simulation does: what can follow does, unless all is to be
-/// made `anew`.
+/// Updates the bodies after a topology edit, as the simulation does, or rebuilds them if `anew`.
 void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>& bodies) {
   const Regrouped changed = organ.regroup(bodies.size());
   bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
@@ -271,7 +271,7 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
   });
 }
 
-/// What a stroke that was in tissue looks for when it has left.
+/// The search for missing parts of the cut after a stroke has left the tissue.
 void end_stroke(const TetComplex& complex, const BladeStroke& stroke) {
   const Marks marks(stroke.marks, complex.node_end());
   missing_nodes(complex, marks, most_missing(complex, marks));
@@ -282,10 +282,10 @@ double ms_between(std::chrono::steady_clock::time_point begin, std::chrono::stea
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// ... where half of the cut is missing. Median wall time, ms.
+/// Measures that search with half of the cut missing. Median wall time, ms.
 double ms_end_of_half_a_stroke(const SoftBody& body, const std::vector<Vec3>& from,
                                const std::vector<Vec3>& to) {
-  Organ organ(0, body.anatomy(), body.desc().density);
+  Organ organ(0, body.anatomy(), body.desc().material.density);
   BladeStroke blade = begin_stroke(from);
   organ.cut(body.anatomy().tets.positions, to, blade, 1, 1);
   std::vector<double> ending;
@@ -297,9 +297,8 @@ double ms_end_of_half_a_stroke(const SoftBody& body, const std::vector<Vec3>& fr
   return quantile(ending, 0.5);
 }
 
-/// A blade as long as the organ is high, right through it in one tick: the mesh is cut, and all that hangs on
-/// the pieces' is brought up to date; and that taken back. What a cut asks of the mesh is found before, with
-/// the scene. Wall time of each, ms.
+/// Measures a cut right through in one tick, and its undo: preparation (normally done when the scene is
+/// compiled), cutting the mesh, and updating or rebuilding the pieces' bodies. Wall times, ms.
 ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   CompileOptions options;
   options.threads = threads;
@@ -312,16 +311,16 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   }
   const auto edge = [](double x, double z) { return std::vector<Vec3>{{x, -reach, z}, {x, reach, z}}; };
   const double z = 1e-3 + way.height * highest.z();
-  std::vector<double> preparing, cutting, making[2], all, undoing[2];  // following, made anew
+  std::vector<double> preparing, cutting, making[2], all, undoing[2];  // updated, rebuilt
   std::vector<double> ending;
   std::size_t split = 0, after = 0, kept = 0;
-  double mass = 0;             // kg, of all pieces
-  std::vector<double> angles;  // likewise
+  double mass = 0;             // kg, total of all pieces
+  std::vector<double> angles;  // of all pieces, degrees
   tbb::task_arena arena(threads);
   for (int run = 0; run < 2 * runs_through; ++run) {
     const bool anew = run % 2 == 1;
     const auto first = std::chrono::steady_clock::now();
-    Organ organ(0, body.anatomy(), body.desc().density);
+    Organ organ(0, body.anatomy(), body.desc().material.density);
     const auto prepared = std::chrono::steady_clock::now();
     std::vector<Made> bodies(1);
     bodies[0].make_anew(body.desc(), body.anatomy());
@@ -373,9 +372,9 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   ReportRow row;
   row["stroke"] = way.name;
   row["tissue"] = body.desc().name;
-  row["model"] = body.desc().model;
-  row["element"] = body.desc().element;
-  row["solver"] = body.desc().solver;
+  row["model"] = body.desc().configuration.model;
+  row["element"] = body.desc().configuration.element;
+  row["solver"] = body.desc().configuration.solver;
   row["tets"] = body.elements();
   row["tets_after"] = after;
   row["tets_that_stay"] = kept;
@@ -392,7 +391,7 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   row["added_ms_p50"] = quantile(all, 0.5);
   add_quality(row, "before", least_angles(body));
   add_quality(row, "after", angles);
-  row["volume_error"] = std::abs(mass / body.total_mass() - 1);  // of one density
+  row["volume_error"] = std::abs(mass / body.total_mass() - 1);  // mass ratio equals volume ratio
   return row;
 }
 
@@ -400,9 +399,9 @@ void add_through(Report& report, const Through& way, const SceneDesc& scene, int
   report.add(cut_through(way, scene, threads));
   const ReportRow& row = report.rows().back();
   fmt::print(
-      "{:21} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
-      "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f}); a stroke's end "
-      "{:5.2f}, half through {:5.2f}\n",
+      "{:21} {:6} tets, {:6} after, {:6} unchanged: preparation {:7.2f} ms p50, mesh {:7.2f}, bodies "
+      "{:7.2f} (rebuilt {:7.2f}), undo {:7.2f} (rebuilt {:7.2f}); end of a stroke "
+      "{:5.2f}, of half a stroke {:5.2f}\n",
       way.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
       row["tets_that_stay"].get<std::size_t>(), figure(row, "ms_made_ready"), figure(row, "ms_cutting_mesh"),
       figure(row, "ms_making_bodies"), figure(row, "ms_making_bodies_anew"), figure(row, "ms_undoing"),
@@ -414,8 +413,8 @@ void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, in
   report.add(measure(scene, stroke, threads));
   const ReportRow& row = report.rows().back();
   fmt::print(
-      "{:18} {:6} {:17}, {:6} after: {:3} ticks cut, {:7.2f} ms p50 {:7.2f} p99, others {:6.2f}; cutting "
-      "{:6.2f} ms; volume {:.1e}\n",
+      "{:18} {:6} {:17}, {:6} after: {:3} cutting ticks, {:7.2f} ms p50 {:7.2f} p99, others {:6.2f}; cutting "
+      "{:6.2f} ms; volume error {:.1e}\n",
       stroke.name, row["tets"].get<std::size_t>(), row["tissue"].get<std::string>(),
       row["tets_after"].get<std::size_t>(), row["ticks_that_cut"].get<std::size_t>(),
       figure(row, "ms_p50_cutting"), figure(row, "ms_p99_cutting"), figure(row, "ms_p50_other"),

@@ -1,5 +1,4 @@
-// What bodies tell of their own error while they run, against the error that they have; and what telling
-// costs.
+// Live error estimates of soft bodies against their true error, and the cost of the estimates.
 
 #include <fmt/format.h>
 
@@ -22,11 +21,11 @@ namespace prosector {
 namespace {
 
 constexpr double settling = 0.75, measured = 2;  // s
-constexpr double depth = 0.02;                   // m: how far in middle fingertips are aimed
-constexpr double telling = 0.01;                 // errors below it are not what is aimed at
-constexpr double settled = 0.12;                 // of a reference: what it may be off
+constexpr double depth = 0.02;                   // m, target depth of the middle fingertips
+constexpr double telling = 0.01;                 // smaller true errors are not evaluated
+constexpr double settled = 0.12;                 // largest uncertainty of an evaluated reference
 
-/// Returns what share of a step the estimates of a scene take while two hands press an organ.
+/// Returns a row with the cost of the estimates, as a fraction of a step, while two hands press an organ.
 nlohmann::ordered_json cost(const EstimateBenchOptions& options) {
   CompileOptions compile;
   compile.threads = 1;
@@ -53,16 +52,16 @@ nlohmann::ordered_json cost(const EstimateBenchOptions& options) {
   const double ticks = end - begin;
   const LiveEstimate* told = estimates.newest(organ);
   fmt::print(
-      "{}: a step takes {:.3g} ms of CPU, estimates {:.3g} ms ({:.2g} %), at most {:.3g} ms in a tick\n",
+      "{}: CPU time per step {:.3g} ms, of the estimates {:.3g} ms ({:.2g} %), at most {:.3g} ms per tick\n",
       simulation.scene().name, step / ticks, telling_ms / ticks, 100 * telling_ms / step, most);
   if (told != nullptr)
-    fmt::print("{}: {:.2g} % off; pressed with {:.3g} N: force within {:.2g} %\n", simulation.name(organ),
-               100 * told->error, told->press_force, 100 * told->press_error);
+    fmt::print("{}: estimated error {:.2g} %; force {:.3g} N, estimated error {:.2g} %\n",
+               simulation.name(organ), 100 * told->error, told->press_force, 100 * told->press_error);
   return {{"scene", simulation.scene().name},  {"tets", tet_count(simulation)}, {"step_ms", step / ticks},
           {"estimate_ms", telling_ms / ticks}, {"share", telling_ms / step},    {"estimate_ms_most", most}};
 }
 
-/// Prints how many estimates of each element are as large as is aimed at.
+/// Prints the number of estimates within the target range, for each element.
 void sum_up(const std::vector<ReportRow>& rows, Report& report) {
   std::map<std::string, std::vector<double>> found;
   for (const ReportRow& row : rows)
@@ -75,7 +74,7 @@ void sum_up(const std::vector<ReportRow>& rows, Report& report) {
     const auto kept = std::count_if(values.begin(), values.end(), [](double effectivity) {
       return effectivity >= least_effectivity && effectivity <= most_effectivity;
     });
-    fmt::print("{}: {} of {} between {} and {}; least {:.2f}, median {:.2f}, most {:.2f}\n", group, kept,
+    fmt::print("{}: {} of {} between {} and {}; minimum {:.2f}, median {:.2f}, maximum {:.2f}\n", group, kept,
                values.size(), least_effectivity, most_effectivity, values.front(), values[values.size() / 2],
                values.back());
     report.note(group, {{"kept", kept},
@@ -103,7 +102,7 @@ Report bench_estimate(const EstimateBenchOptions& options) {
                          {percent, "discretisation", "mesh", 8},
                          {percent, "model_part", "law", 8},
                          {number, "effectivity", "times", 7},
-                         {number, "us_per_tet", "us a tet", 8}});
+                         {number, "us_per_tet", "us per tet", 8}});
   table.print_header();
   for (const EstimateCase& one : estimate_cases(options.quick)) {
     if (!options.only.empty() && one.name != options.only) continue;

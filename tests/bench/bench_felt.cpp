@@ -1,7 +1,7 @@
-// What people felt in a recorded session, against what they would have felt with finer models of the organ.
+// Contact forces of a recorded session against those of finer models of the organ.
 //
-// The journal's inputs are run again on each model: hands are pulled as their owners pulled them. Forces are
-// means over the ticks in which the session's own model pushed back hardest.
+// The journal's inputs are re-run on each model. Forces are means over the ticks in which the session's own
+// model had the largest forces.
 
 #include <fmt/format.h>
 
@@ -24,16 +24,17 @@
 namespace prosector {
 namespace {
 
-constexpr double pressed_hard = 0.9;      // of the largest force: ticks from there on count
-constexpr int reference_iterations = 12;  // Newton's, at most: what a scene gives may be too few to settle
+constexpr double pressed_hard = 0.9;  // fraction of the largest force from which ticks are evaluated
+constexpr int reference_iterations =
+    12;  // maximum of Newton iterations: a scene's default may be too few to converge
 
-/// What was felt in each tick.
+/// Forces, displacements and cost of a run.
 struct Felt {
   std::string body;
-  std::vector<double> force;   // N: of all hands on the body
-  std::vector<double> moved;   // m: of its farthest point
-  std::size_t tets = 0;        // at most
-  double ms = 0, ms_most = 0;  // CPU time of a tick in which it was pressed, mean and most
+  std::vector<double> force;   // N, total of all hands on the body, per tick
+  std::vector<double> moved;   // m, largest displacement, per tick
+  std::size_t tets = 0;        // largest number
+  double ms = 0, ms_most = 0;  // mean and largest CPU time of ticks with contact
 };
 
 double force_on(const Simulation& simulation, BodyId body) {
@@ -70,7 +71,7 @@ Felt run(const JournalReader& journal, const SceneDesc& scene, const FeltBenchOp
   return out;
 }
 
-/// Returns the mean over the ticks in which `own` pushed back hardest.
+/// Returns the mean over the ticks in which `own` had the largest forces.
 double while_pressed(const std::vector<double>& values, const std::vector<double>& own) {
   const double hard = pressed_hard * *std::ranges::max_element(own);
   double sum = 0, ticks = 0;
@@ -88,8 +89,8 @@ Report bench_felt(const FeltBenchOptions& options) {
   using enum Column::Kind;
   const JournalReader journal(options.journal);
   if (!journal.header().beginning.empty())
-    throw InputError(
-        fmt::format("{}: begins with a state; expected a session from its scene on", options.journal));
+    throw InputError(fmt::format(
+        "{}: starts with a saved state; expected a journal that starts with its scene", options.journal));
   SceneDesc scene = options.scene.empty()
                         ? parse_scene(journal.header().scene_text, journal.header().scene_file)
                         : load_scene(options.scene);
@@ -101,10 +102,10 @@ Report bench_felt(const FeltBenchOptions& options) {
                          {number, "cell_mm", "cell mm", 7},
                          {count, "tets", "tets", 6},
                          {number, "force_N", "force N", 8},
-                         {percent, "force_off", "own less it", 11},
-                         {number, "moved_mm", "moved mm", 8},
-                         {number, "ms", "ms a tick", 9},
-                         {number, "ms_most", "at most", 8}});
+                         {percent, "force_off", "difference", 11},
+                         {number, "moved_mm", "displ. mm", 8},
+                         {number, "ms", "ms per tick", 9},
+                         {number, "ms_most", "max. ms", 8}});
   table.print_header();
   const Felt own = run(journal, scene, options);
   if (own.force.empty() || *std::ranges::max_element(own.force) <= 0)
@@ -112,9 +113,9 @@ Report bench_felt(const FeltBenchOptions& options) {
   const double own_force = while_pressed(own.force, own.force);
   const auto tell = [&](const SoftDesc& desc, const Felt& felt) {
     const double force = while_pressed(felt.force, own.force);
-    report.add({{"model", desc.model},
-                {"element", desc.element},
-                {"cell_mm", 1e3 * desc.cell},
+    report.add({{"model", desc.configuration.model},
+                {"element", desc.configuration.element},
+                {"cell_mm", 1e3 * desc.geometry.cell},
                 {"tets", felt.tets},
                 {"force_N", force},
                 {"force_off", own_force / force - 1},
@@ -125,13 +126,13 @@ Report bench_felt(const FeltBenchOptions& options) {
   };
   SoftDesc& desc = *std::ranges::find(scene.soft, own.body, &SoftDesc::name);
   tell(desc, own);
-  desc.model = tissue_law;
-  desc.refine = SoftDesc().refine;
-  desc.element = "tet10";
-  desc.contact = "surface";
-  desc.newton_iterations = std::max(desc.newton_iterations, reference_iterations);
+  desc.configuration.model = tissue_law;
+  desc.refinement.at = SoftDesc().refinement.at;
+  desc.configuration.element = "tet10";
+  desc.contact.points = ContactPoints::surface;
+  desc.configuration.newton_iterations = std::max(desc.configuration.newton_iterations, reference_iterations);
   for (const double cell : options.cells) {
-    desc.cell = cell;
+    desc.geometry.cell = cell;
     tell(desc, run(journal, scene, options));
   }
   return report;

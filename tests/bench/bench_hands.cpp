@@ -1,5 +1,5 @@
-// Bare hands in pictures of our own skinned hand: what is found, how far its points, pose and bends are off,
-// and what a picture costs one thread.
+// Hand tracking on rendered images of the project's skinned hand: detection rate, errors of points, pose and
+// flexion, and CPU time per image.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr unsigned first_seed = 101;
 constexpr double degrees = 57.29577951308232;
 
-/// Adds up trials of several sequences.
+/// Combines the trials of several sequences.
 void add_trial(HandTrial& all, const HandTrial& one) {
   all.pictures += one.pictures;
   all.seen += one.seen;
@@ -58,7 +58,7 @@ ReportRow row_of(const std::string& what, HandNets nets, std::size_t cameras, co
           {"fit_ms", t.fit_ms.at(0.5)}};
 }
 
-/// Tells of each gesture how often it was taken for which: shares of its pictures, by rows of the report.
+/// Adds rows with the confusion matrix of gestures: fractions of each gesture's images.
 void tell_gestures(HandNets nets, const GestureTrial& trial, Report& report) {
   using enum Column::Kind;
   std::vector<Column> columns = {
@@ -79,14 +79,14 @@ void tell_gestures(HandNets nets, const GestureTrial& trial, Report& report) {
     table.print(row);
     report.add(row);
   });
-  fmt::print("right side: {:.1f} %\n", 100 * share(trial.right_side, trial.pictures));
+  fmt::print("side correct: {:.1f} %\n", 100 * share(trial.right_side, trial.pictures));
 }
 
 }  // namespace
 
 Report bench_hands(const HandsBenchOptions& options) {
   const std::filesystem::path nets = fetched_nets();
-  if (nets.empty()) throw InputError("bare hands need the networks that deploy/fetch_models.sh fetches");
+  if (nets.empty()) throw InputError("hand networks missing: run deploy/fetch_models.sh");
   const HandPainter painter;
   Report report("hands");
   using enum Column::Kind;
@@ -94,15 +94,15 @@ Report bench_hands(const HandsBenchOptions& options) {
                          {text, "nets", "nets"},
                          {count, "cameras", "cameras"},
                          {percent, "seen", "seen"},
-                         {percent, "right_points", "points right"},
-                         {percent, "right_side", "side right"},
-                         {percent, "sure", "pose sure"},
-                         {percent, "points_median", "points off"},
+                         {percent, "right_points", "points correct"},
+                         {percent, "right_side", "side correct"},
+                         {percent, "sure", "confident"},
+                         {percent, "points_median", "point error"},
                          {number, "lateral_mm", "lateral mm"},
                          {number, "depth_mm", "depth mm"},
-                         {number, "turn_deg", "turn deg"},
+                         {number, "turn_deg", "rotation deg"},
                          {number, "flexion_median", "flexion"},
-                         {number, "find_ms", "find ms"},
+                         {number, "find_ms", "detect ms"},
                          {number, "fit_ms", "fit ms"}});
   table.print_header();
   const auto tell = [&](const ReportRow& row) {

@@ -1,4 +1,4 @@
-// What a hand feels of tissue over a network, scheme by scheme, in virtual time.
+// Haptic rendering of tissue over a network, for each scheme, in virtual time.
 
 #include <fmt/format.h>
 
@@ -16,16 +16,24 @@
 namespace prosector {
 namespace {
 
-// Prediction and passivity are ours: others render what they are told.
+// Prediction and passivity control belong to our schemes; the last two render received data directly.
 const std::vector<HapticScheme> schemes = {
-    {"linearised", "the tissue there, to first order: what the client does", -1, true, {}},
-    {"told when met", "the same, but no plane is told before it is met", -1, false, {}},
-    {"without passivity", "the same without its observer and controller", -1, true, {true, false}},
-    {"without prediction", "the same with forces of where the hand was", -1, true, {false, true}},
-    {"half as stiff", "the same with an estimate that is half of what it is", -0.5, true, {}},
-    {"half again as stiff", "… and one that is half again as much", -1.5, true, {}},
+    {"linearised", "first-order model of the tissue at the hand, as in the client", -1, true, {}},
+    {"plane after contact", "as linearised, but planes are sent only after contact", -1, false, {}},
+    {"without passivity",
+     "as linearised, without passivity observer and controller",
+     -1,
+     true,
+     {true, false}},
+    {"without prediction",
+     "as linearised, with forces at the delayed hand position",
+     -1,
+     true,
+     {false, true}},
+    {"stiffness × 0.5", "as linearised, with the estimated stiffness halved", -0.5, true, {}},
+    {"stiffness × 1.5", "as linearised, with 1.5 times the estimated stiffness", -1.5, true, {}},
     {"stiff surface", "the deformed surface as a plane of 800 N/m", 800, false, {false, false}},
-    {"force over the net", "the force itself, held until the next comes", 0, false, {false, false}},
+    {"force over network", "the received force, held until the next one", 0, false, {false, false}},
 };
 
 struct HandRow {
@@ -34,7 +42,7 @@ struct HandRow {
 };
 const std::vector<HandRow> hands = {{"light", light_hand}, {"medium", medium_hand}};
 
-constexpr double still = 3e-4;                               // m: more ripple is not stable
+constexpr double still = 3e-4;                               // m: larger ripple counts as unstable
 constexpr double min_stiffness = 30, max_stiffness = 20000;  // N/m
 const std::vector<double> round_trips = {0, 0.02, 0.05, 0.1, 0.2};
 const std::vector<double> stiffnesses = {30, 100, 300, 1000, 3000, 10000};
@@ -49,7 +57,8 @@ bool stable(const HapticScheme& scheme, HapticCase test, int seeds) {
   return true;
 }
 
-/// Returns the stiffest tissue up to which all that is softer is stable, N/m; 0: not even the softest.
+/// Returns the largest tissue stiffness up to which all tested ones are stable, N/m; 0: the smallest is
+/// unstable.
 double stable_stiffness(const HapticScheme& scheme, HapticCase test, double step, int seeds) {
   double last = 0;
   for (double k = min_stiffness; k <= max_stiffness; k *= step) {
@@ -68,8 +77,8 @@ ReportRow settings_of(const HapticScheme& scheme, const HandRow& hand, const Lin
           {"loss", line.loss}};
 }
 
-/// Adds what is felt of one tissue. Figures are means over seeds, whose depths differ by a part of an
-/// encoder's step; energy and ripple are the worst.
+/// Adds a row for one tissue. Figures are means over seeds, whose depths differ by a fraction of an encoder
+/// step; energy and ripple are the worst values.
 void add_felt(ReportRow& row, const HapticScheme& scheme, HapticCase test, int seeds) {
   double felt = 0, at2 = 0, at8 = 0, peak = 0, onset = 0, least = 0, ripple = 0;
   const double depth = test.depth;
@@ -143,7 +152,7 @@ Report bench_haptics(const HapticsBenchOptions& options) {
         test.hand = medium_hand;
         test.line = bad;
         test.line.round_trip = round_trip;
-        test.stiffness = stiffness;  // pressed for less than motors need to get hot
+        test.stiffness = stiffness;  // pressed too briefly to heat the motors
         ReportRow row = settings_of(scheme, hands[1], test.line);
         row["stiffness"] = stiffness;
         add_felt(row, scheme, test, seeds);
@@ -154,7 +163,7 @@ Report bench_haptics(const HapticsBenchOptions& options) {
   HapticCase air;
   air.free = true;
   const double drag = run(schemes.front(), air).drag;
-  fmt::print("in free air the arm resists with {:.3g} N besides its own friction\n", drag);
+  fmt::print("free-space drag of the arm without its own friction: {:.3g} N\n", drag);
   report.note("free_drag", drag);
   if (!options.picture_folder.empty()) {
     const std::filesystem::path folder = options.picture_folder;

@@ -1,5 +1,5 @@
-// What each soft body of a scene can have at what price: the choice that the server makes for a range of
-// accuracies, judged on the body itself.
+// Choice of model configuration by accuracy: the server's choice for each soft body of a scene and several
+// accuracies, with cost and error on the body itself.
 
 #include <fmt/format.h>
 
@@ -36,10 +36,10 @@ ReportRow row_of(const Choice& choice, double percent) {
 Report bench_need(const NeedBenchOptions& options) {
   Report report("need");
   const TextTable table({{Column::Kind::text, "body", "body", 12},
-                         {Column::Kind::percent, "asked", "asked", 7},
+                         {Column::Kind::percent, "asked", "requested", 9},
                          {Column::Kind::percent, "error", "expected", 9},
-                         {Column::Kind::text, "kept", "kept", 4},
-                         {Column::Kind::number, "ms_per_frame", "ms a frame", 10},
+                         {Column::Kind::text, "kept", "met", 4},
+                         {Column::Kind::number, "ms_per_frame", "ms per frame", 10},
                          {Column::Kind::text, "worst_act", "worst", 18},
                          {Column::Kind::text, "model", "model", 17},
                          {Column::Kind::text, "element", "element", 7},
@@ -52,8 +52,7 @@ Report bench_need(const NeedBenchOptions& options) {
   if (options.verbose) choice.sources.progress = [](const std::string& line) { fmt::print("  {}\n", line); };
   const SceneDesc scene = whole_scene(load_scene(options.scene), choice.sources);
   for (const SoftDesc& desc : scene.soft) {
-    if (desc.shape == "sheet" || desc.shape == "rope" || (!options.body.empty() && desc.name != options.body))
-      continue;
+    if (!desc.geometry.is_solid() || (!options.body.empty() && desc.name != options.body)) continue;
     const AccuracyChange dial(scene, desc.name, choice);
     for (const double percent : asked) {
       const ReportRow row = row_of(dial.choose(percent), percent);

@@ -1,6 +1,6 @@
 // An organ in contact: a block of 0.16 × 0.08 × 0.12 m of soft tissue (E = 5 kPa, ν = 0.4) in linear
-// tetrahedra, 31,104 of them at 12 cells through its thickness, its underside held, pressed 24 mm deep by a
-// ball of 30 mm that comes down within 0.5 s, holds for 0.25 s and leaves as it came; steps of 1/60 s.
+// tetrahedra (31,104 with 12 cells through its thickness), its underside held. A ball of 30 mm presses it 24
+// mm deep within 0.5 s, holds for 0.25 s and is withdrawn in 0.5 s. Steps of 1/60 s.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr double h = 1. / 60, radius = 0.03, depth = 0.024;
 constexpr int down_steps = 30, held_steps = 15, all_steps = 2 * down_steps + held_steps;
-constexpr double stiff = 10;     // a contact's stiffness over E times a cell
-constexpr double margin = 0.01;  // m: nodes nearer than this are told to the solver
+constexpr double stiff = 10;     // contact stiffness over (E · cell size)
+constexpr double margin = 0.01;  // m: nodes within this distance get a contact
 const Vec3 gravity(0, -9.81, 0), size(0.16, 0.08, 0.12);
 
 constexpr SolverEffort reference = {"multigrid", 30, 2000, 1e-7};
@@ -33,18 +33,18 @@ constexpr SolverEffort solver_rows[] = {
 SoftDesc organ(const SolverEffort& solver, unsigned cells) {
   SoftDesc desc;
   desc.name = "organ";
-  desc.model = "fem_corotational";
+  desc.configuration.model = "fem_corotational";
   solver.apply_to(desc);
-  desc.youngs_modulus = 5000;
-  desc.poisson_ratio = 0.4;
-  desc.cell = size[1] / cells;
-  desc.gravity = false;  // it is given at rest
+  desc.material.youngs_modulus = 5000;
+  desc.material.poisson_ratio = 0.4;
+  desc.geometry.cell = size[1] / cells;
+  desc.gravity = false;  // starts undeformed at rest
   constexpr double sphere = 1e5;
   desc.attach.push_back({Vec3(size[0] / 2, -sphere, size[2] / 2), sphere + 1e-4, 1e13});
   return desc;
 }
 
-/// Of the ball's lowest point below the organ's top after `step` steps.
+/// Returns the depth of the ball's lowest point below the organ's top after `step` steps, m.
 double pressed(int step) {
   const int from_end = std::min(step, all_steps - step);
   const double phase = std::min(1.0, static_cast<double>(from_end) / down_steps);
@@ -62,8 +62,8 @@ std::vector<Contact> ball_contacts(const SoftBody& body, const VecX& x, int step
     const Vec3 away = x.segment<3>(3 * i) - center;
     const double gap = away.norm() - radius;
     if (gap > margin || away.norm() == 0) continue;
-    contacts.push_back(
-        node_contact(x, i, away.normalized(), gap, stiff * body.desc().youngs_modulus * body.desc().cell));
+    contacts.push_back(node_contact(x, i, away.normalized(), gap,
+                                    stiff * body.desc().material.youngs_modulus * body.desc().geometry.cell));
   }
   return contacts;
 }
@@ -73,7 +73,7 @@ struct Path {
   std::vector<VecX> x;
   CostSummary cost;
   std::size_t most_contacts = 0;
-  double deepest = 0;  // m: how far a node went down
+  double deepest = 0;  // m, largest downward displacement of a node
   bool finite = true;
 };
 
@@ -93,7 +93,7 @@ Path run(const SolverEffort& solver, unsigned cells) {
   return path;
 }
 
-/// RMS over all nodes and steps of the difference over that of the displacement.
+/// Returns the RMS error over all nodes and steps, relative to the RMS displacement.
 double path_error(const Path& path, const Path& converged, const VecX& rest) {
   double off = 0, all = 0;
   for (std::size_t i = 0; i < path.x.size(); ++i) {
@@ -107,7 +107,7 @@ double path_error(const Path& path, const Path& converged, const VecX& rest) {
 
 Report bench_press(const PressBenchOptions& options) {
   fmt::print(
-      "steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS over all nodes and steps\n",
+      "steps/s: wall clock, median of {} steps; cpu: all threads; error: RMS over all nodes and steps\n",
       all_steps);
   using enum Column::Kind;
   const TextTable table = path_table({}, {number, "deepest_m", "deepest"});

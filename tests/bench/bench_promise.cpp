@@ -1,5 +1,5 @@
-// Whether promises of accuracy hold: bodies drawn at random ask for it, the server's choice is judged anew,
-// on a finer reference, with presses at places that the choice didn't try and under a weight that leans.
+// Validation of predicted accuracies. Random bodies request an accuracy, and the server's choice is checked
+// against a finer reference, with presses at other points than the choice used and with tilted gravity.
 
 #include <fmt/format.h>
 
@@ -23,25 +23,25 @@ constexpr double ratios[] = {0, 0.2, 0.3, 0.4, 0.45, 0.49, 0.499, 0.4999};
 constexpr double asked[] = {30, 10, 5, 3};      // %
 constexpr int ct_liver = 255, ct_kidney = 127;  // labels of liver.inr.gz
 constexpr double ct_cell = 0.02;                // m
-constexpr double leaning = 0.3;                 // of gravity, sideways
+constexpr double leaning = 0.3;                 // sideways component, as a fraction of gravity
 
 template <class T, std::size_t n>
 const T& one_of(const T (&all)[n], Random& random) {
   return all[random.below(n)];
 }
 
-/// Takes the body out of the CT volume; without that its shape stands for it.
+/// Takes the body's geometry from the CT volume; without the volume a built-in shape is used.
 void image(SoftDesc& desc) {
-  desc.volume = "liver.inr.gz";
-  desc.label = desc.shape == "CT liver" ? ct_liver : ct_kidney;
-  desc.fallback = desc.shape.substr(3);
-  desc.shape.clear();
-  desc.cell = desc.label == ct_liver ? ct_cell : ct_cell / 2;
+  desc.geometry.volume = "liver.inr.gz";
+  desc.geometry.label = desc.geometry.shape == "CT liver" ? ct_liver : ct_kidney;
+  desc.geometry.fallback = desc.geometry.shape.substr(3);
+  desc.geometry.shape.clear();
+  desc.geometry.cell = desc.geometry.label == ct_liver ? ct_cell : ct_cell / 2;
 }
 
-/// Returns what the body is, for people.
+/// Returns a readable description of the body's shape.
 std::string shape_of(const SoftDesc& desc) {
-  return desc.volume.empty() ? desc.shape : "CT " + desc.fallback;
+  return desc.geometry.volume.empty() ? desc.geometry.shape : "CT " + desc.geometry.fallback;
 }
 
 SceneDesc drawn(int number, Random& random) {
@@ -49,39 +49,40 @@ SceneDesc drawn(int number, Random& random) {
   scene.name = "promise";
   SoftDesc& desc = scene.soft.emplace_back();
   desc.name = fmt::format("body {}", number);
-  desc.shape = one_of(shapes, random);
-  desc.size = Vec3(random.uniform(0.06, 0.25), random.uniform(0.06, 0.2), random.uniform(0.06, 0.2));
-  desc.youngs_modulus = std::pow(10, random.uniform(3.3, 6));
-  desc.poisson_ratio = one_of(ratios, random);
-  desc.cell = desc.size.minCoeff() / 3;
-  if (desc.shape.starts_with("CT ")) image(desc);
+  desc.geometry.shape = one_of(shapes, random);
+  desc.geometry.size = Vec3(random.uniform(0.06, 0.25), random.uniform(0.06, 0.2), random.uniform(0.06, 0.2));
+  desc.material.youngs_modulus = std::pow(10, random.uniform(3.3, 6));
+  desc.material.poisson_ratio = one_of(ratios, random);
+  desc.geometry.cell = desc.geometry.size.minCoeff() / 3;
+  if (desc.geometry.shape.starts_with("CT ")) image(desc);
   if (random.below(2) == 0) {
     AttachDesc tie;
-    tie.center = Vec3(-desc.size.x() / 2, 0, 0);
-    tie.radius = random.uniform(0.3, 0.8) * desc.size.minCoeff();
+    tie.center = Vec3(-desc.geometry.size.x() / 2, 0, 0);
+    tie.radius = random.uniform(0.3, 0.8) * desc.geometry.size.minCoeff();
     tie.stiffness = random.below(2) == 0 ? 1e12 : 2e7;
     desc.attach.push_back(tie);
   }
   if (random.below(3) == 0) {
     RegionDesc region;
-    region.center = Vec3(desc.size.x() / 4, 0, 0);
-    region.radius = desc.size.minCoeff() / 3;
-    region.youngs_modulus = desc.youngs_modulus * (random.below(2) == 0 ? 0.2 : 5);
-    desc.regions.push_back(region);
+    region.center = Vec3(desc.geometry.size.x() / 4, 0, 0);
+    region.radius = desc.geometry.size.minCoeff() / 3;
+    region.youngs_modulus = desc.material.youngs_modulus * (random.below(2) == 0 ? 0.2 : 5);
+    desc.material.regions.push_back(region);
   }
-  desc.accuracy.value = one_of(asked, random);
-  if (random.below(2) == 0) desc.accuracy_of = {"shape"};
+  desc.choice.accuracy.value = one_of(asked, random);
+  if (random.below(2) == 0) desc.choice.accuracy_of = {"shape"};
   return scene;
 }
 
-/// Returns what each act that counts gets wrong, with presses and a weight that the choice didn't try.
-/// Nothing where the reference can't judge the choice.
+/// Returns the error under each evaluated load, including presses and a gravity that the choice did not use.
+/// Empty if the reference is not accurate enough to judge the choice.
 std::vector<ActError> true_errors(const SceneDesc& scene, const Choice& choice,
                                   const PromiseBenchOptions& options, const CompileOptions& sources) {
   SoftDesc desc = scene.soft.front();
-  desc.cell = choice.cell;
-  desc.grade = choice.grade;
-  const bool touched = std::count(desc.accuracy_of.begin(), desc.accuracy_of.end(), "touch") > 0;
+  desc.geometry.cell = choice.cell;
+  desc.geometry.grade = choice.grade;
+  const bool touched =
+      std::count(desc.choice.accuracy_of.begin(), desc.choice.accuracy_of.end(), "touch") > 0;
   const Vec3 leans = scene.gravity + leaning * scene.gravity.norm() * Vec3(0.6, 0, 0.8);
   const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, sources),
                         {.most_tets = options.finest_reference, .presses = touched ? 8 : 0, .tilts = false});
@@ -93,14 +94,14 @@ ReportRow judged(const SceneDesc& scene, const Choice& choice, const std::vector
   const ActError found = acts.empty() ? ActError{"", std::nan("")} : worst(acts);
   const double error = found.error;
   const SoftDesc& desc = scene.soft.front();
-  const double promised = choice.good_enough ? desc.accuracy.value / 100 : choice.expected.error;
+  const double promised = choice.good_enough ? desc.choice.accuracy.value / 100 : choice.expected.error;
   return {{"body", desc.name},
           {"shape", shape_of(desc)},
-          {"youngs_modulus", desc.youngs_modulus},
-          {"poisson_ratio", desc.poisson_ratio},
+          {"youngs_modulus", desc.material.youngs_modulus},
+          {"poisson_ratio", desc.material.poisson_ratio},
           {"held", desc.attach.empty() ? "free" : "tied"},
-          {"judged_by", desc.accuracy_of.size() == 1 ? "shape" : "all"},
-          {"asked", desc.accuracy.value / 100},
+          {"judged_by", desc.choice.accuracy_of.size() == 1 ? "shape" : "all"},
+          {"asked", desc.choice.accuracy.value / 100},
           {"promised", promised},
           {"expected", choice.expected.error},
           {"error_continuum", error},
@@ -117,7 +118,7 @@ ReportRow judged(const SceneDesc& scene, const Choice& choice, const std::vector
                       : error <= promised  ? "kept"
                       : error - 2 * found.unsettled <= promised ? "not settled"
                       : error <= 2 * promised                   ? "missed"
-                                                                : "off by more than 2"}};
+                                                                : "over 2 times"}};
 }
 
 }  // namespace
@@ -130,17 +131,17 @@ Report bench_promise(const PromiseBenchOptions& options) {
                          {Column::Kind::number, "youngs_modulus", "E, Pa", 8},
                          {Column::Kind::number, "poisson_ratio", "ratio", 6},
                          {Column::Kind::text, "held", "held", 4},
-                         {Column::Kind::text, "judged_by", "by", 5},
-                         {Column::Kind::percent, "asked", "asked", 6},
+                         {Column::Kind::text, "judged_by", "judged by", 9},
+                         {Column::Kind::percent, "asked", "requested", 9},
                          {Column::Kind::percent, "promised", "promised", 9},
                          {Column::Kind::percent, "error_continuum", "true", 7},
-                         {Column::Kind::number, "true_over_expected", "over expected", 13},
+                         {Column::Kind::number, "true_over_expected", "true/expected", 13},
                          {Column::Kind::text, "verdict", "verdict", 18},
                          {Column::Kind::text, "model", "model", 17},
                          {Column::Kind::text, "element", "element", 7},
                          {Column::Kind::number, "cell_mm", "cell, mm", 8},
                          {Column::Kind::text, "grade", "grade", 5},
-                         {Column::Kind::text, "act", "by", 18},
+                         {Column::Kind::text, "act", "act", 18},
                          {Column::Kind::percent, "unsettled", "unsettled", 9}});
   table.print_header();
   RungMeter meter;
@@ -156,7 +157,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
     try {
       const Choice chosen = choose_rungs(scene, choice).front();
       const std::vector<ActError> acts = true_errors(asks, chosen, options, choice.sources);
-      if (options.verbose && !acts.empty()) fmt::print("  body {}: in truth {}\n", i, in_words(acts));
+      if (options.verbose && !acts.empty()) fmt::print("  body {}: true errors {}\n", i, in_words(acts));
       const ReportRow row = judged(asks, chosen, acts);
       table.print(row);
       std::fflush(stdout);
@@ -167,7 +168,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
       fmt::print("body {}: {}\n", i, error.what());
     }
   }
-  fmt::print("{} of {} promises kept\n", kept, judged_cases);
+  fmt::print("{} of {} predicted accuracies met\n", kept, judged_cases);
   report.note("kept", kept);
   report.note("judged", judged_cases);
   return report;

@@ -1,5 +1,5 @@
-// What trade's cases cube, slab, hang, press and organ, and refine's liver, are judged by, found anew on
-// finer and finer meshes, and how far each mesh is off the stored figure.
+// Reference solutions of the cases cube, slab, hang, press and organ of trade, and of refine's liver,
+// recomputed on increasingly fine meshes, with the difference of each mesh from the stored reference.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// The balls of pressed_tissue.h pressed in, held, and drawn along: the force and its cost with elements that
-// are as small everywhere, and with smaller ones that follow the ball.
+// The balls of pressed_tissue.h are pressed in, held, and moved sideways: force and cost with uniform meshes,
+// and with local refinement that follows the ball.
 
 #include <fmt/format.h>
 
@@ -20,10 +20,10 @@ namespace prosector {
 namespace {
 
 constexpr int down_ticks = 30, held_ticks = 60, drawn_ticks = 60;
-constexpr int last_ticks = 10;  // of those held, in which the force is taken
-constexpr double way = 0.012;   // m: that it is drawn along
+constexpr int last_ticks = 10;  // last ticks of holding, over which the force is averaged
+constexpr double way = 0.012;   // m, length of the sideways motion
 
-/// A way to model the body.
+/// A mesh configuration of the body.
 struct Modelled {
   const char* element;
   double cell;         // m
@@ -53,15 +53,15 @@ constexpr Modelled liver_ways[] = {
     {"tet4", 16 * mm, 4 * mm}, {"tet10", 25 * mm, 0},     {"tet10", 16 * mm, 0}};
 
 struct Pressed {
-  double force = 0;             // N, held
-  double off_trend = 0;         // fraction of the force, at most, drawn along
-  double from_tick = 0;         // the same, from one tick to the next
-  double ms = 0, ms_drawn = 0;  // CPU time of a tick, median
-  double ms_changed = 0;        // the same, at most, of ticks in which the mesh changed
-  std::size_t tets = 0;         // at most
+  double force = 0;             // N, static
+  double off_trend = 0;         // largest deviation from the trend while sliding, over the force
+  double from_tick = 0;         // largest change per tick while sliding, over the force
+  double ms = 0, ms_drawn = 0;  // median CPU time of a tick, static and sliding
+  double ms_changed = 0;        // largest CPU time of ticks that changed the mesh
+  std::size_t tets = 0;         // largest number
 };
 
-/// Returns how far a path's forces are off the cubic that is nearest to them, at most, as a fraction.
+/// Returns the largest relative deviation of the forces from their best-fit cubic.
 double off_slow_trend(const std::vector<double>& forces) {
   constexpr Eigen::Index terms = 4;
   const auto count = static_cast<Eigen::Index>(forces.size());
@@ -73,7 +73,7 @@ double off_slow_trend(const std::vector<double>& forces) {
   return ((force - trend).array() / trend.array()).abs().maxCoeff();
 }
 
-/// Returns how far each is off the one before, at most, as a fraction.
+/// Returns the largest relative change between successive forces.
 double most_from_tick_to_tick(const std::vector<double>& forces) {
   double most = 0;
   for (std::size_t i = 1; i < forces.size(); ++i)
@@ -83,11 +83,11 @@ double most_from_tick_to_tick(const std::vector<double>& forces) {
 
 Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBenchOptions& options) {
   SoftDesc desc = pressed_desc(body, modelled.cell, modelled.refine_cell);
-  desc.element = modelled.element;
-  desc.contact = options.contact;
+  desc.configuration.element = modelled.element;
+  desc.contact.points = options.contact == "surface" ? ContactPoints::surface : ContactPoints::vertices;
   PressedTissue tissue(body, desc, {.threads = options.threads});
   Pressed out;
-  std::vector<double> held, drawn, forces;  // ms, ms, N while drawn
+  std::vector<double> held, drawn, forces;  // ms, ms, N while sliding
   for (int tick = 1; tick <= down_ticks + held_ticks + drawn_ticks; ++tick) {
     const double down = std::min(1.0, tick / double{down_ticks});
     const double along = std::max(0, tick - down_ticks - held_ticks) / double{drawn_ticks};
@@ -115,7 +115,7 @@ Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBen
 
 constexpr const char* linear = "linear elements";
 constexpr const char* quadratic = "quadratic elements";
-constexpr const char* following = "linear elements, smaller where touched";
+constexpr const char* following = "linear elements, locally refined";
 
 std::string way_of(const Modelled& modelled) {
   if (modelled.refine_cell > 0) return following;
@@ -143,26 +143,25 @@ ReportRow row_of(const PressedBody& body, const Modelled& modelled, const Presse
 
 std::string label_of(const ReportRow& row) {
   const double refined = figure(row, "refine_cell_mm");
-  return fmt::format("{} of {} mm{}, {:.0f} tetrahedra",
-                     setting(row, "element") == "tet10" ? "quadratic" : "linear",
-                     three_digits(figure(row, "cell_mm")),
-                     refined > 0 ? fmt::format(", {} mm where touched", three_digits(refined)) : "",
-                     figure(row, "tets_at_most"));
+  return fmt::format(
+      "{} of {} mm{}, {:.0f} tetrahedra", setting(row, "element") == "tet10" ? "quadratic" : "linear",
+      three_digits(figure(row, "cell_mm")),
+      refined > 0 ? fmt::format(", {} mm refined", three_digits(refined)) : "", figure(row, "tets_at_most"));
 }
 
 Svg picture_of(const PressedBody& body, const Report& report) {
   TradePlot plot;
-  plot.title = fmt::format("A ball pressed {:.0f} mm into {}: with and without elements that follow it",
+  plot.title = fmt::format("A ball pressed {:.0f} mm into {}, with and without local refinement",
                            1e3 * body.depth, body.called);
   const auto where = machine();
   plot.subtitle =
-      fmt::format("{}, load {:.1f}. Force held against the settled one; cost while the ball is drawn along.",
+      fmt::format("{}, load {:.1f}. Static force against the reference; cost while the ball slides.",
                   where["cpu"].get<std::string>(), where["load_average"].get<double>());
-  plot.cost_label = "CPU ms of a tick (real time: 16.7)";
-  plot.error_label = "error of the force";
+  plot.cost_label = "CPU ms per tick (real time: 16.7)";
+  plot.error_label = "force error";
   plot.error_floor = body.unsettled / 10;
-  plot.fronts = {{"Without following: nothing is both cheaper and better", {linear, quadratic}},
-                 {"With following", {}}};
+  plot.fronts = {{"Pareto front without refinement", {linear, quadratic}},
+                 {"Pareto front with refinement", {}}};
   for (const ReportRow& row : report.rows())
     if (setting(row, "body") == body.name)
       plot.points.push_back(
@@ -178,14 +177,14 @@ Report bench_refine(const RefineBenchOptions& options) {
                          {text, "way", "way", 38},
                          {number, "cell_mm", "cell, mm"},
                          {number, "refine_cell_mm", "refined, mm"},
-                         {count, "tets_at_most", "tets at most"},
+                         {count, "tets_at_most", "max. tets"},
                          {number, "force_mN", "force, mN"},
                          {percent, "error_continuum", "error"},
                          {percent, "off_trend", "off trend"},
-                         {percent, "from_tick_to_tick", "a tick"},
-                         {number, "cpu_ms_held", "CPU ms held"},
-                         {number, "cpu_ms_drawn", "CPU ms drawn"},
-                         {number, "cpu_ms_changed", "mesh changed"}});
+                         {percent, "from_tick_to_tick", "per tick"},
+                         {number, "cpu_ms_held", "CPU ms static"},
+                         {number, "cpu_ms_drawn", "CPU ms sliding"},
+                         {number, "cpu_ms_changed", "mesh change ms"}});
   table.print_header();
   Report report("refine");
   const auto run = [&](const PressedBody& body, std::span<const Modelled> ways) {

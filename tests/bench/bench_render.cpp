@@ -23,11 +23,11 @@
 namespace prosector {
 namespace {
 
-/// What a frame moves: a hand that presses the first organ, which gives way.
+/// The rendered scene: a hand presses the first organ, which deforms.
 struct Subject {
-  std::string scene;  // its name
+  std::string scene;  // name
   DrawList list;
-  std::shared_ptr<DrawMesh> organ;    // null: the scene has none
+  std::shared_ptr<DrawMesh> organ;    // null: scene without organs
   std::vector<NamedItem> named = {};  // all organs
   std::size_t hand;                   // index into list.items
   Pose eye;
@@ -48,7 +48,7 @@ void set_size(Subject& subject, int width, int height) {
     subject.list.cameras.push_back(eye);
 }
 
-/// From under what the scene's camera looks at, where a table hides what lies on it.
+/// Moves the camera below its target, where a table hides the objects on it.
 void look_from_below(Subject& subject) {
   const Vec3 target = subject.list.items[subject.hand].pose.p;
   Vec3 eye = subject.eye.p;
@@ -106,21 +106,21 @@ void move(Subject& subject, Motion motion) {
   ++subject.organ->positions_revision;
 }
 
-/// Means of some frames.
+/// Mean times of several frames.
 struct Cost {
-  double cpu_ms = 0, wall_ms = 0;                 // with reading the picture back
-  double drawn_ms = 0;                            // not read back, the next begun before the last is done
-  std::map<std::string, double> wall_ms_of = {};  // each pass, with nothing overlapping
+  double cpu_ms = 0, wall_ms = 0;                 // with readback
+  double drawn_ms = 0;                            // without readback, frames overlapping
+  std::map<std::string, double> wall_ms_of = {};  // per pass, without overlap
   std::size_t labels = 0;                         // of the last frame
   std::size_t drawn = 0;                          // triangles of the last frame's levels of detail
-  std::size_t hidden = 0;                         // items that it left out, of all its cameras
+  std::size_t hidden = 0;                         // items culled, over all its cameras
 };
 
-/// ms a frame when nobody waits for single ones, as where a display shows them: for a second at least, so
-/// that a GPU that idled comes up to speed.
+/// Returns ms per frame without waiting for single frames, as with a display. Runs for at least 1 s, so that
+/// an idle GPU reaches its full clock rate.
 template <class Draw>
 double drawn_ms(Renderer& renderer, const Draw& draw) {
-  constexpr int ahead = 10;  // frames, then all are waited for
+  constexpr int ahead = 10;  // frames in flight
   constexpr std::int64_t second = 1'000'000'000;
   int frames = 0;
   std::int64_t start = 0, now = 0;
@@ -194,7 +194,7 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
   return cost;
 }
 
-/// Every triangle as four: the same picture from more of them.
+/// Divides every triangle into four, which leaves the image unchanged.
 std::shared_ptr<DrawMesh> subdivided(const DrawMesh& mesh, std::uint64_t id) {
   auto out = std::make_shared<DrawMesh>(mesh);
   out->id = id;
@@ -251,7 +251,7 @@ Report bench_render(const RenderBenchOptions& options) {
                          {number, "labels", "labels"},
                          {number, "cpu_ms_per_frame", "CPU ms, all threads"},
                          {number, "wall_ms_per_frame", "ms"},
-                         {number, "drawn_ms_per_frame", "not read back"},
+                         {number, "drawn_ms_per_frame", "no readback"},
                          {number, "ms_passes", "all passes"},
                          {number, "ms_detail", "detail"},
                          {number, "ms_labels", "placing labels"},
@@ -262,8 +262,8 @@ Report bench_render(const RenderBenchOptions& options) {
                          {number, "ms_shafts", "shafts"},
                          {number, "ms_edges", "edges"}});
   fmt::print(
-      "a frame, with reading the picture back; ten at a time without; then its passes, each finished before "
-      "the next\n");
+      "per frame: with readback; without it, ten frames in flight; then each pass, finished before the "
+      "next starts\n");
   table.print_header();
   Report report("render");
   const auto add = [&](const Case& what) {
@@ -297,7 +297,7 @@ Report bench_render(const RenderBenchOptions& options) {
   hidden_too.occlusion = false;
   const auto add_hidden = [&](const std::string& name) {
     add({name, usual.settings, Motion::press, 0});
-    add({name + ", hidden too", hidden_too, Motion::press, 0});
+    add({name + ", culling off", hidden_too, Motion::press, 0});
   };
   add_hidden("medium, all triangles");
   const Pose eye = subject.eye;
@@ -325,7 +325,7 @@ Report bench_render(const RenderBenchOptions& options) {
     subdivide_bodies(subject);
     const int times = finer == 1 ? 4 : 16;
     add({fmt::format("medium, {} times the triangles", times), usual.settings, Motion::press});
-    add({fmt::format("medium, all of {} times", times), usual.settings, Motion::press, 0});
+    add({fmt::format("medium, {} times, all triangles", times), usual.settings, Motion::press, 0});
     if (finer < 2) continue;
     look_from_below(subject);
     add_hidden("16 times, from below");

@@ -1,4 +1,4 @@
-// Time against elements and threads.
+// Frame time against number of elements and threads.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -19,20 +19,20 @@ namespace {
 constexpr double frame = 1. / 60;  // s
 const Vec3 gravity(0, -9.81, 0);   // m/s²
 constexpr int warm_up_frames = 2, frames = 5;
-constexpr double liver = 0.2;  // m: length of the block, whatever its resolution
+constexpr double liver = 0.2;  // m, length of the block
 
-/// Of a liver's proportions and tissue, glued to a wall, in about that many tetrahedra.
+/// Returns a block of a liver's proportions and tissue, glued to a wall, with about that many tetrahedra.
 TestPiece block(double tets) {
   const auto side = static_cast<std::uint32_t>(std::max(1.0, std::round(std::cbrt(tets / 6 / 1.5))));
   const auto length = std::max(1u, static_cast<std::uint32_t>(std::lround(tets / 6 / (side * side))));
   const SoftDesc tissue;
   TestPiece piece;
   piece.mesh = kuhn_box({length, side, side}, Vec3(liver, liver / 1.5, liver / 1.5));
-  piece.youngs_modulus = tissue.youngs_modulus;
-  piece.poisson_ratio = tissue.poisson_ratio;
-  piece.density = tissue.density;
-  piece.damping_mass = tissue.damping_mass;
-  piece.damping_stiffness = tissue.damping_stiffness;
+  piece.youngs_modulus = tissue.material.youngs_modulus;
+  piece.poisson_ratio = tissue.material.poisson_ratio;
+  piece.density = tissue.material.density;
+  piece.damping_mass = tissue.material.damping_mass;
+  piece.damping_stiffness = tissue.material.damping_stiffness;
   piece.clamped_axis = 0;
   return piece;
 }
@@ -66,21 +66,23 @@ ReportRow measure(const Rung& rung, const TestPiece& piece, unsigned threads) {
   return row;
 }
 
-/// Every model with every element that it takes, at a scene's default effort; every solver with the model
-/// that scenes get unless they say otherwise, or that was asked for: others differ from it in assembly alone.
+/// Returns every model with every element it supports, at a scene's default effort. Solvers are varied only
+/// for the default model or the requested one, because other models differ only in assembly.
 std::vector<Rung> rungs(const ScalingBenchOptions& options) {
   std::vector<Rung> out;
   for (const ModelRow& model : models()) {
     if (!options.model.empty() && options.model != model.name) continue;
     for (const std::string& element : element_names()) {
       const bool is_law = !model.position_based && !model.fabric;
-      if (element != SoftDesc{}.element && !is_law) continue;
+      if (element != SoftDesc{}.configuration.element && !is_law) continue;
       for (const std::string& solver : solver_names()) {
         if (!options.solver.empty() && options.solver != solver) continue;
-        const bool with_all_solvers = model.name == SoftDesc{}.model || !options.model.empty();
-        if (options.solver.empty() && !with_all_solvers && solver != SoftDesc{}.solver) continue;
-        if (model.position_based && solver != SoftDesc{}.solver) continue;  // it has its own
-        out.push_back({model.name, SoftDesc{}.integrator, solver, element});
+        const bool with_all_solvers = model.name == SoftDesc{}.configuration.model || !options.model.empty();
+        if (options.solver.empty() && !with_all_solvers && solver != SoftDesc{}.configuration.solver)
+          continue;
+        if (model.position_based && solver != SoftDesc{}.configuration.solver)
+          continue;  // has its own solver
+        out.push_back({model.name, SoftDesc{}.configuration.integrator, solver, element});
       }
     }
   }

@@ -23,14 +23,14 @@ namespace {
 constexpr double h = 1. / 60;
 const Vec3 gravity(0, -9.81, 0);
 
-/// Of a liver's proportions, with about that many tetrahedra.
+/// Returns a box of a liver's proportions with about that many tetrahedra.
 Anatomy box(unsigned tets) {
   const auto side = static_cast<std::uint32_t>(std::max(1.0, std::round(std::cbrt(tets / 6.0 / 1.5))));
   const std::uint32_t length = std::max(1u, tets / 6 / (side * side));
   return kuhn_anatomy({length, side, side}, Vec3(0.012 * length, 0.012 * side, 0.012 * side));
 }
 
-/// Corotated by 0.3 rad and dented from above by up to a tenth of the size.
+/// Returns positions rotated by 0.3 rad and indented from above by up to a tenth of the size.
 VecX pressed(const VecX& rest) {
   VecX x(rest.size());
   const double size = rest.maxCoeff();
@@ -44,8 +44,8 @@ VecX pressed(const VecX& rest) {
   return x;
 }
 
-/// GB/s that one core reads and writes together when it copies what no cache holds: the roof of every pass
-/// that does little per byte.
+/// Returns the memory bandwidth of one core (read plus write) when copying more than the caches hold, GB/s.
+/// It limits every pass with few operations per byte.
 double copy_bandwidth(int repeats) {
   const std::vector<double> from(std::size_t{1} << 24, 1);  // 128 MiB
   std::vector<double> to(from.size());
@@ -54,7 +54,7 @@ double copy_bandwidth(int repeats) {
   return 2 * 8e-6 * static_cast<double>(from.size()) / ms;
 }
 
-/// Blocks of 3×3 numbers in the assembled matrix, both triangles.
+/// Returns the number of 3×3 blocks in the assembled matrix, both triangles.
 std::size_t matrix_blocks(const SoftBody& body) {
   return BlockPattern(make_elastic_model(body.desc(), body.anatomy())->connectivity()).blocks();
 }
@@ -62,23 +62,23 @@ std::size_t matrix_blocks(const SoftBody& body) {
 ReportRow measure(const std::string& model, const std::string& element, const SoftBenchOptions& options) {
   SoftDesc desc;
   desc.name = "box";
-  desc.model = model;
-  desc.element = element;
+  desc.configuration.model = model;
+  desc.configuration.element = element;
   SoftBody body(desc, box(options.tets));
   SoftBodyState state = body.initial_state();
   state.motion.x = pressed(state.motion.x);
   const Eigen::Index n = state.motion.x.size();
   IncrementalPotential& potential = body.potential();
   body.stepper().begin_stage(0, h, gravity, state);
-  // Alternating positions: nothing may be remembered from the last call.
+  // Alternate positions, so that nothing is cached from the last call.
   VecX places[2] = {state.motion.x, state.motion.x * 1.001}, out(n);
   std::size_t turn = 0;
   const auto elsewhere = [&]() -> const VecX& { return places[turn ^= 1]; };
   double sum = 0;
   ReportRow row = {{"model", model},
                    {"element", element},
-                   {"integrator", desc.integrator},
-                   {"solver", desc.solver},
+                   {"integrator", desc.configuration.integrator},
+                   {"solver", desc.configuration.solver},
                    {"tets", body.elements()},
                    {"nodes", body.nodes()},
                    {"dt", h},
@@ -109,7 +109,7 @@ ReportRow measure(const std::string& model, const std::string& element, const So
 
 Report bench_soft(const SoftBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-  fmt::print("ms, {} thread(s); iteration: gradient, assemble and energy at one place\n", options.threads);
+  fmt::print("ms, {} thread(s); iteration: gradient, assembly and energy at one position\n", options.threads);
   using enum Column::Kind;
   const TextTable table({{text, "model", "model", 28},
                          {text, "element", "element", 7},
@@ -130,7 +130,7 @@ Report bench_soft(const SoftBenchOptions& options) {
       table.print(report.rows().back());
     }
   const double bandwidth = copy_bandwidth(options.repeats);
-  fmt::print("one core copies at {:.3g} GB/s\n", bandwidth);
+  fmt::print("copy bandwidth of one core: {:.3g} GB/s\n", bandwidth);
   report.note("gb_per_s_copy", bandwidth);
   return report;
 }

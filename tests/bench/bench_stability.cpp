@@ -1,4 +1,4 @@
-// Extremes over each rung, and a map of what became of them.
+// Runs every configuration under every extreme, and maps the verdicts.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -64,8 +64,8 @@ Report bench_stability(const StabilityBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("stability");
   VerdictMap map;
-  map.title = "Extremes, and what each rung makes of them";
-  map.subtitle = fmt::format("{}, one thread, each rung at a scene's default budget",
+  map.title = "Verdicts of the extremes, by configuration";
+  map.subtitle = fmt::format("{}, one thread, each configuration with a scene's default budget",
                              machine()["cpu"].get<std::string>());
   std::vector<Extreme> chosen;
   for (const Extreme& extreme : extremes()) {
@@ -75,7 +75,7 @@ Report bench_stability(const StabilityBenchOptions& options) {
     map.extremes.emplace_back(extreme.name);
   }
   fmt::print(
-      "s survives, d degrades and says so, r refuses, F fails, . not run to the end; ' missed its frames\n");
+      "s survives, d degrades with a report, r refuses, F fails, . not completed; ' missed deadlines\n");
   for (std::size_t i = 0; i < map.extremes.size(); ++i) fmt::print("{:>3} {}\n", i + 1, map.extremes[i]);
   std::string remarks;
   for (const StabilityRung& rung : stability_rungs(options.model)) {
@@ -90,7 +90,7 @@ Report bench_stability(const StabilityBenchOptions& options) {
         continue;
       }
       if (rung.rung.solver == "direct" && !extreme.for_direct) {
-        result.reason = "not run: its factorisation takes minutes";
+        result.reason = "not run: the factorisation takes minutes";
       } else {
         result = run_extreme(rung, extreme, options.limit_ms);
       }

@@ -1,4 +1,4 @@
-// Error against cost: each rung × resolution × step × iterations over the reference cases, Bullet beside it.
+// Error against cost: configuration × resolution × step × iterations over the test cases, with Bullet.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -26,7 +26,7 @@
 namespace prosector {
 namespace {
 
-/// The columns of a case's table: settings, then cost, then what it measures.
+/// Returns the columns of a case's table: settings, cost, figures.
 TextTable table_for(const TradeCase& which) {
   using enum Column::Kind;
   std::vector<Column> columns = {{text, "model", "model", 29},
@@ -57,8 +57,8 @@ TextTable table_for(const TradeCase& which) {
   return TextTable(columns);
 }
 
-/// Runs what `make` makes over a case by `measure`, which is given it, the row and a runner. Either may
-/// refuse by InputError.
+/// Creates a specimen with `make` and runs `measure` on it with the row and a runner. Both may throw
+/// InputError to refuse the configuration.
 template <class Make, class Measure>
 ReportRow run_one(const TradeCase& which, double dt, double limit_ms, ReportRow row, const Make& make,
                   const Measure& measure) {
@@ -73,9 +73,9 @@ ReportRow run_one(const TradeCase& which, double dt, double limit_ms, ReportRow 
     if (which.judge) which.judge(row);
     row["memory_kib"] = static_cast<double>(allocated_bytes() - before) / 1024;
     if (!runner.finite())
-      row["remark"] = "went non-finite";
+      row["remark"] = "became non-finite";
     else if (!row.contains(which.error_key))
-      row["remark"] = "too slow for this run: not measured to the end";
+      row["remark"] = "stopped: over the time limit";
     else if (row.contains("reported"))
       row["remark"] = row["reported"];
   } catch (const InputError& error) {
@@ -84,7 +84,7 @@ ReportRow run_one(const TradeCase& which, double dt, double limit_ms, ReportRow 
   return row;
 }
 
-/// Runs a piece of tissue as a rung, ours or Bullet's.
+/// Runs a piece of tissue with a configuration of ours or Bullet's.
 template <class Trial>
 ReportRow run_piece(const TradeCase& which, const Trial& trial, double limit_ms, ReportRow row) {
   const TestPiece piece = which.piece(trial.cells);
@@ -114,7 +114,7 @@ TradePlot plot_for(const TradeCase& which, const Report& report) {
   plot.title = which.title;
   const auto where = machine();
   plot.subtitle =
-      fmt::format("{}, one thread. A mark on an edge lies beyond it.", where["cpu"].get<std::string>());
+      fmt::format("{}, one thread. Marks on an edge are out of range.", where["cpu"].get<std::string>());
   plot.cost_label = "CPU ms per simulated second (real time: 1000)";
   plot.error_label = which.error_label;
   for (const ReportRow& row : report.rows()) {
@@ -138,7 +138,7 @@ std::vector<Json> read_reports(const std::vector<std::string>& files) {
   return reports;
 }
 
-/// When and where the rows were measured.
+/// Returns machine, date and commit of the reports.
 Json origins(const std::vector<Json>& reports) {
   Json all = Json::array();
   for (const Json& report : reports)
@@ -146,7 +146,7 @@ Json origins(const std::vector<Json>& reports) {
   return all;
 }
 
-/// Rows of earlier reports, of this case.
+/// Returns the rows of earlier reports that belong to this case.
 void take_rows(const TradeCase& which, const std::vector<Json>& earlier, Report& report) {
   for (const Json& one : earlier)
     for (ReportRow row : one["rows"]) {
@@ -163,7 +163,7 @@ Report bench_trade(const TradeBenchOptions& options) {
   Report report("trade");
   const std::vector<Json> earlier = read_reports(options.from);
   if (!earlier.empty()) report.note("measured", origins(earlier));
-  std::map<std::string, double> stable_steps;  // s, by rung
+  std::map<std::string, double> stable_steps;  // s, per configuration
   const auto stable_step = [&](const auto& rung) {
     const ReportRow row = settings(rung);
     std::string key;

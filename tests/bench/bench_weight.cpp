@@ -1,6 +1,6 @@
-// A cube of 0.1 m and a slab of 0.2 × 0.06 × 0.2 m that stand on a glued foot, or hang from it. Each rung's
-// settled shape is compared with that of a finer quadratic mesh, graded twice at the foot's rim, and its
-// ticks are timed while gravity sets in.
+// A cube of 0.1 m and a slab of 0.2 × 0.06 × 0.2 m stand on a glued foot or hang from it. The static shape of
+// each mesh is compared with a finer quadratic mesh, graded twice at the foot's rim. Ticks are timed while
+// gravity is switched on.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ constexpr std::size_t weighing_places = 250;
 struct WeighedMesh {
   const char* element;
   Cells cells;
-  const char* grade = "none";
+  Grading grade = Grading::none;
 };
 struct WeighedRow {
   WeighedBody body;
@@ -40,9 +40,9 @@ std::vector<WeighedRow> weighed_rows() {
             {"tet10", {3, 3, 3}},
             {"tet10", {4, 4, 4}},
             {"tet10", {6, 6, 6}},
-            {"tet10", {2, 2, 2}, "rims"},
-            {"tet10", {3, 3, 3}, "rims"},
-            {"tet10", {4, 4, 4}, "rims"}}},
+            {"tet10", {2, 2, 2}, Grading::rims},
+            {"tet10", {3, 3, 3}, Grading::rims},
+            {"tet10", {4, 4, 4}, Grading::rims}}},
           {weighed_slab,
            {10, 4, 10},
            {{"tet4", {10, 4, 10}},
@@ -51,28 +51,28 @@ std::vector<WeighedRow> weighed_rows() {
             {"tet10", {5, 2, 5}},
             {"tet10", {7, 3, 7}},
             {"tet10", {10, 4, 10}},
-            {"tet10", {4, 2, 4}, "rims"},
-            {"tet10", {5, 2, 5}, "rims"},
-            {"tet10", {7, 3, 7}, "rims"}}}};
+            {"tet10", {4, 2, 4}, Grading::rims},
+            {"tet10", {5, 2, 5}, Grading::rims},
+            {"tet10", {7, 3, 7}, Grading::rims}}}};
 }
 
 SoftDesc described(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio) {
   SoftDesc desc = weighed_desc(row.body, mesh.element, poisson_ratio);
-  desc.grade = mesh.grade;
+  desc.geometry.grade = mesh.grade;
   return desc;
 }
 
 Anatomy meshed(const WeighedRow& row, const WeighedMesh& mesh, const SoftDesc& desc) {
   Anatomy uniform = kuhn_anatomy(mesh.cells, row.body.size);
-  return desc.grade == "rims" ? graded_at_rims(desc, std::move(uniform)) : uniform;
+  return desc.geometry.grade == Grading::rims ? graded_at_rims(desc, std::move(uniform)) : uniform;
 }
 
-/// Returns how the body is stepped while it is timed.
+/// Returns the description of the body with the solver settings of timed ticks.
 SoftDesc stepped(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio) {
   SoftDesc desc = described(row, mesh, poisson_ratio);
-  desc.solver = "multigrid";
-  desc.solver_tolerance = 1e-2;
-  desc.cell = row.body.size[0] / mesh.cells[0];
+  desc.configuration.solver = "multigrid";
+  desc.configuration.solver_tolerance = 1e-2;
+  desc.geometry.cell = row.body.size[0] / mesh.cells[0];
   return desc;
 }
 
@@ -82,7 +82,7 @@ Weighed at_rest(const WeighedRow& row, const WeighedMesh& mesh, double poisson_r
 }
 
 Weighed reference_at_rest(const WeighedRow& row, Cells cells, double poisson_ratio, double gravity) {
-  const WeighedMesh once = {"tet10", cells, "rims"};
+  const WeighedMesh once = {"tet10", cells, Grading::rims};
   const SoftDesc desc = described(row, once, poisson_ratio);
   return {desc, graded_at_rims(desc, meshed(row, once, desc)), gravity};
 }
@@ -95,7 +95,7 @@ ReportRow weigh(const WeighedRow& weighed, const WeighedMesh& mesh, double poiss
   CostSummary cost;
   for (int i = 0; i < weighing_ticks; ++i) cost.add(run.step(weighing_step, {0, gravity, 0}));
   row["body"] = weighed.body.name;
-  row["grade"] = mesh.grade;
+  row["grade"] = grading_names[static_cast<std::size_t>(mesh.grade)];
   row["act"] = gravity < 0 ? "stands" : "hangs";
   row["poisson_ratio"] = poisson_ratio;
   row.update(figures(cost));
@@ -112,7 +112,7 @@ ReportRow weigh(const WeighedRow& weighed, const WeighedMesh& mesh, double poiss
 }  // namespace
 
 Report bench_weight(const WeightBenchOptions& options) {
-  fmt::print("error: RMS of displacements at rest against a finer quadratic mesh; CPU: of a tick, median\n");
+  fmt::print("error: RMS of displacements at rest against a finer quadratic mesh; CPU: median per tick\n");
   using enum Column::Kind;
   const TextTable table({{text, "body", "body", 5},
                          {text, "act", "act", 6},

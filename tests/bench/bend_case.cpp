@@ -1,5 +1,5 @@
-// The bending beam: a clamped beam of 0.4 × 0.1 × 0.1 m sags under its own weight, critically damped, and is
-// measured when it has come to rest.
+// The bending beam: a clamped, critically damped beam of 0.4 × 0.1 × 0.1 m bends under its own weight. Its
+// static deflection is measured.
 
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ ReportRow measure(Specimen& specimen, const TestPiece& piece, const std::string&
   const double sag = still - x[3 * tip + 1];
   row["deflection_m"] = sag;
   row["error_material"] = std::abs(sag / tissue_sag(piece.poisson_ratio) - 1);
-  // Bullet's linear elements are turned with their rotation: a corotational law.
+  // Bullet's linear elements rotate with the material, like a corotational law.
   const std::string law = model == "bullet_deformable_linear" ? "fem_corotational" : model;
   if (const auto own = continuum_sag(law, piece.poisson_ratio))
     row["error_continuum"] = std::abs(sag / *own - 1);
@@ -42,7 +42,7 @@ ReportRow measure(Specimen& specimen, const TestPiece& piece, const std::string&
 
 const TradeCase& bend_case() {
   static const TradeCase row = {"bend",           "A beam bends under its own weight (ν = 0.3)",
-                                "error_material", "error of the settled tip against tissue's continuum",
+                                "error_material", "static tip error against the continuum",
                                 {8, 16, 24},      [](unsigned cells) { return damped_beam(cells, 0.3); },
                                 measure,          {0, -9.81, 0}};
   return row;
@@ -52,7 +52,7 @@ const TradeCase& bend_incompressible_case() {
   static const TradeCase row = {"bend_incompressible",
                                 "A nearly incompressible beam bends under its own weight (ν = 0.45)",
                                 "error_material",
-                                "error of the settled tip against tissue's continuum",
+                                "static tip error against the continuum",
                                 {8, 16, 24},
                                 [](unsigned cells) { return damped_beam(cells, 0.45); },
                                 measure,

@@ -33,7 +33,8 @@ Vec3 from_bullet(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// A world with one soft body in it; members are destroyed in the order that Bullet wants.
+/// A world with one soft body. Members are declared so that Bullet's objects are destroyed in the required
+/// order.
 class BulletSpecimen final : public Specimen {
  public:
   BulletSpecimen(const BulletRung& rung, const TestPiece& piece)
@@ -107,7 +108,7 @@ class BulletSpecimen final : public Specimen {
           &dispatcher_, &broadphase_, constraints.get(), &configuration_, soft_solver_.get());
       world->setImplicit(true);
       world->setLineSearch(false);
-      world->setUseProjection(true);  // else its solver stops before a body as light as this moves
+      world->setUseProjection(true);  // without it the solver stops before such a light body moves
       deformable_ = world.get();
       info_ = &world->getWorldInfo();
       constraints_ = std::move(constraints);
@@ -149,7 +150,7 @@ class BulletSpecimen final : public Specimen {
     }
     for (const auto& [a, b] : edges) body_->appendLink(a, b);
     body_->randomizeConstraints();
-    body_->updateConstants();  // the links' lengths are those of now, not of the first step's start
+    body_->updateConstants();  // sets the links' rest lengths to the current ones
     body_->m_bUpdateRtCst = false;
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bullet's own soft bodies on the same meshes, as Bullet's users would set them up.
+// Bullet's soft bodies on the same meshes, with Bullet's usual settings.
 
 #include <memory>
 #include <string>
@@ -12,15 +12,16 @@ namespace prosector {
 
 struct BulletRung {
   std::string model;   // classic | deformable_linear | deformable_neo_hookean
-  int iterations = 1;  // of the classic body's positions; the deformable ones choose their own
+  int iterations = 1;  // position iterations of the classic body; deformable bodies choose their own
 };
 std::vector<BulletRung> bullet_rungs();
 
-/// As the columns of a report.
+/// Returns the report columns of the configuration.
 ReportRow settings(const BulletRung& rung);
 
-/// Single precision, as packaged. The classic body has links of full stiffness on the tetrahedra's edges: it
-/// knows no Young's modulus. Mass-proportional damping, which Bullet has not, is applied after each step.
+/// Creates a Bullet soft body in single precision, as packaged. The classic body has links of full stiffness
+/// on the tetrahedra's edges, without Young's modulus. Mass-proportional damping, which Bullet lacks, is
+/// applied after each step.
 std::unique_ptr<Specimen> make_specimen(const BulletRung& rung, const TestPiece& piece);
 
 }  // namespace prosector

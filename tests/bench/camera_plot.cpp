@@ -20,7 +20,7 @@ Svg draw_by_distance(const std::vector<ReportRow>& rows) {
   return draw_lines(
       rows_of(rows, "distance m"), "board", {0.25, 2, true, {0.3, 0.4, 0.6, 0.8, 1.2, 1.8}},
       {0.003, 10, true, {0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10}},
-      {"How far off boards are found along the axis",
+      {"Depth error of detected boards",
        "640 × 480, focal length 600 px, tilts to 50°, noise 3 of 255; medians", "distance, m", "mm"},
       [](const ReportRow& row) { return figure(row, "value"); },
       [](const ReportRow& row) { return figure(row, "depth_mm"); });
@@ -30,9 +30,9 @@ Svg draw_by_speed(const std::vector<ReportRow>& rows) {
   return draw_lines(
       rows_of(rows, "speed m/s, 10 ms exposed"), "board", {0, 0.8, false, {0, 0.2, 0.4, 0.6, 0.8}},
       {0, 1, false, {0, 0.25, 0.5, 0.75, 1}},
-      {"How often boards are found in one blurred picture",
-       "10 ms of exposure; the tag at 0.8 m, the tablet at 0.6 m; without what went before",
-       "speed across the picture, m/s", "share found"},
+      {"Detection rate of boards in a single blurred image",
+       "10 ms exposure; tag at 0.8 m, tablet at 0.6 m; each image alone",
+       "speed parallel to the image plane, m/s", "detection rate"},
       [](const ReportRow& row) { return figure(row, "value"); },
       [](const ReportRow& row) { return figure(row, "seen"); });
 }

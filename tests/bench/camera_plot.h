@@ -1,5 +1,5 @@
 #pragma once
-// bench_camera's pictures.
+// Plots of bench_camera.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace prosector {
 
-/// Draws errors of depth over distance, one line a board.
+/// Plots the depth error over distance, one line per board.
 Svg draw_by_distance(const std::vector<ReportRow>& rows);
-/// Draws how often boards are found over the speed that blurs them.
+/// Plots the detection rate of boards over their speed (motion blur).
 Svg draw_by_speed(const std::vector<ReportRow>& rows);
 
 }  // namespace prosector

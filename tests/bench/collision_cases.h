@@ -1,5 +1,5 @@
 #pragma once
-// What bench_collision measures of the code that sessions run; each returns a row of its report.
+// Measurements of bench_collision, which use the collision detection of sessions. Each returns a report row.
 
 #include "tests/bench/report.h"
 #include "tests/collision/reference/collision_object.h"
@@ -7,22 +7,21 @@
 
 namespace prosector {
 
-/// Random poses of a shape beside others of the table, all rigid, within reach of the two's enclosing
-/// spheres.
+/// Random pairs of a rigid shape with the shapes of the table, posed so that their enclosing spheres touch.
 class RigidPairs {
  public:
-  /// Finds what the reference has to say of each pair.
+  /// Creates the pairs and computes the reference result of each.
   RigidPairs(const test::NamedParts& shape, int pairs);
-  /// Two bodies of the rigid world, both at that fidelity: `us_per_pair` of RigidWorld::detect(), errors as
-  /// PairErrors has them, `bytes_per_object`. `scale`: all lengths are so many times as large, and gaps told
-  /// as if they weren't: what changes with it is rounding and Bullet's fixed tolerances and margins.
+  /// Measures pairs in a rigid world with both bodies at `fidelity`: `us_per_pair` of RigidWorld::detect(),
+  /// the errors of PairErrors, `bytes_per_object`. `scale` multiplies all lengths, and gaps are divided by it
+  /// again, so that only rounding and Bullet's fixed tolerances and margins change the result.
   ReportRow measure(Fidelity fidelity, double scale = 1) const;
 
  private:
   struct Placed {
     std::size_t other;
     Pose a, b;
-    Quat start_a, start_b;  // how they were turned when the scene began
+    Quat start_a, start_b;  // initial rotations in the scene
     std::optional<Proximity> truth;
   };
   std::string name_;
@@ -31,28 +30,30 @@ class RigidPairs {
   std::vector<Placed> pairs_;
 };
 
-/// A soft organ at that fidelity in the middle, a rigid body of that shape at fidelity `mesh` in random poses
-/// around it: `us_per_pair` of add_contacts(), errors as PairErrors has them.
+/// Measures a soft organ at `fidelity` with a rigid body at fidelity `mesh` in random poses around it:
+/// `us_per_pair` of add_contacts(), and the errors of PairErrors.
 ReportRow measure_organ_and_rigid(Fidelity fidelity, const test::NamedParts& shape, int pairs);
 
-/// Two soft organs, both at that fidelity, the second in random poses: `us_per_pair` of add_pair_contacts(),
-/// errors as PairErrors has them.
+/// Measures two soft organs at `fidelity`, the second in random poses: `us_per_pair` of add_pair_contacts(),
+/// and the errors of PairErrors.
 ReportRow measure_two_organs(Fidelity fidelity, int pairs);
 
-/// A rigid world with bodies of all shapes, equally dense for any number, which all move a little each tick:
-/// `ms_place`, `ms_detect`, `contacts`, `bytes_per_body`.
+/// Measures a rigid world of moving bodies of all shapes, at the same density for any number: `ms_place`
+/// (updating poses), `ms_detect`, `contacts`, `bytes_per_body`.
 ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks);
 
-/// Two solids' surfaces of about that many triangles, one bent a little more each tick: `ms_build`,
-/// `ms_refit`, `ms_apart` (meetings, nearly touching), `ms_crossing` (a tenth deep), `ms_list` (what may meet
-/// itself, found anew), `ms_self` (in later ticks), `bytes_per_triangle`.
+/// Measures the surfaces of two solids, one of which bends a little more every tick. `levels`: subdivision
+/// level. Figures: `ms_build`, `ms_refit`, `ms_apart` (contacts, nearly touching), `ms_crossing` (contacts,
+/// overlap of 10 %), `ms_list` (building the self-collision list), `ms_self` (self-collision in later ticks),
+/// `bytes_per_triangle`.
 ReportRow measure_surface(int levels, int ticks);
 
-/// Two sheets of that many cells along a side, one above the other: `ms_refit`, `ms_layers`, `meetings`.
+/// Measures two sheets, one above the other, with `cells` cells per side: `ms_refit`, `ms_layers` (finding
+/// all contacts), `meetings` (number of contacts).
 ReportRow measure_layers(int cells, int ticks);
 
-/// A session of that many small soft balls, 0.1 m from one another, that all fall: `ms_narrow` of a
-/// tick, beside the number of `all_pairs`.
+/// Measures a session of `bodies` small falling soft balls, 0.1 m apart: `ms_narrow` (detection time per
+/// tick), `all_pairs` (number of pairs).
 ReportRow measure_soft_session(int bodies, int ticks);
 
 }  // namespace prosector

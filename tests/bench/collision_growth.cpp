@@ -1,4 +1,4 @@
-// How finding contacts of soft bodies grows with their size and number.
+// Scaling of soft-body collision detection with size and number of bodies.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ VecX flat(const std::vector<Vec3>& positions) {
   return out;
 }
 
-/// A solid's surface as TissueSurface has it: vertices to meet others with, faces for others to meet.
+/// A solid's surface as in TissueSurface: vertices and faces for collision detection.
 struct Solid {
   explicit Solid(const Anatomy& anatomy)
       : vertices(anatomy.embedding, anatomy.surface),
@@ -56,7 +56,7 @@ struct Solid {
   double cell;  // m
 };
 
-/// Finds what add_vertex_contacts() finds.
+/// Finds the contacts that add_vertex_contacts() would find.
 void meet(const Solid& a, const Solid& b, std::vector<VertexMeeting>& out) {
   out.clear();
   find_meetings(a.skin(), b.skin(), contact_margin, out);
@@ -92,7 +92,7 @@ ReportRow measure_surface(int levels, int ticks) {
     found.clear();
     itself.find(solid.skin(), contact_margin, found);
     const double t1 = cpu_ms();
-    // Beside the other: a thousandth of the size away, then a tenth inside.
+    // Beside the other surface: separated by 0.1 % of the size, then overlapping by 10 %.
     const double reach = other.faces.box().hi.x() - solid.faces.box().lo.x();
     const auto at = [&](double gap) {
       std::vector<Vec3> out = positions;
@@ -169,9 +169,9 @@ ReportRow measure_soft_session(int bodies, int ticks) {
   for (int i = 0; i < bodies; ++i) {
     SoftDesc& soft = scene.soft.emplace_back();
     soft.name = fmt::format("ball{}", i);
-    soft.shape = "ball";
-    soft.size = Vec3::Constant(0.05);
-    soft.cell = soft.surface_cell = 0.03;
+    soft.geometry.shape = "ball";
+    soft.geometry.size = Vec3::Constant(0.05);
+    soft.geometry.cell = soft.geometry.surface_cell = 0.03;
     soft.pose.p = 0.1 * Vec3(i % side, i / side % side, i / side / side);
   }
   CompileOptions options;

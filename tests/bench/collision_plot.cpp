@@ -16,7 +16,7 @@ struct Series {
   bool line = true;
 };
 
-/// One square with logarithmic axes; y linear in per cent where it is a share.
+/// A square plot with logarithmic axes; the y axis is linear in per cent for shares.
 struct Panel {
   std::string title, x_label, y_label;
   bool y_is_share = false;
@@ -91,24 +91,24 @@ void add(Panel& panel, const std::string& name, double x, double y) {
 }  // namespace
 
 Svg draw_collision(const std::vector<ReportRow>& rows) {
-  Panel wrong{"Rigid pairs: hits that aren't, each shape", "µs a pair", "of the pairs apart", true, {}};
-  Panel bodies{"Scenes of moving bodies", "bodies", "ms a tick", false, {}};
-  Panel surfaces{"Two soft surfaces", "triangles of each", "ms", false, {}};
+  Panel wrong{"False hits of rigid pairs, by shape", "µs per pair", "share of separated pairs", true, {}};
+  Panel bodies{"Scenes of moving bodies", "bodies", "ms per tick", false, {}};
+  Panel surfaces{"Two soft surfaces", "triangles per surface", "ms", false, {}};
   for (const ReportRow& row : rows) {
     const std::string kind = setting(row, "case"), fidelity = setting(row, "fidelity");
     if (kind == "pairs") add(wrong, fidelity, figure(row, "us_per_pair"), figure(row, "false_hits"));
     if (kind == "bodies") add(bodies, fidelity, figure(row, "bodies"), figure(row, "ms_scene"));
     if (kind == "surface")
-      for (const auto& [key, name] : {std::pair{"ms_build", "tree built"},
-                                      {"ms_refit", "refitted"},
-                                      {"ms_apart", "near"},
-                                      {"ms_crossing", "deep"},
-                                      {"ms_self", "itself"}})
+      for (const auto& [key, name] : {std::pair{"ms_build", "build"},
+                                      {"ms_refit", "refit"},
+                                      {"ms_apart", "nearly touching"},
+                                      {"ms_crossing", "10 % overlap"},
+                                      {"ms_self", "self-collision"}})
         add(surfaces, name, figure(row, "triangles"), figure(row, key));
   }
   for (Series& s : wrong.series) s.line = false;
   Svg svg(left + 3 * (side + gap) - 80, top + side + foot);
-  svg.text(left, 26, "Collision: what each fidelity costs and gets wrong; one thread, CPU time",
+  svg.text(left, 26, "Collision: cost and errors of each fidelity; one thread, CPU time",
            {.size = 17, .bold = true});
   draw(svg, wrong, left);
   draw(svg, bodies, left + side + gap);

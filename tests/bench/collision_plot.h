@@ -1,5 +1,5 @@
 #pragma once
-// bench_collision's picture: what each fidelity costs and gets wrong, and how time grows.
+// Plot of bench_collision: cost and errors of each fidelity, and scaling.
 
 #include <vector>
 

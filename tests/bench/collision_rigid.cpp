@@ -1,4 +1,4 @@
-// Rigid bodies against each other, as Bullet finds them in sessions.
+// Collision detection between rigid bodies by Bullet, as in sessions.
 
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ double diameter(const std::vector<ShapePart>& parts) {
   return 2 * std::get<SphereShape>(object.pieces().front()).radius;
 }
 
-/// Returns what compile() makes of a body with these parts, which is turned so when the scene begins.
+/// Returns the parts that compile() makes for a body with the initial rotation `start`.
 std::vector<ShapePart> compiled(std::vector<ShapePart> parts, Fidelity fidelity, const Quat& start) {
   for (ShapePart& part : parts)
     if (part.kind == ShapeKind::triangles && fidelity != Fidelity::mesh) {
@@ -33,7 +33,7 @@ std::vector<ShapePart> compiled(std::vector<ShapePart> parts, Fidelity fidelity,
   return at_fidelity(std::move(parts), fidelity, {Vec3::Zero(), start});
 }
 
-/// Returns the parts with all lengths so many times as large.
+/// Returns the parts scaled by `scale`.
 std::vector<ShapePart> scaled(std::vector<ShapePart> parts, double scale) {
   if (scale == 1) return parts;
   for (ShapePart& part : parts) {
@@ -61,9 +61,9 @@ RigidMotion resting(const Pose& pose) {
   return out;
 }
 
-/// Returns all contacts that the last detect() found.
+/// Returns all contacts of the last detect().
 std::vector<RigidContact> contacts_of(RigidWorld& world) {
-  std::vector<std::size_t> all;  // islands of such bodies are handed out
+  std::vector<std::size_t> all;  // all bodies, so that all islands are returned
   for (std::size_t slot = 0; slot < world.slots(); ++slot) all.push_back(slot);
   world.find_islands({}, all);
   std::vector<RigidContact> out;
@@ -73,7 +73,7 @@ std::vector<RigidContact> contacts_of(RigidWorld& world) {
 }
 
 std::size_t bytes_of(const RigidSetup& setup) {
-  constexpr std::size_t copies = 32;  // malloc hands out again what was freed: one alone would tell nothing
+  constexpr std::size_t copies = 32;  // several, because malloc reuses freed memory
   RigidWorld world(Vec3::Zero());
   const std::size_t before = allocated_bytes();
   for (std::size_t i = 0; i < copies; ++i) world.add(setup, {});
@@ -140,7 +140,7 @@ ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks) {
     setups.push_back(setup_of(compiled(shape.parts, fidelity, Quat::Identity())));
   RigidWorld world(Vec3::Zero());
   const std::size_t before = allocated_bytes();
-  const double side = 0.13 * std::cbrt(bodies);  // m: most have a neighbour that they touch
+  const double side = 0.13 * std::cbrt(bodies);  // m: dense enough that most bodies touch a neighbour
   std::vector<Pose> poses;
   for (int i = 0; i < bodies; ++i) {
     poses.push_back(random_pose(random, side / 2));
@@ -155,7 +155,7 @@ ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks) {
     }
     const double placed = cpu_ms();
     world.detect(tick);
-    if (k == 0) continue;  // fills the trees
+    if (k == 0) continue;  // the first tick builds the trees
     place.push_back(placed - start);
     detect.push_back(cpu_ms() - placed);
   }

@@ -1,4 +1,4 @@
-// Soft bodies against rigid ones and each other, as sessions find them.
+// Collision detection of soft bodies with rigid bodies and with each other, as in sessions.
 
 #include "server/calibration/stopwatch.h"
 #include "server/physics/mechanics/contact/margins.h"
@@ -21,11 +21,11 @@ const Vec3 organ_size(0.12, 0.07, 0.09);
 SoftDesc organ(const std::string& name, Fidelity fidelity) {
   SoftDesc out;
   out.name = name;
-  out.shape = "kidney";
-  out.size = organ_size;
-  out.cell = 0.02;
-  out.surface_cell = 0.008;
-  out.collision = fidelity_name(fidelity);
+  out.geometry.shape = "kidney";
+  out.geometry.size = organ_size;
+  out.geometry.cell = 0.02;
+  out.geometry.surface_cell = 0.008;
+  out.contact.collision = fidelity;
   return out;
 }
 
@@ -37,7 +37,7 @@ CompiledScene compile_organs(Fidelity fidelity) {
   return compile(scene, options);
 }
 
-/// Two organs in one place, as a session has them before its first tick.
+/// Two organs at the same position, in the state before a session's first tick.
 struct Organs {
   explicit Organs(Fidelity fidelity)
       : scene(compile_organs(fidelity)), state(scene.model, std::move(scene.soft)) {
@@ -50,12 +50,12 @@ struct Organs {
   State state;
 };
 
-/// Returns the organ's surface at rest as the reference takes it.
+/// Returns the organ's undeformed surface for the reference.
 CollisionObject reference_of(const Tissue& tissue) {
   return CollisionObject(tissue.anatomy().surface, Fidelity::mesh);
 }
 
-/// A rigid body as soft ones meet it, at fidelity `mesh`.
+/// A rigid body at fidelity `mesh`, as soft bodies collide with it.
 class Probe {
  public:
   explicit Probe(const std::vector<ShapePart>& parts)
@@ -93,7 +93,7 @@ class Probe {
   std::size_t slot_ = 0;
 };
 
-/// Returns a pose somewhere around `middle`, out to where things of these sizes may just touch.
+/// Returns a random pose around `middle`, up to the distance at which objects of these sizes may just touch.
 Pose pose_around(Random& random, const Vec3& middle, double size, double other_size) {
   const Vec3 away = between(random, 0.2, 1) * (size + other_size) / 2 * random_unit(random);
   return {middle + away, random_turn(random)};

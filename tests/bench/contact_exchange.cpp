@@ -1,5 +1,5 @@
-// What bodies give each other: a ball that falls on a floating block of tissue, minimised and in substeps; a
-// ball that bounces off a plate that lies on tissue.
+// Momentum exchange: a ball that falls on a floating block of tissue, with implicit and substepped
+// integrators, and a ball that bounces off a plate on tissue.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-constexpr double g = 1;  // m/s², takes the ball to the block, which has no weight
+constexpr double g = 1;  // m/s², acts on the ball only
 
 SceneDesc floating(const std::string& integrator) {
   SceneDesc scene;
@@ -19,11 +19,11 @@ SceneDesc floating(const std::string& integrator) {
   scene.soft = {test::block()};
   SoftDesc& block = scene.soft[0];
   block.gravity = false;
-  block.damping_mass = 0;
-  block.integrator = integrator;
-  block.newton_iterations = 30;
-  block.solver_iterations = 400;
-  block.solver_tolerance = 1e-8;
+  block.material.damping_mass = 0;
+  block.configuration.integrator = integrator;
+  block.configuration.newton_iterations = 30;
+  block.configuration.solver_iterations = 400;
+  block.configuration.solver_tolerance = 1e-8;
   scene.rigid = {test::part_body("ball", "sphere", {0.04, 0, 0}, {0.015, 0.5, 0}, 3000)};
   return scene;
 }
@@ -35,22 +35,22 @@ void fall_on_floating(ContactRows& rows, const std::string& integrator) {
   const double mass = 3000 * 4.0 / 3 * std::numbers::pi * 8e-6;
   const double start = mass * g * 0.5, fallen = mass * g * 0.42;
   double lost = 0, exchanged = 0, gained = 0;
-  Vec3 told = Vec3::Zero();  // by exchanges(), on the block
-  double mistold = 0;
+  Vec3 reported = Vec3::Zero();  // impulse on the block reported by exchanges()
+  double impulse_error = 0;
   for (int tick = 1; tick <= 90; ++tick) {
     run.step();
     const Vec3 of_block = soft_momentum(s, 1);
     const Vec3 missing = of_block + rigid_momentum(s, 0, mass) - mass * tick * run.h() * scene.gravity;
-    for (const Exchange& touch : s.exchanges()) told += touch.a == 1 ? touch.impulse : -touch.impulse;
+    for (const Exchange& touch : s.exchanges()) reported += touch.a == 1 ? touch.impulse : -touch.impulse;
     exchanged = std::max(exchanged, of_block.norm());
     lost = std::max(lost, missing.norm());
-    mistold = std::max(mistold, (told - of_block).norm());
+    impulse_error = std::max(impulse_error, (reported - of_block).norm());
     gained = std::max(gained, run.energy() - start);
   }
   const std::string setting = "ball on floating tissue, " + integrator;
-  rows.add(run, setting, {"momentum lost, of that exchanged", "1", lost / exchanged, 0, 1e-3});
-  rows.add(run, setting, {"impulse told beside momentum got", "1", mistold / exchanged, 0, 1e-3});
-  rows.add(run, setting, {"energy gained, of that fallen", "1", gained / fallen, 0, 1e-3});
+  rows.add(run, setting, {"relative momentum loss", "1", lost / exchanged, 0, 1e-3});
+  rows.add(run, setting, {"relative error of reported impulse", "1", impulse_error / exchanged, 0, 1e-3});
+  rows.add(run, setting, {"relative energy gain", "1", gained / fallen, 0, 1e-3});
 }
 
 void bounce_beside_tissue(ContactRows& rows, double restitution) {
@@ -59,7 +59,7 @@ void bounce_beside_tissue(ContactRows& rows, double restitution) {
                  test::part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.2, 0})};
   scene.rigid[1].restitution = scene.rigid[2].restitution = std::sqrt(restitution);
   scene.soft = {test::block()};
-  scene.soft[0].youngs_modulus = 5e4;
+  scene.soft[0].material.youngs_modulus = 5e4;
   ContactRun run(scene);
   const double plate = 8000 * 0.12 * 0.12 * 0.02, ball = 1000 * 4.0 / 3 * std::numbers::pi * 8e-6;
   double before = 0, after = 0;
@@ -72,11 +72,11 @@ void bounce_beside_tissue(ContactRows& rows, double restitution) {
     if (tick == 0) start = run.energy();
     gained = std::max(gained, run.energy() - start);
   }
-  // Newton's law between free bodies: the plate, 34 times as heavy, is at rest before.
+  // Newton's law of restitution; the plate, 34 times as heavy, is initially at rest.
   const double expected = (restitution * plate - ball) / (plate + ball);
   const std::string setting = fmt::format("ball on a plate on tissue, restitution {}", restitution);
-  rows.add(run, setting, {"speed after over speed before", "1", -after / before, expected, 0.05});
-  rows.add(run, setting, {"energy gained, of that fallen", "1", gained / (ball * 9.81 * 0.1), 0, 1e-2});
+  rows.add(run, setting, {"rebound speed over impact speed", "1", -after / before, expected, 0.05});
+  rows.add(run, setting, {"relative energy gain", "1", gained / (ball * 9.81 * 0.1), 0, 1e-2});
 }
 
 }  // namespace

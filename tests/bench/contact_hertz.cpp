@@ -1,6 +1,6 @@
-// A rigid ball pressed into a bonded layer, frictionless, small strain: force against the finite-layer table,
-// which was computed for a ball that moves the surface vertically. Ours meets a ball, whose sides push
-// outwards too: that differs by the order of a/R, times 1 − 2ν, and vanishes for flat balls and
+// A rigid ball is pressed into a bonded layer without friction, at small strain. The force is compared with
+// the finite-layer table, which was computed for vertical surface displacements. A real ball also pushes the
+// surface sideways. The difference is of the order (1 − 2ν)·a/R, and vanishes for flat balls and
 // incompressible layers.
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@
 namespace prosector {
 namespace {
 
-constexpr int most_ticks = 9;     // of 1 s: inertia is nothing, normals follow the surface …
-constexpr double settled = 3e-3;  // … until two ticks agree so well
+constexpr int most_ticks = 9;     // ticks of 1 s, which makes inertia negligible and updates normals
+constexpr double settled = 3e-3;  // relative force change at which a press is settled
 
 using Press = LayerPress;
 constexpr auto& presses = layer_presses;
 
-/// The table is for small slopes. The ball's second order is that of its slope's square, where contact ends:
-/// a steeper one is also judged under a flatter ball of the same radius of contact.
+/// The table assumes small slopes; its error is of the order of the squared slope at the contact's edge.
+/// Steeper presses are also run with a flatter ball of the same contact radius.
 constexpr double most_slope = 1.0 / 3;
 double slope(const Press& press) {
   return std::sqrt(press.depth / press.radius);
@@ -32,7 +32,7 @@ double slope(const Press& press) {
 
 struct Mesh {
   const char* element;
-  double cells;  // under the radius of contact √(R·depth)
+  double cells;  // cells per contact radius √(R·depth)
   bool finest;
 };
 constexpr Mesh meshes[] = {{"tet4", 0.5, false},  {"tet4", 1, false},  {"tet4", 2, false},
@@ -43,20 +43,20 @@ SceneDesc scene_of(const Press& press, const Mesh& mesh, double cell, double sti
   scene.tick_rate = 1;
   scene.contact_stiffness = stiffness;
   SoftDesc& layer = scene.soft[0];
-  layer.damping_mass = layer.damping_stiffness = 0;
-  layer.newton_iterations = 8;
-  layer.solver_iterations = 500;
-  layer.solver_tolerance = 1e-5;
-  if (layer.element == "tet10") layer.surface_cell = cell / 2;
+  layer.material.damping_mass = layer.material.damping_stiffness = 0;
+  layer.configuration.newton_iterations = 8;
+  layer.configuration.solver_iterations = 500;
+  layer.configuration.solver_tolerance = 1e-5;
+  if (layer.configuration.element == "tet10") layer.geometry.surface_cell = cell / 2;
   return scene;
 }
 
 struct Settled {
-  double force = 0, change = 1;  // N; of the last tick, over it
-  std::uint32_t points = 0;      // that pressed
+  double force = 0, change = 1;  // N; relative change in the last tick
+  std::uint32_t points = 0;      // number of pressing contact points
 };
 
-/// Holds the ball pressed in at (x, z), m, until its force is settled.
+/// Holds the ball pressed at (x, z), m, until the force has settled.
 Settled settle(ContactRun& run, const Press& press, double x, double z) {
   const Pose pressed{{x, press.radius - press.depth, z}, Quat::Identity()};
   Settled out;
@@ -81,12 +81,12 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
   options.threads = 1;
   options.anatomy = [&](const SoftDesc& desc) -> std::optional<Anatomy> {
     Anatomy made = test::pressed_layer(press.height, 1.5 * contact_radius, cell);
-    if (desc.element == "tet10") test::halve_surface(made);
+    if (desc.configuration.element == "tet10") test::halve_surface(made);
     return made;
   };
   ContactRun run(scene_of(press, mesh, cell, stiffness), options);
   const Settled found = settle(run, press, 0, 0);
-  rows.add(run, setting, {"force over the table's", "1", found.force / press.force, 1, tolerance},
+  rows.add(run, setting, {"force over tabulated force", "1", found.force / press.force, 1, tolerance},
            {{"element", mesh.element},
             {"cell_m", cell},
             {"cells_per_contact_radius", mesh.cells},
@@ -101,16 +101,16 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
             {"nodes", run.simulation().soft(1).nodes()}});
 }
 
-/// Presses at places all over a cell, with contacts of a scene's default stiffness: over the area that
-/// touches or, to compare, at vertices. What is felt shall not tell where these lie.
+/// Presses at eight positions in a cell, with default contact stiffness and contacts over the area or, for
+/// comparison, at vertices. The force should not depend on the position in the cell.
 void press_all_over(ContactRows& rows, const Press& press, const Mesh& mesh, const std::string& contact,
                     const std::string& setting) {
   constexpr int places = 8;
   const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / mesh.cells;
   SceneDesc scene = scene_of(press, mesh, cell, SceneDesc().contact_stiffness);
   SoftDesc& layer = scene.soft[0];
-  layer.contact = contact;
-  layer.surface_cell = cell;
+  layer.contact.points = contact == "surface" ? ContactPoints::surface : ContactPoints::vertices;
+  layer.geometry.surface_cell = cell;
   CompileOptions options;
   options.threads = 1;
   options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
@@ -119,7 +119,7 @@ void press_all_over(ContactRows& rows, const Press& press, const Mesh& mesh, con
   double least = 1e300, most = 0, sum = 0;
   std::uint32_t points = 0;
   std::optional<ContactRun> run;
-  for (int i = 0; i < places; ++i) {  // evenly spread, by the powers of the plastic number
+  for (int i = 0; i < places; ++i) {  // low-discrepancy sequence from the plastic number
     const double x = cell * std::fmod(0.7548776662466927 * i, 1),
                  z = cell * std::fmod(0.5698402909980532 * i, 1);
     scene.rigid[0].pose.p = {x, press.radius + 1e-4, z};
@@ -135,14 +135,15 @@ void press_all_over(ContactRows& rows, const Press& press, const Mesh& mesh, con
                           {"points", points},
                           {"contact_stiffness", scene.contact_stiffness}};
   const double mean = sum / places;
-  rows.add(*run, setting, {"mean force over the table's", "1", mean / press.force, 1, std::nullopt}, more);
-  rows.add(*run, setting, {"least and most differ by", "1", (most - least) / mean, 0, std::nullopt}, more);
+  rows.add(*run, setting, {"mean force over tabulated force", "1", mean / press.force, 1, std::nullopt},
+           more);
+  rows.add(*run, setting, {"relative force range", "1", (most - least) / mean, 0, std::nullopt}, more);
 }
 
-/// A press of the same radius of contact under a ball `times` as large: the table's, scaled as √R·d^1.5, of
-/// which the share that is due to the ball's own shape (Sneddon 1965, against the paraboloid) is taken out.
+/// Returns the press with the same contact radius and a ball `times` as large. The tabulated force is scaled
+/// as √R·d^1.5, and the difference between sphere and paraboloid (Sneddon 1965) is removed.
 Press flatter(Press p, double times) {
-  const auto sneddon = [](double radius, double depth) {  // over the paraboloid's force
+  const auto sneddon = [](double radius, double depth) {  // ratio of the sphere's to the paraboloid's force
     double low = 0, high = radius * 0.99;
     for (int i = 0; i < 60; ++i) {
       const double a = (low + high) / 2;
@@ -174,8 +175,8 @@ void hertz_case(ContactRows& rows, bool quick) {
         for (const char* contact : {"surface", "vertices"})
           if (contact == std::string("surface") || p.height == presses[0].height)
             press_all_over(rows, p, mesh, contact,
-                           fmt::format("{}, {}, {} cells, all over a cell, {}", name(p), mesh.element,
-                                       mesh.cells, contact));
+                           fmt::format("{}, {}, {} cells, eight positions in a cell, {}", name(p),
+                                       mesh.element, mesh.cells, contact));
   for (const Press& p : presses) {
     const bool steep = slope(p) > most_slope;
     for (const Mesh& mesh : meshes)
@@ -183,15 +184,14 @@ void hertz_case(ContactRows& rows, bool quick) {
             fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
             mesh.finest ? std::optional(goal) : std::nullopt);
     if (steep)
-      press(rows, flatter(p, 8), finest, hertz_contact_stiffness, name(p) + ", under a ball 8 × as large",
-            goal);
+      press(rows, flatter(p, 8), finest, hertz_contact_stiffness, name(p) + ", ball 8 times as large", goal);
   }
-  // What accounts for the rest: the softness of a scene's contacts; and the ball's slope.
+  // Remaining differences: default contact stiffness, and the ball's slope.
   for (const Press& p : {presses[0], presses[6], presses[8]})
-    press(rows, p, finest, SceneDesc().contact_stiffness, name(p) + ", contacts of a scene's default",
+    press(rows, p, finest, SceneDesc().contact_stiffness, name(p) + ", default contact stiffness",
           std::nullopt);
   press(rows, flatter(presses[0], 8), finest, hertz_contact_stiffness,
-        name(presses[0]) + ", under a ball 8 × as large", std::nullopt);
+        name(presses[0]) + ", ball 8 times as large", std::nullopt);
 }
 
 }  // namespace prosector

@@ -1,5 +1,6 @@
-// Friction on an incline: below the friction angle nothing creeps, above it things slide as theory has it.
-// Gravity is tilted instead of the ground, which is driven to where it is: so nothing falls asleep.
+// Friction on an incline: below the friction angle bodies must not creep, above it they must slide with the
+// theoretical acceleration. Gravity is tilted instead of the ground. The ground is driven as a kinematic
+// body, which keeps the bodies awake.
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ Vec3 tilted(double angle) {
   return {g * std::sin(angle), -g * std::cos(angle), 0};
 }
 
-/// A soft block on a rigid slope.
+/// Returns a scene with a soft block on a rigid slope.
 SceneDesc soft_on_rigid(double angle) {
   SceneDesc scene;
   scene.gravity = tilted(angle);
@@ -25,24 +26,24 @@ SceneDesc soft_on_rigid(double angle) {
   scene.rigid[0].parts[0].size = {40, 0.1, 20};
   scene.rigid[0].friction = friction;
   scene.soft = {test::block()};
-  scene.soft[0].friction = friction;
-  scene.soft[0].youngs_modulus = 2e4;
-  scene.soft[0].damping_mass = 0;  // or the air would hold it
+  scene.soft[0].contact.friction = friction;
+  scene.soft[0].material.youngs_modulus = 2e4;
+  scene.soft[0].material.damping_mass = 0;  // mass-proportional damping would slow the sliding
   return scene;
 }
 
-/// A rigid block on a bed of tissue whose floor is held, and a distant thing to drive.
+/// Returns a scene with a rigid block on tissue whose floor is held, and a distant kinematic body.
 SceneDesc rigid_on_soft(double angle) {
   SceneDesc scene;
   scene.gravity = tilted(angle);
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.06, 0.02, 0.06}, {-0.3, 0.0505, 0})};
   scene.rigid[1].friction = friction;
   SoftDesc& bed = scene.soft.emplace_back(test::block("bed"));
-  bed.size = {0.9, 0.04, 0.12};
-  bed.cell = bed.surface_cell = 0.02;
+  bed.geometry.size = {0.9, 0.04, 0.12};
+  bed.geometry.cell = bed.geometry.surface_cell = 0.02;
   bed.pose.p = {0, 0.02, 0};
-  bed.friction = friction;
-  bed.youngs_modulus = 2e5;
+  bed.contact.friction = friction;
+  bed.material.youngs_modulus = 2e5;
   constexpr double flat = 1000;
   bed.attach = {{{0, -flat, 0}, std::hypot(flat, 1.0), 1e13}};
   return scene;
@@ -62,7 +63,7 @@ TickInput awake() {
   return driving(0, {{0, -0.05, 0}, Quat::Identity()});
 }
 
-/// Way down the slope after `seconds`, once it has lain still for `settle` s.
+/// Returns the distance moved down the slope in `seconds`, after settling for `settle` s, m.
 double slide(ContactRun& run, const Slope& slope, double settle, double seconds) {
   run.run(static_cast<int>(settle / run.h()), awake());
   const double from = slope.place(run.simulation()).x();
@@ -70,7 +71,8 @@ double slide(ContactRun& run, const Slope& slope, double settle, double seconds)
   return slope.place(run.simulation()).x() - from;
 }
 
-/// m/s² down the slope, from three places: free of how it started.
+/// Returns the acceleration down the slope, m/s², from three positions, which eliminates the initial
+/// velocity.
 double acceleration(ContactRun& run, const Slope& slope, double seconds) {
   const int ticks = static_cast<int>(seconds / 2 / run.h());
   const double span = ticks * run.h();
@@ -96,11 +98,11 @@ void incline_case(ContactRows& rows, bool quick) {
     {
       ContactRun run(slope.scene(limit + degree));
       const double a = acceleration(run, slope, quick ? 0.2 : 1);
-      // Of m·g·sin(angle) − tan(φ)·m·g·cos(angle) = m·a.
+      // From m·g·sin(angle) − tan(φ)·m·g·cos(angle) = m·a.
       const double angle = limit + degree;
       const double phi = std::atan((g * std::sin(angle) - a) / (g * std::cos(angle)));
       rows.add(run, fmt::format("{}, 1 degree above", slope.name),
-               {"friction angle, from how it slides", "degree", phi / degree, limit / degree, 1});
+               {"friction angle from sliding", "degree", phi / degree, limit / degree, 1});
     }
   }
   ContactRun run(soft_on_rigid(30 * degree));

@@ -1,5 +1,5 @@
-// The presses of the finite-layer table as people would feel them: 60 ticks/s, two threads, as little effort
-// as real time affords, contacts of a scene's default stiffness over the area that touches.
+// The presses of the finite-layer table in real time: 60 ticks/s, two threads, real-time solver effort, and
+// contacts of default stiffness over the contact area.
 
 #include <fmt/format.h>
 
@@ -16,30 +16,30 @@ namespace prosector {
 namespace {
 
 constexpr int down = 15, held = 30;  // ticks
-constexpr double speed = 0.02;       // m/s, of the ball that slides
-constexpr double budget = 8;         // ms a tick, wall clock
+constexpr double speed = 0.02;       // m/s, speed of the sliding ball
+constexpr double budget = 8;         // ms, wall time per tick
 
 struct LayerRung {
   const char* element;
-  double cells;      // under the radius of contact √(R·depth)
+  double cells;      // cells per contact radius √(R·depth)
   double tolerance;  // of the linear solver
 };
-/// The first is real time's: a force within 5 % is asked of it, and one that doesn't jump. The second is
-/// smooth wherever in a cell the ball is.
+/// The first mesh must run in real time, with a force within 5 % and without jumps. The second must give a
+/// smooth force anywhere in a cell.
 constexpr LayerRung rungs[] = {
     {"tet10", 0.5, 1e-2}, {"tet10", 0.75, 1e-2}, {"tet4", 1, 1e-3}, {"tet4", 0.5, 1e-3}};
 
-/// Presses within a quarter of a second, holds, and slides over a cell.
+/// Presses within 0.25 s, holds, and slides over one cell.
 void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bool asked) {
   const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / rung.cells;
   SceneDesc scene = layer_scene(press, rung.element, cell);
   SoftDesc& layer = scene.soft[0];
-  layer.contact = "surface";
-  layer.solver_tolerance = rung.tolerance;
+  layer.contact.points = ContactPoints::surface;
+  layer.configuration.solver_tolerance = rung.tolerance;
   CompileOptions options;
   options.threads = 2;
   options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
-    constexpr double growth = 3;  // far away little happens
+    constexpr double growth = 3;  // cells grow far from the ball
     return test::pressed_layer(press.height, contact_radius + cell, cell, growth);
   };
   ContactRun run(scene, options);
@@ -72,14 +72,13 @@ void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bo
                           {"wall_ms", run.median_wall_ms()},
                           {"cpu_ms", run.median_ms()}};
   const auto within = [&](double tolerance) { return asked ? std::optional(tolerance) : std::nullopt; };
-  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, within(0.05)}, more);
-  rows.add(run, setting, {"sliding: most from tick to tick", "1", jump, 0, within(0.02)}, more);
-  rows.add(run, setting, {"sliding: least and most differ by", "1", (most - least) / force, 0, std::nullopt},
+  rows.add(run, setting, {"force over tabulated force", "1", force / press.force, 1, within(0.05)}, more);
+  rows.add(run, setting, {"sliding: largest change per tick", "1", jump, 0, within(0.02)}, more);
+  rows.add(run, setting, {"sliding: relative force range", "1", (most - least) / force, 0, std::nullopt},
            more);
-  rows.add(run, setting, {"contact gives, of the depth", "1", give / press.depth, 0, std::nullopt}, more);
-  rows.add(run, setting, {"median time of a tick, CPU", "ms", run.median_ms(), 0, std::nullopt}, more);
-  rows.add(run, setting, {"median time of a tick, wall clock", "ms", run.median_wall_ms(), 0, within(budget)},
-           more);
+  rows.add(run, setting, {"contact compression over depth", "1", give / press.depth, 0, std::nullopt}, more);
+  rows.add(run, setting, {"median CPU time per tick", "ms", run.median_ms(), 0, std::nullopt}, more);
+  rows.add(run, setting, {"median wall time per tick", "ms", run.median_wall_ms(), 0, within(budget)}, more);
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ void layer_case(ContactRows& rows, bool quick) {
     if (quick) return;
   }
   for (const LayerPress& p : layer_presses) press(rows, p, rungs[1], false);
-  for (std::size_t i = 0; i < 3; ++i)  // of the thin layer
+  for (std::size_t i = 0; i < 3; ++i)  // presses of the thin layer
     for (const LayerRung& rung : std::span(rungs).subspan(2)) press(rows, layer_presses[i], rung, false);
 }
 

@@ -35,10 +35,9 @@ void draw_axes(Svg& svg) {
   svg.line(left, y_of(goal), left + width, y_of(goal), {"#333333", 1.5, "6 3"});
   svg.text(left + width - 4, y_of(goal) - 6, "goal", {12, "end"});
   svg.rect(left, top, width, height, "none", "#555555");
-  svg.text(left, 28, "A ball pressed into a bonded layer: error of the force",
-           {18, "start", "#000000", true});
-  svg.text(left, 50, "against the finite-layer table", {12, "start", "#555555"});
-  svg.text(left + width / 2, top + height + 46, "cells in a radius of contact", {14, "middle"});
+  svg.text(left, 28, "Force error of a ball pressed into a bonded layer", {18, "start", "#000000", true});
+  svg.text(left, 50, "relative to the finite-layer table", {12, "start", "#555555"});
+  svg.text(left + width / 2, top + height + 46, "cells per contact radius", {14, "middle"});
 }
 
 }  // namespace

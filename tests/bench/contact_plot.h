@@ -1,5 +1,5 @@
 #pragma once
-// The error of a pressed layer's force against the size of its cells.
+// Plot of a pressed layer's force error against its cell size.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Of the rows of the hertz case that have a cell size; a line for each element and layer.
+/// Plots the rows of the case hertz that have a cell size, one line per element and layer.
 Svg draw_hertz(const std::vector<ReportRow>& rows);
 
 }  // namespace prosector

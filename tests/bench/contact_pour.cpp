@@ -1,5 +1,4 @@
-// 200 rigid boxes poured on a slab as soft as liver, and on a liver that lies on a table: they pile up or
-// roll off, and none falls through.
+// 200 rigid boxes are poured on a slab as soft as liver, and on a liver on a table. None may fall through.
 
 #include <fmt/format.h>
 
@@ -13,10 +12,10 @@ namespace prosector {
 namespace {
 
 constexpr double box = 0.016;        // m
-constexpr double apart = 0.029;      // m: more than a box' diagonal, however it is turned
+constexpr double apart = 0.029;      // m, spacing: more than a box's diagonal
 constexpr double tolerance = 0.002;  // m
 
-/// Boxes in layers of 8 × 5, the lowest `over` m up; the tissue is added by the caller.
+/// Returns a scene with boxes in layers of 8 × 5, the lowest at height `over` m. The caller adds the tissue.
 SceneDesc scene_of(int boxes, double over) {
   SceneDesc scene;
   scene.rigid = {test::table()};
@@ -33,27 +32,28 @@ SceneDesc scene_of(int boxes, double over) {
 
 SoftDesc slab() {
   SoftDesc tissue = test::block("slab");
-  tissue.size = {0.24, 0.06, 0.18};
-  tissue.pose.p.y() = tissue.size.y() / 2;
+  tissue.geometry.size = {0.24, 0.06, 0.18};
+  tissue.pose.p.y() = tissue.geometry.size.y() / 2;
   return tissue;
 }
 
 SoftDesc liver() {
   SoftDesc tissue;
-  tissue.name = tissue.shape = "liver";
-  tissue.size = {0.24, 0.11, 0.17};
+  tissue.name = tissue.geometry.shape = "liver";
+  tissue.geometry.size = {0.24, 0.11, 0.17};
   tissue.pose.p = {0, 0.06, 0};
-  tissue.cell = 0.02;
-  tissue.surface_cell = 0.01;
+  tissue.geometry.cell = 0.02;
+  tissue.geometry.surface_cell = 0.01;
   return tissue;
 }
 
-/// How deep a point is in a box, m; < 0 outside.
+/// Returns the depth of a point in a box, m; negative outside.
 double depth_in(const Pose& at, const Vec3& x) {
   return box / 2 - (at.inverse() * x).cwiseAbs().maxCoeff();
 }
 
-/// Whatever is deepest, m: a box' corner in the tissue or in the table, or the tissue's surface in a box.
+/// Returns the largest penetration depth, m: of box corners in tissue and table, and of tissue vertices in
+/// boxes.
 double deepest(const Simulation& s, int boxes) {
   const BodyId tissue = static_cast<BodyId>(1 + boxes);
   const Anatomy& anatomy = s.soft(tissue).anatomy();
@@ -93,12 +93,12 @@ void pour(ContactRows& rows, const SoftDesc& tissue, double over, const CompileO
   }
   const std::string setting = fmt::format("{} boxes of {:.0f} mm on a {}", boxes, 1e3 * box, tissue.name);
   rows.add(run, setting,
-           {"deepest corner or vertex", "mm", 1e3 * deepest(run.simulation(), boxes), 0, 1e3 * tolerance},
+           {"largest penetration depth", "mm", 1e3 * deepest(run.simulation(), boxes), 0, 1e3 * tolerance},
            {{"slowest_ms", slowest_ms}, {"tets", tet_count(run.simulation())}});
-  rows.add(run, setting, {"fastest box in the last second", "m/s", fastest, 0, 0.05});
+  rows.add(run, setting, {"largest box speed in the last second", "m/s", fastest, 0, 0.05});
   rows.add(
       run, setting,
-      {"energy gained since the start", "J", std::max(0.0, run.highest_energy() - start), 0, 1e-3 * start});
+      {"energy gain since the start", "J", std::max(0.0, run.highest_energy() - start), 0, 1e-3 * start});
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void pour(ContactRows& rows, const SoftDesc& tissue, double over, const CompileO
 void pour_case(ContactRows& rows, bool quick) {
   pour(rows, slab(), 0.078, test::options(), quick);
   if (quick) return;
-  CompileOptions shaped;  // as the scene has it
+  CompileOptions shaped;  // default options
   shaped.threads = 1;
   pour(rows, liver(), 0.14, shaped, quick);
 }

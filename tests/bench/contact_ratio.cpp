@@ -1,6 +1,6 @@
-// Mass ratios of rigid to soft of 1e-4, 1 and 1e4, each on top: after 5 s for settling, how fast it still
-// jitters (RMS over 1 s) and how deep it is in, beside what the scene's contact_stiffness states. The table
-// is driven to where it is, so that nothing rests by falling asleep.
+// Rigid-to-soft mass ratios of 1e-4, 1 and 1e4, each body on top. After 5 s of settling, the RMS speed over 1
+// s and the penetration depth are measured; the latter is compared with the scene's contact_stiffness. The
+// table is driven as a kinematic body, which keeps the bodies awake.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ SceneDesc rigid_on_top(double ratio) {
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0701, 0})};
   scene.rigid[1].mass = ratio * block_mass;
   scene.soft = {test::block()};
-  if (ratio > 1) scene.soft[0].youngs_modulus = 1e8;  // or it would be flat
+  if (ratio > 1) scene.soft[0].material.youngs_modulus = 1e8;  // softer tissue would be flattened
   return scene;
 }
 
@@ -38,7 +38,7 @@ SceneDesc soft_on_top(double ratio) {
   return scene;
 }
 
-/// How deep the block's deepest node is in the plate, m.
+/// Returns the penetration depth of the block's deepest node in the plate, m.
 double sunk(const Simulation& simulation) {
   const Pose to_plate = simulation.rigid_state(1).pose.inverse();
   const VecX& nodes = simulation.soft_state(2).motion.x;
@@ -62,16 +62,17 @@ void rest(ContactRows& rows, const SceneDesc& scene, const std::string& setting,
     soft +=
         2 * kinetic_energy(s.soft(2).node_mass(), s.soft_state(2).motion.v) / s.soft(2).total_mass() / ticks;
   }
-  // Contact yields as the tissue would over a surface cell, made contact_stiffness times stiffer; at the
-  // edges, which carry more, thrice as deep.
+  // Contacts yield like a surface cell of the tissue with contact_stiffness times its stiffness, three times
+  // as much at the edges.
   const SoftDesc& desc = scene.soft[0];
-  const double pressure = weight / (desc.size.x() * desc.size.z());
-  const double yields = pressure / desc.youngs_modulus * desc.surface_cell / scene.contact_stiffness;
-  rows.add(run, setting, {"speed of the plate, RMS", "mm/s", 1e3 * std::sqrt(rigid), 0, 1e3 * still});
-  rows.add(run, setting, {"speed of the tissue, RMS", "mm/s", 1e3 * std::sqrt(soft), 0, 1e3 * still});
-  rows.add(run, setting,
-           {"depth in each other", "mm", 1e3 * std::max(0.0, sunk(run.simulation())), 0,
-            1e3 * (3 * yields + 1e-5)});
+  const double pressure = weight / (desc.geometry.size.x() * desc.geometry.size.z());
+  const double yields =
+      pressure / desc.material.youngs_modulus * desc.geometry.surface_cell / scene.contact_stiffness;
+  rows.add(run, setting, {"RMS plate speed", "mm/s", 1e3 * std::sqrt(rigid), 0, 1e3 * still});
+  rows.add(run, setting, {"RMS tissue speed", "mm/s", 1e3 * std::sqrt(soft), 0, 1e3 * still});
+  rows.add(
+      run, setting,
+      {"penetration depth", "mm", 1e3 * std::max(0.0, sunk(run.simulation())), 0, 1e3 * (3 * yields + 1e-5)});
 }
 
 }  // namespace

@@ -14,7 +14,8 @@
 namespace prosector {
 namespace {
 
-/// Right and unharmed; right after a loss that was told; wrong, and told; anything else.
+/// Returns the verdict. Survives: within tolerance and no reset. Degrades: a body was reset, within tolerance
+/// or not. Fails: otherwise, or positions not finite.
 Verdict judge(const ContactRun& run, bool right) {
   if (!run.finite()) return Verdict::fails;
   if (right) return run.resets() == 0 ? Verdict::survives : Verdict::degrades;
@@ -22,7 +23,7 @@ Verdict judge(const ContactRun& run, bool right) {
 }
 
 std::string reason(const ContactRun& run, bool right) {
-  if (!run.finite()) return "positions that are not finite";
+  if (!run.finite()) return "positions not finite";
   if (!run.note().empty()) return run.note();
   return right ? "" : "out of tolerance";
 }

@@ -1,5 +1,5 @@
-// What no input may break: an organ squeezed flat between closing plates, a probe pushed through at 50 m/s, a
-// hand that leaps by 1 m a tick. All finite, bounded, and the shape is back afterwards.
+// Extreme input: tissue squeezed flat between plates, a probe that passes through at 50 m/s, a hand that
+// jumps 1 m every tick. The state must stay finite and bounded, and the shape must recover.
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 namespace prosector {
 namespace {
 
-constexpr double back = 1.0;  // mm: the shape is back
+constexpr double back = 1.0;  // mm: largest shape error of recovered tissue
 
-/// Tissue on a table without friction, which could hold a strain; tied within `radius` of the middle of its
-/// base, or it would leave.
+/// Returns a scene with tissue on a frictionless table, since friction could preserve a strain. The tissue is
+/// attached within `radius` of the centre of its base.
 SceneDesc tied_block(double radius) {
   SceneDesc scene;
   scene.rigid = {test::table()};
@@ -25,24 +25,24 @@ SceneDesc tied_block(double radius) {
   return scene;
 }
 
-/// Largest distance of a node from the middle of the block, m.
+/// Returns the largest distance of a node from the centre of the block, m.
 double spread(const Simulation& s, BodyId body) {
   const VecX& x = s.soft_state(body).motion.x;
   const Vec3 centre = soft_centre(s, body);
   return std::sqrt((x.reshaped(3, x.size() / 3).colwise() - centre).colwise().squaredNorm().maxCoeff());
 }
 
-void tell_recovery(ContactRows& rows, ContactRun& run, const std::string& setting, BodyId body,
-                   double widest) {
-  rows.add(run, setting, {"widest, of its half diagonal", "1", widest / 0.0768, 1, 4});
+void report_recovery(ContactRows& rows, ContactRun& run, const std::string& setting, BodyId body,
+                     double widest) {
+  rows.add(run, setting, {"largest extent over the half diagonal", "1", widest / 0.0768, 1, 4});
   run.run(300);
   rows.add(run, setting,
-           {"off its shape 5 s later", "mm", 1e3 * run.simulation().max_displacement(body), 0, back});
+           {"shape error after 5 s", "mm", 1e3 * run.simulation().max_displacement(body), 0, back});
 }
 
-/// A plate comes down at `speed` m/s to 6 mm over the table, stays for 0.2 s and leaves.
+/// Moves a plate down at `speed` m/s to 6 mm above the table, holds it for 0.2 s and raises it again.
 void squeeze(ContactRows& rows, double speed) {
-  SceneDesc scene = tied_block(0.015);  // the base only: ties higher up would be pulled through the plate
+  SceneDesc scene = tied_block(0.015);  // only the base: higher attachments would be pulled through the plate
   scene.rigid.push_back(test::part_body("press", "box", {0.4, 0.02, 0.4}, {0, 0.075, 0}));
   scene.rigid[1].fixed = true;
   scene.rigid[1].friction = 0;
@@ -57,21 +57,22 @@ void squeeze(ContactRows& rows, double speed) {
   };
   for (double y = open; y > shut;) plate_at(y = std::max(shut, y - speed * run.h()));
   for (int i = 0; i < 12; ++i) plate_at(shut);
-  const double thickness = [&] {  // of what is between the plates
+  const double thickness = [&] {  // of the tissue between the plates
     const VecX& x = run.simulation().soft_state(2).motion.x;
     const auto heights = x(Eigen::seq(1, Eigen::last, Eigen::fix<3>));
     return heights.maxCoeff() - heights.minCoeff();
   }();
   for (double y = shut; y < open;) plate_at(y = std::min(open, y + speed * run.h()));
-  const std::string setting = fmt::format("plates close at {} m/s", speed);
-  // Both faces yield as the scene's contact_stiffness states; at the edges, which carry more, thrice as deep.
+  const std::string setting = fmt::format("plates closing at {} m/s", speed);
+  // Contacts of both faces yield according to the scene's contact_stiffness, three times as much at the
+  // edges.
   const SoftDesc& desc = scene.soft[0];
-  const double yields = force / (desc.size.x() * desc.size.z()) / desc.youngs_modulus * desc.surface_cell /
-                        scene.contact_stiffness;
+  const double yields = force / (desc.geometry.size.x() * desc.geometry.size.z()) /
+                        desc.material.youngs_modulus * desc.geometry.surface_cell / scene.contact_stiffness;
   rows.add(run, setting,
-           {"thickness after 0.2 s between them", "mm", 1e3 * thickness, 6, 1e3 * 2 * 3 * yields},
+           {"thickness after 0.2 s of squeezing", "mm", 1e3 * thickness, 6, 1e3 * 2 * 3 * yields},
            {{"most_force_N", force}});
-  tell_recovery(rows, run, setting, 2, widest);
+  report_recovery(rows, run, setting, 2, widest);
 }
 
 void push_through(ContactRows& rows, double speed, double tick_rate) {
@@ -88,10 +89,10 @@ void push_through(ContactRows& rows, double speed, double tick_rate) {
     widest = std::max(widest, spread(run.simulation(), 2));
   }
   rows.add(run, fmt::format("probe at {} m/s, {} ticks/s", speed, tick_rate),
-           {"widest, of its half diagonal", "1", widest / 0.0768, 1, 4});
+           {"largest extent over the half diagonal", "1", widest / 0.0768, 1, 4});
   run.run(static_cast<int>(5 * tick_rate));
   rows.add(run, fmt::format("probe at {} m/s, {} ticks/s", speed, tick_rate),
-           {"off its shape 5 s later", "mm", 1e3 * run.simulation().max_displacement(2), 0, back});
+           {"shape error after 5 s", "mm", 1e3 * run.simulation().max_displacement(2), 0, back});
 }
 
 }  // namespace
@@ -119,12 +120,12 @@ void teleport_case(ContactRows& rows, bool quick) {
     widest = std::max(widest, spread(run.simulation(), 1));
     farthest = std::max(farthest, run.simulation().hands()[0].pose.p.norm());
   }
-  const std::string setting = "a hand leaps 1 m each tick";
-  rows.add(run, setting, {"hand's way from the middle", "m", farthest, 0, 1});
+  const std::string setting = "hand jumps 1 m every tick";
+  rows.add(run, setting, {"distance of the hand from the centre", "m", farthest, 0, 1});
   run.run(60, test::target({1, 1, 1}));
-  tell_recovery(rows, run, setting, 1, widest);
+  report_recovery(rows, run, setting, 1, widest);
   if (quick) return;
-  ContactRun held(tied_block(0.04));  // and while it holds on
+  ContactRun held(tied_block(0.04));  // jumps of a hand that grasps the tissue
   const Vec3 on_top(-0.004, 0.073, 0.045);
   held.step(test::appear(on_top));
   held.step(test::event(HandEvent::Kind::grasp, on_top));
@@ -135,7 +136,7 @@ void teleport_case(ContactRows& rows, bool quick) {
   }
   held.step(test::event(HandEvent::Kind::release, on_top));
   held.run(60, test::target({1, 1, 1}));
-  tell_recovery(rows, held, "the same, holding on", 1, widest);
+  report_recovery(rows, held, "hand jumps 1 m every tick, grasping", 1, widest);
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
-// Two livers thrown at each other at 2 m/s each, a little off their middles, by every kind of rung: what they
-// exchange is equal and opposite, no energy comes of it, and they part as they were.
+// Two livers collide off-centre at 2 m/s each, with every kind of model configuration. Momentum must be
+// conserved, no energy gained, and the livers must separate with their shapes recovered.
 
 #include "tests/bench/contact_run.h"
 #include "tests/physics/thrown.h"
@@ -25,14 +25,14 @@ void throw_two(ContactRows& rows, const test::ThrownRung& left, const test::Thro
   const test::Thrown thrown =
       test::throw_at_each_other(run.simulation(), ticks, [&]() -> const StepReport& { return run.step(); });
   const std::string setting = left.name() == right.name() ? left.name() : left.name() + " at " + right.model;
-  rows.add(run, setting, {"momentum lost, of that exchanged", "1", thrown.momentum_lost, 0, 1e-3},
+  rows.add(run, setting, {"relative momentum loss", "1", thrown.momentum_lost, 0, 1e-3},
            {{"deepest_mm", 1e3 * thrown.deepest},
             {"exchanged_Ns", thrown.exchanged},
             {"tets", tet_count(run.simulation())}});
-  rows.add(run, setting, {"energy gained, of that thrown", "1", thrown.energy_gained, 0, 1e-2});
-  rows.add(run, setting, {"in each other 2 s later", "mm", 1e3 * thrown.overlap_after, 0, 0.1});
-  rows.add(run, setting, {"off its shape 2 s later", "mm", 1e3 * thrown.distortion_after, 0, 2});
-  rows.add(run, setting, {"speed at which they part", "m/s", thrown.parting, 2, 2});
+  rows.add(run, setting, {"relative energy gain", "1", thrown.energy_gained, 0, 1e-2});
+  rows.add(run, setting, {"penetration depth after 2 s", "mm", 1e3 * thrown.overlap_after, 0, 0.1});
+  rows.add(run, setting, {"shape error after 2 s", "mm", 1e3 * thrown.distortion_after, 0, 2});
+  rows.add(run, setting, {"separation speed", "m/s", thrown.parting, 2, 2});
 }
 
 }  // namespace

@@ -15,12 +15,12 @@
 namespace prosector {
 namespace {
 
-constexpr int candidates = 8;                 // drawn for each place
-constexpr double least_up = 0.2;              // of the outward unit normal: what looks up, where people reach
-constexpr double slant = 0.8;                 // rad between the fingers and the way into the tissue
-constexpr double above = 0.05;                // m: where hands begin
+constexpr int candidates = 8;                 // random candidates per point
+constexpr double least_up = 0.2;              // least y component of the normals of upward-facing surface
+constexpr double slant = 0.8;                 // rad, between the fingers and the pressing direction
+constexpr double above = 0.05;                // m, initial height of the hands
 constexpr double coming_down = 0.5;           // s
-constexpr double rubbed = 0.004, period = 2;  // m, s: to and fro
+constexpr double rubbed = 0.004, period = 2;  // m, s: amplitude and period of rubbing
 constexpr double bent = 0.15;                 // flexion of all fingers
 
 std::vector<Vec3> outward_normals(const TriangleMesh& surface) {
@@ -49,7 +49,7 @@ std::vector<PressedPlace> spread_places(const Simulation& simulation, BodyId bod
   std::vector<std::size_t> up;
   for (std::size_t v = 0; v < normals.size(); ++v)
     if (normals[v].y() > least_up) up.push_back(v);
-  if (up.empty()) throw InputError(fmt::format("{}: no place of it looks up", simulation.name(body)));
+  if (up.empty()) throw InputError(fmt::format("{}: no part of the surface faces up", simulation.name(body)));
   Random random(seed);
   std::vector<PressedPlace> out;
   for (std::size_t k = 0; k < count; ++k) {

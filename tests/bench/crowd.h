@@ -1,5 +1,5 @@
 #pragma once
-// People who press one organ at once, each with both hands, spread over the part of it that looks up.
+// Users who press one organ simultaneously, spread over the part of its surface that faces up.
 
 #include <vector>
 
@@ -7,27 +7,28 @@
 
 namespace prosector {
 
-/// A place on a surface that is pressed, at rest.
+/// A pressed point of an undeformed surface.
 struct PressedPlace {
   Vec3 at = Vec3::Zero();       // m, world frame
   Vec3 outward = Vec3::Zero();  // unit
-  Vec3 along = Vec3::Zero();    // unit, across `outward`: from where the hand comes
+  Vec3 along = Vec3::Zero();    // unit, perpendicular to `outward`: side from which the hand comes
 };
 
-/// Returns so many places of the body's surface that look up, far from each other: each is the farthest from
-/// all before it of some drawn at random (Mitchell 1991). The first n are the same for any count.
+/// Returns `count` points of the body's upward-facing surface, far from each other: each is the random
+/// candidate farthest from all earlier points (Mitchell 1991). The first n points are the same for any count.
+/// Throws InputError if no part of the surface faces up.
 std::vector<PressedPlace> spread_places(const Simulation& simulation, BodyId body, std::size_t count,
                                         unsigned seed);
 
-/// Their hands: they come down on their places in half a second, press, and rub to and fro a little.
+/// Motion of the hands: each moves down to its point in 0.5 s, presses, and rubs to and fro by 4 mm.
 class Crowd {
  public:
-  /// `hands_each`: 1 or 2. `depth`: m, how far in middle fingertips are aimed. Places are taken in order;
-  /// there must be enough.
+  /// `hands_each`: 1 or 2. `depth`: target depth of the middle fingertips, m. Hand i presses `places[i]`, so
+  /// there must be a place per hand.
   Crowd(std::vector<PressedPlace> places, std::size_t users, std::size_t hands_each, double depth);
 
   std::size_t hands() const { return hands_; }
-  /// Returns what they do in the tick, `h` s long; they appear in tick 0.
+  /// Returns the hands' input for a tick of `h` s. The hands appear in tick 0.
   TickInput act(int tick, double h) const;
 
  private:
@@ -38,8 +39,8 @@ class Crowd {
   double depth_;  // m
 };
 
-/// Returns the body that is named so, or, if none is asked for, the soft one of the most tetrahedra. Throws
-/// InputError that lists the soft bodies.
+/// Returns the soft body called `name`, or, if `name` is empty, the one with the most tetrahedra. Throws
+/// InputError with the names of the soft bodies if there is none.
 BodyId pressed_body(const Simulation& simulation, const std::string& name);
 
 }  // namespace prosector

@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-/// What is left after the best a and b for that ω and decay: variable projection (Golub and Pereyra 1973).
+/// Returns the residual with the best a and b for ω and decay: variable projection (Golub and Pereyra 1973).
 double misfit(const std::vector<double>& times, const std::vector<double>& values,
               const DampedCosine& trial) {
   Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
@@ -40,7 +40,7 @@ DampedCosine fit_damped_cosine(const std::vector<double>& times, const std::vect
   for (int i = 0; i <= 140; ++i) {
     for (int k = 0; k <= 8; ++k) keep_better({about * (0.2 + 0.02 * i), about * 0.05 * k});
   }
-  // A compass search around the best of the grid.
+  // Compass search around the best grid point.
   for (double step = 0.01 * about; step > 1e-9 * about;) {
     const DampedCosine at = best;
     const bool better = keep_better({at.omega + step, at.decay}) ||

@@ -1,5 +1,5 @@
 #pragma once
-// Frequency and decay of what swings.
+// Fit of a damped oscillation.
 
 #include <vector>
 
@@ -7,11 +7,11 @@ namespace prosector {
 
 struct DampedCosine {
   double omega = 0;  // rad/s
-  double decay = 0;  // 1/s: the amplitude goes with exp(−decay·t)
+  double decay = 0;  // 1/s: the amplitude decays as exp(−decay·t)
 };
 
-/// Least squares of e^(−decay·t)·(a cos ωt + b sin ωt) to the samples. Looks for ω between 0.2 and 3 times
-/// `about`.
+/// Fits, by least squares, e^(−decay·t)·(a cos ωt + b sin ωt) to the samples. Searches ω between 0.2 and 3
+/// times `about`.
 DampedCosine fit_damped_cosine(const std::vector<double>& times, const std::vector<double>& values,
                                double about);
 

@@ -19,16 +19,17 @@ namespace prosector {
 namespace {
 
 const Vec3 gravity(0, -9.81, 0);
-constexpr double far_away = 1e4;            // m: a sphere as large as that is a plane here
-constexpr double left_by_halving = 1. / 3;  // of the difference: displacements converge at second order
+constexpr double far_away = 1e4;  // m: radius of spheres that serve as planes
+constexpr double left_by_halving =
+    1. / 3;  // fraction of the difference that remains: second-order convergence
 
 /// Describes tissue that is pinned where x or y (axis 0, 1) is 0.
 SoftDesc pinned(int axis, double youngs_modulus, double ratio) {
   SoftDesc desc;
   desc.name = "body";
-  desc.youngs_modulus = youngs_modulus;
-  desc.poisson_ratio = ratio;
-  desc.density = 1000;
+  desc.material.youngs_modulus = youngs_modulus;
+  desc.material.poisson_ratio = ratio;
+  desc.material.density = 1000;
   desc.attach.push_back({-far_away * Vec3::Unit(axis), far_away + 1e-4, 1e13});
   return desc;
 }
@@ -41,17 +42,17 @@ EstimateCase boxed(const char* name, const SoftDesc& desc, const Vec3& size,
   return out;
 }
 
-/// A liver from what Debian packages, or the fallback shape; nothing to sense where there is none.
+/// Returns the liver's case: the CT liver packaged by Debian, or the built-in shape if it is missing.
 std::vector<EstimateCase> liver(double ratio) {
   SceneDesc scene;
   SoftDesc& desc = scene.soft.emplace_back();
   desc.name = "liver";
-  desc.shape = "liver";
-  desc.size = {0.2, 0.12, 0.16};
-  desc.cell = 0.025;
-  desc.youngs_modulus = 5000;
-  desc.poisson_ratio = ratio;
-  desc.density = 1000;
+  desc.geometry.shape = "liver";
+  desc.geometry.size = {0.2, 0.12, 0.16};
+  desc.geometry.cell = 0.025;
+  desc.material.youngs_modulus = 5000;
+  desc.material.poisson_ratio = ratio;
+  desc.material.density = 1000;
   CompileOptions compile;
   compile.data_dirs = {default_data_dir()};
   const Anatomy anatomy = soft_anatomy(desc, scene, compile);
@@ -62,7 +63,7 @@ std::vector<EstimateCase> liver(double ratio) {
   return {out};
 }
 
-/// Returns each tetrahedron as eight, right side out.
+/// Divides each tetrahedron into eight, with positive volumes.
 Anatomy divided_mesh(const Anatomy& anatomy) {
   Anatomy fine;
   fine.tets = anatomy.tets;
@@ -76,10 +77,10 @@ Anatomy divided_mesh(const Anatomy& anatomy) {
   return fine;
 }
 
-/// A body at rest in one act.
+/// Static solution of a body under one load.
 struct Rested {
   StaticAnswer answer;
-  double compliance;  // J: of the load, over its way
+  double compliance;  // J: work of the load
 };
 
 struct Modelled {
@@ -88,8 +89,8 @@ struct Modelled {
     if (const auto foot = foot_of(desc, mesh.tets, gravity)) body.tie(ties_of(*foot, body));
   }
   static const SoftDesc& with(SoftDesc& desc, const char* model, const char* element) {
-    desc.model = model;
-    desc.element = element;
+    desc.configuration.model = model;
+    desc.configuration.element = element;
     return desc;
   }
   Rested rest(const Act& act) {
@@ -157,7 +158,7 @@ std::vector<ReportRow> judged(const EstimateCase& one) {
         const ErrorParts& parts = found.estimate.parts;
         out.push_back({{"case", one.name},
                        {"act", one.acts[k].name},
-                       {"poisson_ratio", one.desc.poisson_ratio},
+                       {"poisson_ratio", one.desc.material.poisson_ratio},
                        {"model", model},
                        {"element", element},
                        {"tets", one.mesh.tets.tets.size()},

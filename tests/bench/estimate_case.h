@@ -1,5 +1,5 @@
 #pragma once
-// Bodies whose live estimate of their own error is compared with the error that they have.
+// Test cases of the error estimator: estimated error of soft bodies against their true error.
 
 #include <string>
 #include <vector>
@@ -9,24 +9,25 @@
 
 namespace prosector {
 
-/// A body, and what is done to it.
+/// A body and its loads.
 struct EstimateCase {
   std::string name;
-  SoftDesc desc;  // but for model and element
+  SoftDesc desc;  // scene description; model and element are varied
   Anatomy mesh;
   std::vector<Act> acts;
 };
 
-/// Returns the cases: a beam that bends, a cube that stands and hangs, a slab, a layer, a liver, each under
-/// its weight and pressed by a fingertip; Poisson's ratios 0.3, 0.45 and 0.49. `quick`: the cube alone,
-/// coarse, at one.
+/// Returns the cases: a bending beam, a standing and hanging cube, a slab, a layer and a liver, each under
+/// its weight and pressed by a fingertip, with Poisson's ratios 0.3, 0.45 and 0.49. `quick`: only a coarse
+/// cube with one ratio.
 std::vector<EstimateCase> estimate_cases(bool quick);
 
-/// Returns a row for each act, law (corotational, neo-Hookean) and element (linear, quadratic) of a case.
+/// Returns a row for each load (act), law (corotational, neo-Hookean) and element (linear, quadratic) of a
+/// case.
 ///
-/// The truth is tissue's law in quadratic elements, each tetrahedron divided into eight, and a third of what
-/// that differs by from the undivided. That third is `unsettled`. Errors are of C = f·u, how far the loads
-/// go.
+/// The reference uses the tissue law on quadratic elements, each tetrahedron divided into eight, extrapolated
+/// by a third of the difference from the undivided mesh; `unsettled` is that third. Errors are relative
+/// errors of the compliance C = f·u, the work of the loads.
 std::vector<ReportRow> judged(const EstimateCase& one);
 
 }  // namespace prosector

@@ -35,9 +35,9 @@ void draw_axes(Svg& svg) {
              {"#555555", effectivity == 1 ? 1.5 : 1, effectivity == 1 ? "" : "5 4"});
   }
   svg.rect(left, top, side, side, "none", "#555555");
-  svg.text(left, 28, "What bodies tell of their own error", {18, "start", "#000000", true});
-  svg.text(left, 50, "dashed: 0.8 and 1.5 times what it is", {12, "start", "#555555"});
-  svg.text(left + side / 2, top + side + 46, "true error of how far a load goes", {14, "middle"});
+  svg.text(left, 28, "Estimated error against true error", {18, "start", "#000000", true});
+  svg.text(left, 50, "dashed: 0.8 and 1.5 times the true error", {12, "start", "#555555"});
+  svg.text(left + side / 2, top + side + 46, "true error of the work of the load", {14, "middle"});
   svg.text(26, top + side / 2, "estimate", {14, "middle", "#222222", false, -90});
 }
 
@@ -50,7 +50,7 @@ Svg draw_estimates(const std::vector<ReportRow>& rows) {
   for (const ReportRow& row : rows) {
     const bool press = setting(row, "act").starts_with("pressed");
     const std::string group =
-        fmt::format("{}, {}", setting(row, "element"), press ? "pressed" : "under its weight, hung");
+        fmt::format("{}, {}", setting(row, "element"), press ? "pressed" : "under its weight, hanging");
     const std::size_t n = groups.try_emplace(group, groups.size()).first->second;
     svg.circle(x_of(std::abs(figure(row, "error_continuum"))), y_of(figure(row, "estimate")), 4,
                palette[n % palette.size()], "#ffffff");

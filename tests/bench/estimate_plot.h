@@ -1,5 +1,5 @@
 #pragma once
-// bench_estimate's picture: what bodies tell of their error, against the error that they have.
+// Plot of bench_estimate: estimated error against true error.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// What is aimed at: the estimate over the error.
+/// Target range of the estimated over the true error.
 inline constexpr double least_effectivity = 0.8, most_effectivity = 1.5;
 
 Svg draw_estimates(const std::vector<ReportRow>& rows);

@@ -23,27 +23,27 @@ bool solid(PieceMesh mesh) {
   return mesh == PieceMesh::tets || mesh == PieceMesh::few_tets;
 }
 
-/// Nothing but constants: of soft tissue; of sheets and ropes like skin, whose bending brings them back in
-/// the time there is.
+/// Material constants: soft tissue for solids; skin-like sheets and ropes, whose bending stiffness recovers
+/// the shape in time.
 TestPiece material(PieceMesh mesh) {
   const SoftDesc tissue;
   TestPiece piece;
-  piece.youngs_modulus = solid(mesh) ? tissue.youngs_modulus : 1e6;
-  piece.poisson_ratio = solid(mesh) ? tissue.poisson_ratio : 0.3;
-  piece.density = tissue.density;
-  piece.damping_mass = tissue.damping_mass;
-  piece.damping_stiffness = tissue.damping_stiffness;
+  piece.youngs_modulus = solid(mesh) ? tissue.material.youngs_modulus : 1e6;
+  piece.poisson_ratio = solid(mesh) ? tissue.material.poisson_ratio : 0.3;
+  piece.density = tissue.material.density;
+  piece.damping_mass = tissue.material.damping_mass;
+  piece.damping_stiffness = tissue.material.damping_stiffness;
   return piece;
 }
 
-/// A cube of tetrahedra, held by nothing.
+/// Returns a free cube of tetrahedra.
 TestPiece cube(std::array<std::uint32_t, 3> cells) {
   TestPiece piece = material(PieceMesh::tets);
   piece.mesh = kuhn_box(cells, Vec3(side, side, side));
   return piece;
 }
 
-/// A sheet of cells × cells or a rope of cells pieces, in the corner of the room, held by nothing.
+/// Returns a free sheet of cells × cells, or a free rope of `cells` segments.
 TestPiece fabric(PieceMesh mesh, std::uint32_t cells) {
   TestPiece piece = material(mesh);
   const double cell = side / cells;
@@ -58,7 +58,7 @@ TestPiece fabric(PieceMesh mesh, std::uint32_t cells) {
   return piece;
 }
 
-/// 48 tetrahedra, or 12, 16 cells or 8 pieces.
+/// Returns the default piece: 48 tetrahedra (12 for few_tets), 16 sheet cells or 8 rope segments.
 TestPiece plain(PieceMesh mesh) {
   if (mesh == PieceMesh::tets) return cube({2, 2, 2});
   if (mesh == PieceMesh::few_tets) return cube({2, 1, 1});
@@ -71,8 +71,8 @@ double volume(const TestPiece& piece) {
   return piece.segments.empty() ? side * side * side : side * M_PI * t * t / 4;
 }
 
-/// What holds nodes is a hundred times as stiff as the piece (and 270 times as what holds organs in scenes by
-/// default), so that it is no other extreme of its own.
+/// Sets the attachment stiffness to 100 times the piece's (270 times a scene's default), so that the
+/// attachment is not an extreme itself.
 TestPiece held(TestPiece piece) {
   piece.hold_stiffness = 100 * piece.youngs_modulus / (side * side);
   return piece;
@@ -111,7 +111,7 @@ TestPiece poisson(PieceMesh mesh) {
   return piece;
 }
 
-/// Layers as thick as `thickness` says, along the first `axes` of x, y, z; sheets lie in x and z.
+/// Gives mesh layers the thicknesses `thickness` along the first `axes` of x, y, z. Sheets lie in x and z.
 TestPiece layered(PieceMesh mesh, const std::vector<double>& thickness, int axes) {
   const auto count = static_cast<std::uint32_t>(thickness.size());
   const std::uint32_t other = mesh == PieceMesh::few_tets ? 1 : 2;
@@ -131,7 +131,7 @@ TestPiece slivers(PieceMesh mesh) {
   return layered(mesh, {0.0499, 2e-4, 0.0499}, 1);
 }
 
-/// The lightest corner node has a millionth of the heaviest one's mass.
+/// Returns a graded piece whose lightest corner node has a millionth of the heaviest node's mass.
 TestPiece unlike_masses(PieceMesh mesh) {
   if (solid(mesh)) return layered(mesh, {0.09, 0.009, 0.00095}, 3);
   if (mesh == PieceMesh::sheet) return layered(mesh, {0.09, 0.009, 0.0009, 0.00009}, 3);
@@ -184,17 +184,17 @@ void scaled(const TestPiece&, VecX& x, VecX&) {
 }
 
 void randomised(const TestPiece&, VecX& x, VecX&) {
-  std::mt19937 random(1);  // the same start for each rung
+  std::mt19937 random(1);  // the same initial state for each configuration
   for (double& c : x) c = side * static_cast<double>(random()) / 4294967296.0;
 }
 
-/// What 1e6 N for one frame leaves a corner node with.
+/// Sets the velocity that 1e6 N for one frame gives a corner node.
 void hit(const TestPiece& piece, VecX&, VecX& v) {
-  const double node_mass = piece.density * volume(piece) / static_cast<double>(v.size());  // about
+  const double node_mass = piece.density * volume(piece) / static_cast<double>(v.size());  // approximate
   v.tail<3>() = Vec3(0.6, -0.64, 0.48) * 1e6 * frame / node_mass;
 }
 
-/// Held nodes belong 1 m from where they are.
+/// Starts with the held nodes 1 m from their attachments.
 void teleported(const TestPiece&, VecX& x, VecX&) {
   for (Eigen::Index k = 0; k < x.size(); k += 3) x[k] += 1;
 }
@@ -226,7 +226,7 @@ std::vector<Extreme> make_extremes() {
       {"start inverted", plain, frame, scaled<-100, 100, 100>, {0, 0, 0}, 0, 5, true, on_tets},
       {"no fixed node", plain, frame, nullptr, weight, 1},
       {"held by a pin", held_by_a_pin, frame, nullptr, weight, 0.5},
-      // Let go, it spins about the node, drawn long, until the damping of the mass has stopped it.
+      // After release it spins about the node, stretched, until mass-proportional damping stops it.
       {"one fixed node", [](PieceMesh mesh) { return held_at_a_point(plain(mesh)); }, frame, nullptr, weight,
        1, 20},
       {"1 element", one_element, frame, nullptr, weight, 1, 20},
@@ -241,7 +241,7 @@ std::vector<Extreme> make_extremes() {
   };
 }
 
-/// One of each kind, none that takes long.
+/// Fast extremes, one of each kind.
 const char* const cheap[] = {"step 1 s",       "E 1e9 Pa",       "stiffness ratio 1e6", "ν 0.4999",
                              "slivers",        "start flat",     "start a point",       "start random",
                              "start inverted", "1 element",      "1e6 N on a node",     "teleported 1 m",
@@ -277,7 +277,7 @@ double length_error(const TestPiece& piece, const VecX& rest, const VecX& x) {
   return x.allFinite() ? worst : std::numeric_limits<double>::infinity();
 }
 
-/// s, of a free rope's slowest bending: ω = (4.73/L)²·√(EI/ρA), I/A = d²/16.
+/// Returns the period of a free rope's slowest bending mode, s: ω = (4.73/L)²·√(EI/ρA), I/A = d²/16.
 double bending_period(const TestPiece& piece) {
   const double d = piece.thickness;
   const double omega = std::pow(4.73 / side, 2) * std::sqrt(piece.youngs_modulus / piece.density) * d / 4;

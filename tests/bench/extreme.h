@@ -1,6 +1,6 @@
 #pragma once
-// What no rung may explode at: steps, stiffnesses, meshes, starts, forces and inputs that scenes and users
-// can come up with, and worse.
+// Extreme time steps, stiffnesses, meshes, initial states, forces and inputs, under which every configuration
+// must remain stable.
 
 #include <vector>
 
@@ -8,36 +8,38 @@
 
 namespace prosector {
 
-/// What pieces are of; few_tets: a quarter as many, for quadratic ones, whose nodes are as many then.
+/// Mesh of a test piece. few_tets: a quarter of the tetrahedra, so that quadratic elements have as many
+/// nodes.
 enum class PieceMesh { tets, few_tets, sheet, rope };
-/// Which of them an extreme makes sense on.
+/// Bit set of the meshes that an extreme applies to.
 inline constexpr unsigned on_tets = 1 | 2, on_sheets = 4, on_ropes = 8,
                           on_all = on_tets | on_sheets | on_ropes;
 
-/// A piece starts as `start` puts it, bears `load` or `force` for a while, and is then left alone: no
-/// gravity, no force. When it is `must_recover` it has to be back in its rest shape by then.
+/// An extreme: a piece starts in the state that `start` sets, bears `load` or `force` for `load_s`, and then
+/// moves without gravity and forces for `release_s`. With `must_recover`, it must have its rest shape at the
+/// end.
 struct Extreme {
   const char* name;
   TestPiece (*piece)(PieceMesh mesh);
   double dt = 1. / 60;                                                // s
-  void (*start)(const TestPiece& piece, VecX& x, VecX& v) = nullptr;  // null: at rest in its rest shape
+  void (*start)(const TestPiece& piece, VecX& x, VecX& v) = nullptr;  // null: at rest, undeformed
   Vec3 load = {0, 0, 0};                                              // m/s²
   double load_s = 0;                                                  // s
   double release_s = 5;                                               // s
   bool must_recover = true;
   unsigned meshes = on_all;
-  double force = 0;        // N, on all of it along `load`, whatever its mass; 0: `load` is meant
-  bool cheap = false;      // done in a blink: also looked at by the test
-  bool organs = false;     // no piece, but two organs and a hand: two_organs.h
+  double force = 0;        // N, total force along `load`, independent of mass; 0: use `load`
+  bool cheap = false;      // fast, so that the unit test runs it too
+  bool organs = false;     // the test of two_organs.h instead of a piece
   bool for_direct = true;  // false: a sparse factorisation would take minutes
 
   bool is_for(PieceMesh mesh) const { return (meshes >> static_cast<unsigned>(mesh) & 1u) != 0; }
 };
 const std::vector<Extreme>& extremes();
 
-/// How far x (3n, m) is from the piece's rest shape `rest`, in m. Solids and ropes: the largest distance of a
-/// node after the best rigid motion (shape_error). Sheets, whose twist nothing resists, and ropes whose
-/// slowest bending takes longer than half of `seconds`: the largest change of length of a spring, which a
+/// Returns the shape error of positions x (3n, m) against the rest shape `rest`, m. Solids and ropes: largest
+/// node distance after the best-fit rigid motion (shape_error). Sheets, whose twist has no stiffness, and
+/// ropes whose slowest bending period exceeds half of `seconds`: largest length change of a spring, which a
 /// sheet has along and across each cell.
 double misfit(const TestPiece& piece, const VecX& rest, const VecX& x, const VecX& node_mass, double seconds);
 

@@ -22,8 +22,8 @@ constexpr double radian = 180 / std::numbers::pi;  // degrees
 
 std::vector<FaceTrial> face_trials() {
   std::vector<FaceTrial> out;
-  for (const double d : {0.4, 0.6, 0.8, 1.2}) out.push_back({"from the screen m", d, {.distance = d}});
-  for (const double a : {0.1, 0.2, 0.3}) out.push_back({"aside m", a, {.aside = a}});
+  for (const double d : {0.4, 0.6, 0.8, 1.2}) out.push_back({"distance m", d, {.distance = d}});
+  for (const double a : {0.1, 0.2, 0.3}) out.push_back({"lateral offset m", a, {.aside = a}});
   for (const double t : {10., 20., 30.}) out.push_back({"yaw deg", t, {.yaw = t / radian}});
   for (const double s : {0.1, 0.3, 0.6})
     out.push_back({"speed m/s", s, {.aside = -0.15, .speed = s, .places = 4, .pictures = 30}});
@@ -63,7 +63,7 @@ ReportRow face_row(const std::string& face, const FaceTrial& trial, const FaceEr
 void measure_faces(bool quick, const std::function<void(const ReportRow&)>& take) {
   const std::filesystem::path net = find_in_data("face_short_range.tflite"), ct = find_in_data("head.nii");
   if (net.empty()) {
-    fmt::print("faces are left out: deploy/fetch_models.sh fetches the network that finds them\n");
+    fmt::print("faces skipped: run deploy/fetch_models.sh to fetch the face detection network\n");
     return;
   }
   const auto own = std::make_shared<const FaceMesh>(make_face(default_interpupillary_distance));
@@ -73,7 +73,7 @@ void measure_faces(bool quick, const std::function<void(const ReportRow&)>& take
     if (quick) return;
   }
   if (ct.empty()) return;
-  const FaceTrial trial{"from the screen m", 0.6, {}};
+  const FaceTrial trial{"distance m", 0.6, {}};
   take(face_row(
       "CT", trial,
       face_errors(trial.what, std::make_shared<const FaceMesh>(load_ct_face(ct)), net.parent_path())));

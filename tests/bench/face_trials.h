@@ -1,6 +1,6 @@
 #pragma once
-// A face of ours before the camera at a screen: how far off the way from the eyes to the screen's middle is
-// found, by distance, turn, motion, light and resolution.
+// Face detection with a synthetic face before a camera at a screen: error of the direction from the eyes to
+// the screen's centre, by distance, rotation, motion, light and resolution.
 
 #include <functional>
 
@@ -8,8 +8,8 @@
 
 namespace prosector {
 
-/// Measures, row by row, and hands each to `take`. Says so and hands out nothing where the network isn't
-/// there. `quick`: few pictures.
+/// Measures and passes each row to `take`. Prints a message and measures nothing if the network is missing.
+/// `quick`: few images.
 void measure_faces(bool quick, const std::function<void(const ReportRow&)>& take);
 
 }  // namespace prosector

@@ -19,13 +19,13 @@ std::string name(const LayerPress& press) {
 SceneDesc layer_scene(const LayerPress& press, const std::string& element, double cell) {
   SoftDesc layer;
   layer.name = "layer";
-  layer.model = "fem_linear";
-  layer.element = element;
-  layer.solver = "multigrid";
-  layer.youngs_modulus = layer_modulus;
-  layer.poisson_ratio = press.poisson_ratio;
+  layer.configuration.model = "fem_linear";
+  layer.configuration.element = element;
+  layer.configuration.solver = "multigrid";
+  layer.material.youngs_modulus = layer_modulus;
+  layer.material.poisson_ratio = press.poisson_ratio;
   layer.gravity = false;
-  layer.cell = layer.surface_cell = cell;
+  layer.geometry.cell = layer.geometry.surface_cell = cell;
   layer.attach = {test::bonded_below(press.height)};
   return test::under_ball(layer, press.radius, {0, press.radius + 1e-4, 0});
 }

@@ -8,7 +8,7 @@
 namespace prosector {
 
 struct LayerPress {
-  double height, radius, depth, poisson_ratio, force;  // m, m, m, 1, N: converged, ± 0.1 %
+  double height, radius, depth, poisson_ratio, force;  // m, m, m, 1, N (converged, ± 0.1 %)
 };
 inline constexpr LayerPress layer_presses[] = {
     {0.02, 0.01, 0.001, 0.3, 0.02661}, {0.02, 0.01, 0.001, 0.45, 0.03128}, {0.02, 0.01, 0.001, 0.49, 0.03329},
@@ -16,11 +16,11 @@ inline constexpr LayerPress layer_presses[] = {
     {0.05, 0.01, 0.002, 0.3, 0.06951}, {0.05, 0.01, 0.002, 0.45, 0.08041}, {0.05, 0.01, 0.002, 0.49, 0.08489},
 };
 
-/// Says which press it is, for people.
+/// Returns a readable name of the press.
 std::string name(const LayerPress& press);
 
-/// Returns the ball, fixed, just over the middle of the layer, whose underside is held: `fem_linear`, without
-/// gravity, solved by multigrid, all else by default. `cell`: m.
+/// Returns a scene with a fixed ball just above the centre of a layer whose underside is held. The layer has
+/// `fem_linear`, no gravity, multigrid, and otherwise default settings. `cell`: cell size, m.
 SceneDesc layer_scene(const LayerPress& press, const std::string& element, double cell);
 
 }  // namespace prosector

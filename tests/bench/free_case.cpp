@@ -1,5 +1,5 @@
-// A block thrown and spinning: nothing acts on it but gravity, so its momentum, its angular momentum about
-// the centre of mass and its energy are known for ever.
+// A thrown, spinning block. Only gravity acts on it, so its momentum, its angular momentum about the centre
+// of mass and its energy are known at any time.
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ constexpr double flight_s = 1;
 const Vec3 gravity(0, -9.81, 0), thrown(1, 3, 0), spin(0.5, 6.5, 0.3);  // m/s², m/s, rad/s
 const Vec3 block(0.2, 0.1, 0.1);
 
-/// About its centre of mass.
+/// Returns the angular momentum about the centre of mass, kg·m²/s.
 Vec3 spin_momentum(const Specimen& specimen) {
   return angular_momentum(specimen) - mass_center(specimen).cross(momentum(specimen));
 }

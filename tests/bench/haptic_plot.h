@@ -1,5 +1,5 @@
 #pragma once
-// bench_haptics' pictures.
+// Plots of bench_haptics.
 
 #include <vector>
 
@@ -8,10 +8,11 @@
 
 namespace prosector {
 
-/// Draws the stiffest tissue that stays stable over the round trip, one line a scheme; rows are those of one
-/// hand with jitter and loss.
+/// Plots the largest stable tissue stiffness over the round-trip time, one line per scheme. `rows`: rows of
+/// one hand, with jitter and loss.
 Svg draw_stable_stiffness(const std::vector<ReportRow>& rows);
-/// Draws felt over true stiffness over the tissue's, one line a scheme; rows are those of one round trip.
+/// Plots perceived over true stiffness against tissue stiffness, one line per scheme. `rows`: rows of one
+/// round-trip time.
 Svg draw_felt_stiffness(const std::vector<ReportRow>& rows);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
-// The heavy block: a cube of soft, nearly incompressible tissue stands on its glued foot under twice its
-// own weight. It must sink and bulge, and keep its volume.
+// The heavy block: a cube of soft, nearly incompressible tissue stands on its glued foot under twice its own
+// weight. It should sink and bulge, and preserve its volume.
 
 #include <cmath>
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double settle_s = 1.5;
 constexpr double side = 0.1;  // m
-/// The continuum of fem_neo_hookean: sinking of the top's centre, m. Quadratic elements settle at 0.015200,
-/// 0.015022 and 0.014977 with 4, 6 and 8 cells along a side, which leads to this within 1e-5.
+/// Continuum limit of the top centre's downward displacement with fem_neo_hookean, m. Quadratic elements give
+/// 0.015200, 0.015022 and 0.014977 with 4, 6 and 8 cells per side, extrapolated to within 1e-5.
 constexpr double right_sinking = 0.01494;
 
 void judge(ReportRow& row) {
@@ -38,7 +38,7 @@ const TradeCase& heavy_case() {
   static const TradeCase row = {"heavy",
                                 "A nearly incompressible cube sinks under twice its weight (ν = 0.49)",
                                 "error_material",
-                                "error of how far its top sinks",
+                                "error of the top's displacement",
                                 {4, 8, 12},
                                 [](unsigned cells) {
                                   TestPiece piece;

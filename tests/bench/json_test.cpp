@@ -1,5 +1,4 @@
-// What each subject of prosector-bench writes with --json, at its smallest: the object that other programs
-// read.
+// Tests the JSON report of each subject of prosector-bench, with the smallest settings.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -19,8 +18,8 @@ namespace {
 struct Subject {
   const char* name;
   const char* smallest;                                   // arguments
-  std::vector<const char*> settings, figures;             // each row has all of these …
-  std::vector<std::vector<const char*>> one_set_of = {};  // … and all of one of these sets
+  std::vector<const char*> settings, figures;             // keys that each row has
+  std::vector<std::vector<const char*>> one_set_of = {};  // each row also has all keys of one of these sets
   friend void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A plot of rows: lines of what belongs together, over an even or a logarithmic axis.
+// Line plot of report rows, with linear or logarithmic axes.
 
 #include <functional>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace prosector {
 
-/// An axis from one value to another, evenly or by ratios.
+/// Range of an axis, linear or logarithmic.
 struct PlotAxis {
   double least, most;
   bool by_ratio;
   std::vector<double> ticks;
-  /// Returns where a value lies, from 0 to 1; what is beyond an end lies at it.
+  /// Returns the position of a value on the axis, clamped to 0 … 1.
   double share(double value) const;
 };
 
@@ -23,7 +23,7 @@ struct PlotWords {
   std::string title, under, along, up;
 };
 
-/// Draws one line through the points that `x` and `y` give of the rows that have the same text under `key`.
+/// Draws one line per text under `key`, through the points (`x`, `y`) of the rows with that text.
 Svg draw_lines(const std::vector<ReportRow>& rows, std::string_view key, const PlotAxis& across,
                const PlotAxis& up, const PlotWords& words, const std::function<double(const ReportRow&)>& x,
                const std::function<double(const ReportRow&)>& y);

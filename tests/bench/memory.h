@@ -1,5 +1,5 @@
 #pragma once
-// How much memory things take.
+// Memory use of the program.
 
 #include <malloc.h>
 
@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Bytes that the program holds from malloc at this moment.
+/// Returns the bytes currently allocated with malloc.
 inline std::size_t allocated_bytes() {
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;

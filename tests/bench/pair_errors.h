@@ -1,5 +1,5 @@
 #pragma once
-// What a session finds of pairs of bodies, against the reference.
+// Errors of a session's collision detection on pairs of bodies, against the reference.
 
 #include <optional>
 #include <vector>
@@ -9,27 +9,28 @@
 
 namespace prosector {
 
-/// The deepest, or nearest, contact of a pair.
+/// The deepest contact of a pair, or the nearest if the bodies are separated.
 struct PairContact {
-  double gap = 0;               // m, < 0: depth
+  double gap = 0;               // m; negative: penetration
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
 };
 
-/// Keeps the deeper of the two.
+/// Replaces `kept` by `found` if that is deeper.
 void keep_deepest(std::optional<PairContact>& kept, const PairContact& found);
 
-/// Counts pairs and gathers their errors. A pair hits where its gap is at most 0.
+/// Counts pairs and collects their errors. A pair is a hit if its gap is at most 0.
 class PairErrors {
  public:
-  /// `size`: m; depths are told as shares of it.
+  /// `size`: object diameter, m; depth errors are reported relative to it.
   explicit PairErrors(double size) : size_(size) {}
 
-  /// `truth`: of the reference at fidelity `mesh`; nothing: the pair is apart.
+  /// Adds a pair. `found`: the tested method's contact. `truth`: the reference at fidelity `mesh`. Empty: the
+  /// pair is separated.
   void add(const std::optional<PairContact>& found, const std::optional<Proximity>& truth);
 
-  /// Adds `pairs`, `hits` (of the reference), `false_hits` (of the pairs that the reference leaves apart),
-  /// `missed_hits` (of those that it doesn't), `depth_error` and `normal_error_deg` (medians over the hits of
-  /// both).
+  /// Writes to the row: `pairs`, `hits` (of the reference), `false_hits` (fraction of the pairs that the
+  /// reference finds separated), `missed_hits` (fraction of its hits), `depth_error` and `normal_error_deg`
+  /// (medians over pairs that both report as hits).
   void tell(ReportRow& row) const;
 
  private:

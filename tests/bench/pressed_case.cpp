@@ -12,7 +12,7 @@ namespace prosector {
 namespace {
 
 constexpr double pressing_s = 0.5, held_s = 1;
-constexpr std::size_t last_ticks = 10;  // in which the force is taken
+constexpr std::size_t last_ticks = 10;  // ticks over which the force is averaged
 
 bool takes_substeps(const Rung& rung) {
   const auto& rows = explicit_integrators();
@@ -28,7 +28,7 @@ void judge(ReportRow& row) {
 
 template <const PressedBody& (*body)()>
 TradeCase pressed(const char* name, const char* title, const std::vector<unsigned>& cells) {
-  return {name,  title,       "error_material", "error of the force held", cells, nullptr, nullptr, {},
+  return {name,  title,       "error_material", "error of the static force", cells, nullptr, nullptr, {},
           false, judge<body>, &body()};
 }
 
@@ -46,7 +46,7 @@ std::size_t PressedSpecimen::nodes() const {
 }
 
 StepFigures PressedSpecimen::step(double dt, const Vec3&) {
-  if (dt != dt_) throw std::logic_error("a simulation's tick is its own");
+  if (dt != dt_) throw std::logic_error("the step must equal the simulation's tick");
   const double down = std::min(1.0, ++steps_ * dt / pressing_s);
   const StepReport& report = tissue_.press(depth_ * down);
   StepFigures figures;
@@ -65,7 +65,8 @@ std::unique_ptr<PressedSpecimen> make_pressed(const PressedBody& body, const Run
                                               double dt) {
   SoftDesc desc = pressed_desc(body, body.longest / cells);
   rung.apply_to(desc);
-  if (takes_substeps(rung)) desc.contact = "vertices";  // it has no other
+  if (takes_substeps(rung))
+    desc.contact.points = ContactPoints::vertices;  // substepped methods support only vertex contacts
   return std::make_unique<PressedSpecimen>(body, desc, dt);
 }
 

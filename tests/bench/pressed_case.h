@@ -1,5 +1,5 @@
 #pragma once
-// Press, organ: a ball pressed into tissue by a rung, and held.
+// The cases press and organ: a ball pressed into tissue and held.
 
 #include <memory>
 
@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Pressed within half a second, then held.
+/// A pressed body: the ball moves to its depth within 0.5 s and is then held.
 class PressedSpecimen final : public Steppable {
  public:
   PressedSpecimen(const PressedBody& body, const SoftDesc& desc, double dt);
@@ -19,17 +19,17 @@ class PressedSpecimen final : public Steppable {
 
  private:
   double depth_;  // m
-  double dt_;     // s: a tick
+  double dt_;     // s, tick duration
   PressedTissue tissue_;
   int steps_ = 0;
 };
 
-/// Returns one of cells that go `cells` times into the body's longest side. Throws InputError when the rung
+/// Returns a pressed body with `cells` cells along its longest side. Throws InputError if the configuration
 /// refuses it.
 std::unique_ptr<PressedSpecimen> make_pressed(const PressedBody& body, const Rung& rung, unsigned cells,
                                               double dt);
 
-/// Presses and holds it; returns the force. Empty: it did not get that far.
+/// Presses and holds the body; returns the force, or an empty row if the run stopped early.
 ReportRow measure_press(const PressedSpecimen& specimen, Runner& runner);
 
 }  // namespace prosector

@@ -21,10 +21,10 @@ constexpr double layer_height = 0.02;  // m
 const Vec3 layer_size(0.12, layer_height, 0.12), organ_size(0.16, 0.08, 0.12),
     liver_size(0.206, 0.149, 0.171);
 constexpr double organ_surface_cell = 0.004, liver_surface_cell = 0.004;  // m
-constexpr double layer_core = 0.0065;                                     // m: as far as it is pressed
+constexpr double layer_core = 0.0065;  // m: half width of the pressed region
 
 void shape_layer(SoftDesc& desc) {
-  desc.shape = "block";
+  desc.geometry.shape = "block";
   desc.attach = {test::bonded_below(layer_height)};
 }
 
@@ -32,40 +32,40 @@ Anatomy layer_block(double cell) {
   return test::even_layer(layer_size.x(), layer_height, cell);
 }
 
-/// What is refined has the surface of the mesh that it is refined to.
+/// Gives a refined mesh the surface of the mesh that it is refined to.
 Anatomy layer_mesh(const SoftDesc& desc) {
-  Anatomy coarse = layer_block(desc.cell);
-  if (desc.refine_cell == 0) return coarse;
-  return embed(std::move(coarse.tets), layer_block(desc.refine_cell).surface).anatomy;
+  Anatomy coarse = layer_block(desc.geometry.cell);
+  if (desc.refinement.cell == 0) return coarse;
+  return embed(std::move(coarse.tets), layer_block(desc.refinement.cell).surface).anatomy;
 }
 
 Anatomy graded_layer(const SoftDesc& desc) {
-  return test::pressed_layer(layer_height, layer_core, desc.cell);
+  return test::pressed_layer(layer_height, layer_core, desc.geometry.cell);
 }
 
 void shape_organ(SoftDesc& desc) {
-  desc.shape = "liver";
-  desc.size = organ_size;
-  desc.surface_cell = organ_surface_cell;
-  constexpr double bed = 1, deep = 0.02;  // m: radius of what it lies in, and how far below the middle
+  desc.geometry.shape = "liver";
+  desc.geometry.size = organ_size;
+  desc.geometry.surface_cell = organ_surface_cell;
+  constexpr double bed = 1, deep = 0.02;  // m: radius of the bed, and its depth below the centre
   desc.attach = {{{0, -bed - deep, 0}, bed, 1e10}};
 }
 
 void shape_liver(SoftDesc& desc) {
-  desc.volume = "liver.inr.gz";
-  desc.label = 255;
-  desc.pose.q = Quat(0, 1, 0, 0);  // the image lies supine
-  desc.fallback = "liver";
-  desc.size = liver_size;
-  desc.youngs_modulus = 5400;
-  desc.surface_cell = liver_surface_cell;
-  constexpr double bed = 1, deep = 0.03;  // m: so the lowest 55 mm lie in it
+  desc.geometry.volume = "liver.inr.gz";
+  desc.geometry.label = 255;
+  desc.pose.q = Quat(0, 1, 0, 0);  // rotates the supine CT image
+  desc.geometry.fallback = "liver";
+  desc.geometry.size = liver_size;
+  desc.material.youngs_modulus = 5400;
+  desc.geometry.surface_cell = liver_surface_cell;
+  constexpr double bed = 1, deep = 0.03;  // m: the bed holds the lowest 55 mm
   desc.attach = {{{0, -bed - deep, 0}, bed, 1e10}};
 }
 
-/// Returns where the vertical through the middle leaves the surface.
+/// Returns the highest intersection of the surface with the vertical through the centre.
 Vec3 top_of(const TriangleMesh& surface) {
-  constexpr double rim = -1e-9;  // share: on an edge is in both triangles
+  constexpr double rim = -1e-9;  // tolerance: a point on an edge belongs to both triangles
   Vec3 top(0, -1e300, 0);
   for (const auto& [i, j, k] : surface.triangles) {
     const Vec3 &a = surface.positions[i], &b = surface.positions[j], &c = surface.positions[k];
@@ -99,14 +99,14 @@ CompileOptions options_of(const PressedBody& body, const PressSettings& settings
   return out;
 }
 
-/// Returns the mesh that following the ball's press makes of cells so wide, m.
+/// Returns the mesh with cells of `wide` m, locally refined under the pressing ball.
 Anatomy graded_by_press(const PressedBody& body, const SoftDesc& desc, double wide) {
   constexpr double reach = 0.02;  // m
-  constexpr int ticks = 40;       // more than it takes
-  SoftDesc coarse = pressed_desc(body, wide, desc.cell);
-  coarse.refine_reach = reach;
-  coarse.surface_cell = desc.surface_cell;
-  coarse.refine_most = 100000;
+  constexpr int ticks = 40;       // more than refinement needs
+  SoftDesc coarse = pressed_desc(body, wide, desc.geometry.cell);
+  coarse.refinement.reach = reach;
+  coarse.geometry.surface_cell = desc.geometry.surface_cell;
+  coarse.refinement.max_elements = 100000;
   PressedTissue tissue(body, coarse);
   for (int tick = 1; tick <= ticks; ++tick) tissue.press(body.depth * tick / ticks);
   return tissue.simulation().soft(1).anatomy();
@@ -114,11 +114,11 @@ Anatomy graded_by_press(const PressedBody& body, const SoftDesc& desc, double wi
 
 Anatomy graded_organ(const SoftDesc& desc) {
   constexpr double wide = 0.012;  // m
-  return graded_by_press(pressed_organ(), desc, std::max(desc.cell, wide));
+  return graded_by_press(pressed_organ(), desc, std::max(desc.geometry.cell, wide));
 }
 
 Anatomy graded_liver(const SoftDesc& desc) {
-  return graded_by_press(pressed_liver(), desc, 2 * desc.cell);  // its outline is its cells'
+  return graded_by_press(pressed_liver(), desc, 2 * desc.geometry.cell);  // the cells determine its outline
 }
 
 }  // namespace
@@ -144,20 +144,20 @@ const PressedBody& pressed_liver() {
 SoftDesc pressed_desc(const PressedBody& body, double cell, double refine_cell) {
   SoftDesc desc;
   desc.name = "tissue";
-  desc.model = tissue_law;
-  desc.solver = "multigrid";
-  desc.youngs_modulus = 5000;
-  desc.poisson_ratio = 0.45;
-  desc.cell = cell;
-  desc.contact = "surface";
-  desc.damping_mass = 5;
-  desc.newton_iterations = 6;  // three end before a deep press is at rest: its force goes to and fro
+  desc.configuration.model = tissue_law;
+  desc.configuration.solver = "multigrid";
+  desc.material.youngs_modulus = 5000;
+  desc.material.poisson_ratio = 0.45;
+  desc.geometry.cell = cell;
+  desc.contact.points = ContactPoints::surface;
+  desc.material.damping_mass = 5;
+  desc.configuration.newton_iterations = 6;  // with three, the force of a deep press oscillates
   body.shape(desc);
   if (refine_cell > 0) {
-    desc.refine = "touch";
-    desc.refine_cell = refine_cell;
-    desc.refine_reach = radius;
-    desc.refine_most = 20000;
+    desc.refinement.at = Refining::touch;
+    desc.refinement.cell = refine_cell;
+    desc.refinement.reach = radius;
+    desc.refinement.max_elements = 20000;
   }
   return desc;
 }
@@ -179,24 +179,25 @@ std::size_t PressedTissue::tets() const {
 }
 
 double force_at_rest(const PressedBody& body, SoftDesc desc) {
-  desc.element = "tet10";
-  if (!body.by_image) desc.surface_cell = std::min(desc.surface_cell, desc.cell / 2);
-  desc.damping_mass = desc.damping_stiffness = 0;
-  desc.newton_iterations = 40;
-  desc.solver_iterations = 500;
-  desc.solver_tolerance = 1e-4;
-  desc.density = 1e-3;  // kg/m³: in ticks of a millisecond inertia is nothing
+  desc.configuration.element = "tet10";
+  if (!body.by_image)
+    desc.geometry.surface_cell = std::min(desc.geometry.surface_cell, desc.geometry.cell / 2);
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
+  desc.configuration.newton_iterations = 40;
+  desc.configuration.solver_iterations = 500;
+  desc.configuration.solver_tolerance = 1e-4;
+  desc.material.density = 1e-3;  // kg/m³: makes inertia negligible in ticks of 1 ms
   PressSettings settings;
-  settings.tick = 1e-3;  // s: all over before a tetrahedron that is inside out has the law changed
+  settings.tick = 1e-3;  // s: ends before an inverted tetrahedron triggers the recovery law
   settings.contact_stiffness = 200;
   settings.graded = true;
   PressedTissue tissue(body, desc, settings);
-  constexpr double stride = 7e-4;  // m: that it is pressed in by at once, lest the search go astray
+  constexpr double stride = 7e-4;  // m: indentation per step; larger steps may not converge
   const int ways = static_cast<int>(std::ceil(body.depth / stride));
   for (int i = 1; i <= ways; ++i) tissue.press(body.depth * i / ways);
   double last = tissue.force();
   constexpr int most_ticks = 12;
-  constexpr double settled = 5e-4;  // of the force, from tick to tick
+  constexpr double settled = 5e-4;  // relative force change per tick at convergence
   for (int i = 0; i < most_ticks; ++i) {
     tissue.press(body.depth);
     const double now = tissue.force();
@@ -205,7 +206,7 @@ double force_at_rest(const PressedBody& body, SoftDesc desc) {
   }
   if (tissue.simulation().soft_state(1).recovering)
     throw InputError(
-        fmt::format("{}: so pressed, elements are inside out, and another law leads out", body.name));
+        fmt::format("{}: elements inverted at this depth, so the recovery law took over", body.name));
   return tissue.force();
 }
 

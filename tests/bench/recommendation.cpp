@@ -17,7 +17,7 @@ namespace {
 constexpr double budgets_ms[] = {1, 4, 8, 16};
 constexpr double accuracies[] = {0.01, 0.02, 0.05, 0.10};
 
-/// The row that `better` prefers among those that `allowed` lets pass; null: none.
+/// Returns the best row (by `better`) among the allowed ones; null if there is none.
 template <class Allowed, class Better>
 const ReportRow* best(const std::vector<const ReportRow*>& rows, const Allowed& allowed,
                       const Better& better) {
@@ -28,7 +28,7 @@ const ReportRow* best(const std::vector<const ReportRow*>& rows, const Allowed& 
   return chosen;
 }
 
-/// Whether a finer mesh makes the answer clearly worse, so that two errors cancel here.
+/// Returns whether a finer mesh at least doubles the error, which means that two errors cancel here.
 template <class Error>
 bool right_by_chance(const ReportRow& row, const std::vector<const ReportRow*>& rows, bool moving,
                      const Error& error) {
@@ -38,7 +38,7 @@ bool right_by_chance(const ReportRow& row, const std::vector<const ReportRow*>& 
            (!moving || setting(other, "integrator") == setting(row, "integrator")) &&
            figure(other, "dt_ms") == figure(row, "dt_ms");
   };
-  std::map<double, double> least;  // error, by tetrahedra
+  std::map<double, double> least;  // least error by number of tetrahedra
   for (const ReportRow* other : rows) {
     if (!alike(*other)) continue;
     const auto [at, is_new] = least.try_emplace(figure(*other, "tets"), error(*other));
@@ -49,7 +49,8 @@ bool right_by_chance(const ReportRow& row, const std::vector<const ReportRow*>& 
 }
 
 std::string told(const ReportRow& row, const char* error_key) {
-  return fmt::format("{}: {} ms a frame, {} % off", in_words(row), three_digits(figure(row, "ms_per_frame")),
+  return fmt::format("{}: {} ms per frame, error {} %", in_words(row),
+                     three_digits(figure(row, "ms_per_frame")),
                      three_digits(100 * std::abs(figure(row, error_key))));
 }
 
@@ -87,7 +88,7 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
           measured, [&](const ReportRow& r) { return error(r) <= accuracy; },
           [&](const ReportRow& a, const ReportRow& b) { return cost(a) < cost(b); });
       lines.push_back(fmt::format("  within {:.0f} %: {}", 100 * accuracy,
-                                  row ? told(*row, which->error_key) : "nothing that was run"));
+                                  row ? told(*row, which->error_key) : "no run"));
     }
     for (const double budget : budgets_ms) {
       const ReportRow* row = best(
@@ -95,8 +96,8 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
           [&](const ReportRow& a, const ReportRow& b) {
             return std::pair(error(a), cost(a)) < std::pair(error(b), cost(b));
           });
-      lines.push_back(fmt::format("  within {:.0f} ms: {}", budget,
-                                  row ? told(*row, which->error_key) : "nothing that was run"));
+      lines.push_back(
+          fmt::format("  within {:.0f} ms: {}", budget, row ? told(*row, which->error_key) : "no run"));
     }
   }
   return lines;

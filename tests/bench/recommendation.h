@@ -1,5 +1,5 @@
 #pragma once
-// What a person should choose on the machine that was measured.
+// Recommended model configurations for the measured machine.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace prosector {
 
-/// A row's rung in one line: model, element, integrator, solver and effort, tetrahedra, step.
+/// Describes a row's configuration in one line: model, element, integrator, solver and effort, tetrahedra,
+/// step.
 std::string in_words(const ReportRow& row);
 
-/// Sentences: for each case, the cheapest row within each accuracy, and the best within each budget of a
-/// frame. Peers' rows are left out: a scene can't choose them.
+/// Returns lines of text: for each case, the cheapest row within each error limit, and the most accurate row
+/// within each frame-time budget. Bullet's rows are omitted: scenes cannot use them.
 std::vector<std::string> recommend(const std::vector<ReportRow>& rows);
 
 }  // namespace prosector

@@ -20,7 +20,7 @@ nlohmann::ordered_json Report::json() const {
 }
 
 void Report::write(const std::string& file) const {
-  // JSON has no infinities: the library writes what is not finite as null.
+  // JSON has no infinities: the library writes non-finite numbers as null.
   if (!(std::ofstream(file) << json().dump(2) << "\n")) throw std::runtime_error("cannot write " + file);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A rung as the columns of a report.
+// Report columns of a model configuration.
 
 #include "server/calibration/rung.h"
 #include "tests/bench/report.h"

@@ -51,10 +51,10 @@ ReportRow figures(const CostSummary& cost) {
 }
 
 void SolverEffort::apply_to(SoftDesc& desc) const {
-  desc.solver = name;
-  desc.newton_iterations = newton;
-  desc.solver_iterations = iterations;
-  desc.solver_tolerance = tolerance;
+  desc.configuration.solver = name;
+  desc.configuration.newton_iterations = newton;
+  desc.configuration.solver_iterations = iterations;
+  desc.configuration.solver_tolerance = tolerance;
 }
 
 SoftRun::SoftRun(const SoftDesc& desc, const Anatomy& anatomy)
@@ -96,13 +96,13 @@ void SoftRun::settle(double h, const Vec3& gravity, int steps) {
 
 ReportRow settings(const SoftBody& body, double dt) {
   const SoftDesc& desc = body.desc();
-  return {{"model", desc.model},
-          {"element", desc.element},
-          {"integrator", desc.integrator},
-          {"solver", desc.solver},
-          {"newton_iterations", desc.newton_iterations},
-          {"solver_iterations", desc.solver_iterations},
-          {"solver_tolerance", desc.solver_tolerance},
+  return {{"model", desc.configuration.model},
+          {"element", desc.configuration.element},
+          {"integrator", desc.configuration.integrator},
+          {"solver", desc.configuration.solver},
+          {"newton_iterations", desc.configuration.newton_iterations},
+          {"solver_iterations", desc.configuration.solver_iterations},
+          {"solver_tolerance", desc.configuration.solver_tolerance},
           {"tets", body.elements()},
           {"nodes", body.nodes()},
           {"dt", dt},
@@ -113,7 +113,7 @@ TextTable path_table(const std::vector<Column>& more, const Column& last) {
   using enum Column::Kind;
   std::vector<Column> columns = {{text, "solver", "solver", 9},
                                  {count, "newton_iterations", "N"},
-                                 {count, "solver_iterations", "at most"},
+                                 {count, "solver_iterations", "max. it."},
                                  {number, "solver_tolerance", "to", 6}};
   columns.insert(columns.end(), more.begin(), more.end());
   columns.insert(columns.end(), {{count, "threads", "T"},
@@ -141,7 +141,7 @@ Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double g
 }
 
 AttachDesc clamp_at(double x0, const Vec3& center) {
-  // A sphere so large that its surface is a plane to within a hair.
+  // A sphere so large that its surface is practically a plane.
   constexpr double radius = 1e5;
   return {Vec3(x0 - radius, center.y(), center.z()), radius + 1e-4, 1e13};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One soft body stepped by the server's island solver, and what its steps cost.
+// Steps one soft body with the server's island solver and measures the cost.
 
 #include "server/physics/mechanics/coupled/island_solver.h"
 #include "tests/bench/report.h"
@@ -8,9 +8,9 @@
 namespace prosector {
 
 struct StepCost {
-  double wall_ms = 0, cpu_ms = 0;  // cpu: of all threads together
-  int newton = 0, iterations = 0;  // iterations: of the linear solver
-  double residual = 0;             // relative, of the last linear solve
+  double wall_ms = 0, cpu_ms = 0;  // cpu: all threads
+  int newton = 0, iterations = 0;  // iterations of the linear solver
+  double residual = 0;             // relative residual of the last linear solve
 };
 
 /// Means and medians over the steps of one phase.
@@ -27,10 +27,10 @@ class CostSummary {
   std::vector<StepCost> costs_;
 };
 
-/// `steps_per_s` and what else a report says of steps.
+/// Returns `steps_per_s` and the other cost columns of a report.
 ReportRow figures(const CostSummary& cost);
 
-/// A linear solver, and how much it is given: 1 Newton iteration or more, so many of its own at most.
+/// Linear solver with its budget: number of Newton iterations (at least 1) and maximum of its own iterations.
 struct SolverEffort {
   const char* name;
   int newton, iterations;
@@ -42,10 +42,10 @@ class SoftRun {
  public:
   SoftRun(const SoftDesc& desc, const Anatomy& anatomy);
 
-  /// Contacts are those of this step alone; side a names body 0.
+  /// Takes one step with these contacts. Side a of each contact names body 0.
   StepCost step(double h, const Vec3& gravity, std::vector<Contact> contacts = {});
-  /// Steps of h until nothing moves more than 1e-8 m in one, all velocities dropped whenever the kinetic
-  /// energy has passed a maximum: the rest shape that these settings lead to. At most `steps`.
+  /// Finds the equilibrium: takes at most `steps` steps of h until no node moves more than 1e-8 m in a step.
+  /// Velocities are zeroed whenever the kinetic energy has passed a maximum.
   void settle(double h, const Vec3& gravity, int steps);
 
   const SoftBody& body() const { return body_; }
@@ -59,17 +59,17 @@ class SoftRun {
   bool finite_ = true;
 };
 
-/// The body's rung, effort and size, and the threads that are allowed now, as columns of a report.
+/// Returns report columns with the body's configuration, effort, size and number of threads.
 ReportRow settings(const SoftBody& body, double dt);
 
-/// Of runs along a path: solver and effort, then columns of `more` settings, what a step costs, how far off
-/// the path it is, and `last`.
+/// Returns a text table for runs along a path: solver and effort, the settings `more`, cost of a step, path
+/// error, and the column `last`.
 TextTable path_table(const std::vector<Column>& more, const Column& last);
 
-/// Of the i-th node, at `gap` m from something fixed. `stiffness` N/m.
+/// Returns a contact of node i with a fixed object at distance `gap`, m. `stiffness`: N/m.
 Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness);
 
-/// A pin of all nodes at x = x0, the first of a box's faces.
+/// Returns an attachment of all nodes at x = x0, the first face of a box.
 AttachDesc clamp_at(double x0, const Vec3& center);
 
 }  // namespace prosector

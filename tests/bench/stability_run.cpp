@@ -17,9 +17,9 @@ namespace {
 
 constexpr double frame = 1. / 60;          // s
 constexpr double near_enough = 1e-3;       // m
-constexpr double energy_allowance = 0.01;  // of the largest energy there was
-constexpr double least_energy = 1e-9;      // J: below it nothing is measured but rounding
-constexpr int steps_between_looks = 10;    // at the shape
+constexpr double energy_allowance = 0.01;  // fraction of the largest energy so far
+constexpr double least_energy = 1e-9;      // J: smaller energies are rounding errors
+constexpr int steps_between_looks = 10;    // between two shape checks
 constexpr double still_speed = 1e-3;       // m/s
 constexpr double still_seconds = 0.5;
 
@@ -64,10 +64,10 @@ class StabilityRun {
     return extreme_.force / specimen_->node_mass().sum() * extreme_.load.normalized();
   }
 
-  /// False: not finite, or out of time.
+  /// Returns false if the state is not finite or the time limit is reached.
   bool phase(double seconds, const Vec3& gravity) {
     if (seconds <= 0) return true;
-    const Vec3 pull = gravity.allFinite() ? gravity : Vec3(Vec3::Zero());  // of what is not, none is taken
+    const Vec3 pull = gravity.allFinite() ? gravity : Vec3(Vec3::Zero());  // ignore non-finite gravity
     double start = total_energy(pull);
     double largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
     const int steps = std::max(1, static_cast<int>(std::lround(seconds / extreme_.dt)));
@@ -77,7 +77,7 @@ class StabilityRun {
         went_ = false;
         return false;
       }
-      if (figures.reset || switched_) {  // starts anew
+      if (figures.reset || switched_) {  // restart the energy reference
         start = total_energy(pull);
         largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
       }
@@ -97,9 +97,9 @@ class StabilityRun {
     if (back_ && result_.back_after_s < 0) result_.back_after_s = t;
   }
 
-  /// Whether it is back and has kept its shape for so long that nothing more will happen, however it drifts
-  /// and spins, unless its law is for small rotations. A body at rest is watched to the end under methods
-  /// that may grow out of rounding.
+  /// Returns whether the body has recovered and kept its shape long enough to stop, even if it drifts or
+  /// spins (unless its law is limited to small rotations). Methods that may amplify rounding errors run to
+  /// the end.
   bool settled(double dt) {
     const bool still = (moved_ || !substepped_) && back_ && !recovering_ && deforming_speed() < still_speed;
     still_for_ = still ? still_for_ + dt : 0;
@@ -112,7 +112,7 @@ class StabilityRun {
                         [&](const IntegratorRow& row) { return row.name == rung.integrator; });
   }
 
-  /// m/s, of the node that is fastest beside the body's motion as a whole.
+  /// Returns the largest node speed relative to the body's rigid motion, m/s.
   double deforming_speed() const {
     const VecX x = specimen_->positions(), &mass = specimen_->node_mass();
     VecX v = specimen_->velocities();
@@ -127,7 +127,7 @@ class StabilityRun {
         inertia += mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
       }
       const Vec3 omega =
-          inertia.completeOrthogonalDecomposition().solve(spin);  // of a straight rope: singular
+          inertia.completeOrthogonalDecomposition().solve(spin);  // singular for a straight rope
       for (Eigen::Index i = 0; i < mass.size(); ++i)
         v.segment<3>(3 * i) -= omega.cross(Vec3(x.segment<3>(3 * i) - center));
     }
@@ -165,9 +165,9 @@ class StabilityRun {
   void judge(bool whole) {
     const bool back = !extreme_.must_recover || result_.shape_error < near_enough;
     if (!went_) {
-      fail("went non-finite");
+      fail("became non-finite");
     } else if (result_.energy_excess > energy_allowance) {
-      fail(fmt::format("its energy rose by {} %", three_digits(100 * result_.energy_excess)));
+      fail(fmt::format("energy rose by {} %", three_digits(100 * result_.energy_excess)));
     } else if (!whole) {
       result_.reason = fmt::format("stopped after {:.0f} ms of CPU time", spent_ms_);
     } else if (back && result_.resets + result_.losses > 0) {
@@ -176,10 +176,10 @@ class StabilityRun {
       result_.verdict = result_.refusals > 0 ? Verdict::refuses : Verdict::survives;
     } else if (!last_converged_) {
       result_.verdict = Verdict::degrades;
-      result_.reason = fmt::format("not back: {} mm off, and says that it has not converged",
+      result_.reason = fmt::format("shape error {} mm, reported as not converged",
                                    three_digits(1e3 * result_.shape_error));
     } else {
-      fail(fmt::format("quietly {} mm off its rest shape", three_digits(1e3 * result_.shape_error)));
+      fail(fmt::format("unreported shape error of {} mm", three_digits(1e3 * result_.shape_error)));
     }
   }
 
@@ -192,12 +192,12 @@ class StabilityRun {
   TestPiece piece_;
   double limit_ms_, spent_ms_ = 0;
   std::unique_ptr<Specimen> specimen_;
-  bool turns_;       // its law
-  bool substepped_;  // its method
+  bool turns_;       // whether the law supports large rotations
+  bool substepped_;  // whether the method takes substeps
   VecX rest_;
   std::vector<double> steps_ms_;
   bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false, moved_ = false;
-  bool back_ = false;     // in its shape, when last looked at
+  bool back_ = false;     // recovered at the last shape check
   double still_for_ = 0;  // s
   StabilityResult result_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// One rung under one extreme, and the verdict.
+// Runs one configuration under one extreme and judges it.
 
 #include <optional>
 #include <string>
@@ -10,28 +10,29 @@
 
 namespace prosector {
 
-/// Survives: finite at every step, the total energy never more than 1 % above its start (of the largest
-/// kinetic plus elastic energy there was), and back within 1 mm of the rest shape (see misfit), up to a rigid
-/// motion, 5 s after the release (where the extreme asks for that). Degrades: a step reported a reset or
-/// another loss, or the shape was not back and the last step said that it had not converged. Refuses:
-/// InputError before the first step. Fails: anything else.
+/// Result of a stability test. Survives: the state is finite after every step; the total energy never exceeds
+/// its initial value by more than 1 % of the largest kinetic plus elastic energy; and 5 s after the release,
+/// if the extreme requires recovery, the shape error (see misfit) is within 1 mm. Degrades: a step reported a
+/// reset or another loss, or the shape did not recover and the last step reported that it had not converged.
+/// Refuses: InputError before the first step. Fails: anything else.
 struct StabilityResult {
-  std::optional<Verdict> verdict;  // none: stopped after the time it was given
+  std::optional<Verdict> verdict;  // none: stopped at the time limit
   std::string reason;
-  bool met_deadline = true;  // ms_per_frame is at most what it stands for
+  bool met_deadline = true;  // whether ms_per_frame is at most its simulated time
   std::size_t tets = 0, nodes = 0;
-  double ms_per_frame = 0, worst_ms_per_frame = 0;  // CPU, of 1/60 s or one step if that is longer
-  double steps_per_s = 0;                           // CPU, likewise
-  double energy_excess = 0;                         // share, see above
-  double shape_error = 0;                           // m, see misfit, at the end
-  double back_after_s = -1;                         // s after the release; −1: not back within 1 mm
-  int resets = 0, refusals = 0, losses = 0;         // steps that reported one; losses: of another kind
-  int guarded = 0;                                  // steps taken again or shortened
-  int recoveries = 0;                               // times that the recovery law took over
+  double ms_per_frame = 0, worst_ms_per_frame = 0;  // CPU time per 1/60 s, or per step if that is longer
+  double steps_per_s = 0;                           // from CPU time
+  double energy_excess = 0;                         // fraction, see above
+  double shape_error = 0;                           // m, at the end (see misfit)
+  double back_after_s = -1;                  // s from release to recovery within 1 mm; −1: not recovered
+  int resets = 0, refusals = 0, losses = 0;  // steps that reported a reset, a refusal, another loss
+  int guarded = 0;                           // steps repeated or shortened by the energy safeguard
+  int recoveries = 0;                        // number of switches to the recovery law
   int steps = 0, steps_not_converged = 0;
-  double residual = 0;  // largest
+  double residual = 0;  // largest relative residual
 };
 
+/// Runs the test; stops it after `limit_ms` of CPU time.
 StabilityResult run_extreme(const StabilityRung& rung, const Extreme& extreme, double limit_ms);
 
 }  // namespace prosector

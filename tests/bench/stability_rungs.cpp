@@ -13,9 +13,10 @@ namespace {
 
 void add_solvers(const std::string& model, std::vector<StabilityRung>& rungs) {
   const SoftDesc scene;
-  if (model != scene.model) return;
+  if (model != scene.configuration.model) return;
   for (const std::string& solver : solver_names())
-    if (solver != scene.solver) rungs.push_back({{model, scene.integrator, solver}});
+    if (solver != scene.configuration.solver)
+      rungs.push_back({{model, scene.configuration.integrator, solver}});
 }
 
 void add_quadratic(const std::string& model, std::vector<StabilityRung>& rungs) {
@@ -23,10 +24,11 @@ void add_quadratic(const std::string& model, std::vector<StabilityRung>& rungs) 
       std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return row.name == model; });
   if (!law) return;
   for (const IntegratorRow& integrator : integrators())
-    rungs.push_back({{model, integrator.name, SoftDesc{}.solver, "tet10"}, PieceMesh::few_tets});
+    rungs.push_back(
+        {{model, integrator.name, SoftDesc{}.configuration.solver, "tet10"}, PieceMesh::few_tets});
 }
 
-/// What a scene in need of speed may ask for: a solve that stops early as a rule.
+/// Adds a configuration whose solver usually stops at its iteration limit, as fast scenes use it.
 void add_budgeted(const std::string& model, std::vector<StabilityRung>& rungs) {
   if (model != "fem_corotational" && model != "fem_neo_hookean" && model != "fem_fibers") return;
   Rung rung{model, "implicit_euler", "cg"};
@@ -39,7 +41,7 @@ void add_fabrics(const ModelRow& model, std::vector<StabilityRung>& rungs) {
   if (!model.fabric) return;
   for (const PieceMesh mesh : {PieceMesh::sheet, PieceMesh::rope})
     for (const std::string& integrator : integrators_for(model))
-      rungs.push_back({{model.name, integrator, SoftDesc{}.solver}, mesh});
+      rungs.push_back({{model.name, integrator, SoftDesc{}.configuration.solver}, mesh});
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ std::vector<StabilityRung> stability_rungs(const std::string& only_model) {
   for (const ModelRow& model : models()) {
     if (!only_model.empty() && model.name != only_model) continue;
     for (const std::string& integrator : integrators_for(model))
-      rungs.push_back({{model.name, integrator, SoftDesc{}.solver}});
+      rungs.push_back({{model.name, integrator, SoftDesc{}.configuration.solver}});
     add_solvers(model.name, rungs);
     add_quadratic(model.name, rungs);
     add_budgeted(model.name, rungs);
@@ -69,10 +71,10 @@ const char* mesh_name(PieceMesh mesh) {
 std::string row_name(const StabilityRung& row) {
   const Rung& rung = row.rung;
   std::string name = rung.name();
-  if (is_fabric(row.mesh))  // has no element
+  if (is_fabric(row.mesh))  // fabrics have no element
     name.replace(name.find(rung.element), rung.element.size(), mesh_name(row.mesh));
-  if (rung.newton_iterations == SoftDesc{}.newton_iterations &&
-      rung.solver_iterations == SoftDesc{}.solver_iterations)
+  if (rung.newton_iterations == SoftDesc{}.configuration.newton_iterations &&
+      rung.solver_iterations == SoftDesc{}.configuration.solver_iterations)
     return name;
   return fmt::format("{}, {} × {}", name, rung.newton_iterations, rung.solver_iterations);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene can ask for, at its default budget: the rows of the stability map.
+// Configurations that the stability map tests: those that a scene can request, with default budgets.
 
 #include "server/calibration/rung.h"
 #include "tests/bench/extreme.h"
@@ -11,12 +11,12 @@ struct StabilityRung {
   PieceMesh mesh = PieceMesh::tets;
 };
 
-/// Every model under every integrator that goes with it, linear tetrahedra; the default model with every
-/// solver; every law on quadratic tetrahedra under every implicit integrator; laws that fit
-/// large strain by implicit Euler with a budget of 20 iterations of conjugate gradients a tick; models for
-/// fabrics on a sheet and a rope under every integrator. Empty `only_model`: all models.
+/// Returns the tested configurations: every model with every compatible integrator on linear tetrahedra; the
+/// default model with every solver; every law on quadratic tetrahedra with every implicit integrator; laws
+/// for large strain with implicit Euler and 20 conjugate-gradient iterations per tick; fabric models on a
+/// sheet and a rope with every integrator. Empty `only_model`: all models.
 std::vector<StabilityRung> stability_rungs(const std::string& only_model);
-/// Its name, with the budget where that is not a scene's default.
+/// Returns the configuration's name, with its iteration budget if that is not a scene's default.
 std::string row_name(const StabilityRung& rung);
 bool is_fabric(PieceMesh mesh);
 const char* mesh_name(PieceMesh mesh);

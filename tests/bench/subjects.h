@@ -1,5 +1,5 @@
 #pragma once
-// What prosector-bench can measure; each prints a table and returns its report.
+// Subjects of prosector-bench. Each function runs one benchmark, prints a table and returns its report.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,147 +11,149 @@
 namespace prosector {
 
 struct SoftBenchOptions {
-  unsigned tets = 4000;  // about
+  unsigned tets = 4000;  // approximate number of tetrahedra
   unsigned threads = 1;
   int repeats = 51;
 };
-/// The calls of a Newton iteration on a pressed box of tetrahedra, for every law and element.
+/// Measures the parts of a Newton iteration on a pressed box of tetrahedra, for every law and element.
 Report bench_soft(const SoftBenchOptions& options);
 
-/// Every integrator by itself on a spring: order, limit and growth, beside theory.
+/// Measures every integrator on a spring: order, stability limit and growth, with theory.
 Report bench_integrators();
 
 struct RenderBenchOptions {
   std::string scene;  // file
   int width = 800, height = 600;
   int frames = 10;
-  std::string picture_folder;  // where to write the pictures drawn; empty: nowhere
+  std::string picture_folder;  // folder of the rendered images; empty: not written
   bool stereo = false;         // two eyes side by side, each half as wide
 };
-/// Frames of a scene in which a hand presses an organ. LP_NUM_THREADS=1 for steady figures.
+/// Measures frames of a scene in which a hand presses an organ. Set LP_NUM_THREADS=1 for reproducible times.
 Report bench_render(const RenderBenchOptions& options);
 
 struct BeamBenchOptions {
-  std::vector<std::uint32_t> cells = {2, 3, 4, 6, 11};  // across; each makes 24n³ tetrahedra
-  std::string model, element, solver;                   // only these rows; empty: all
-  unsigned threads = 2;                                 // from one to this many
+  std::vector<std::uint32_t> cells = {2, 3, 4, 6, 11};  // cells across; n cells give 24n³ tetrahedra
+  std::string model, element, solver;                   // filter; empty: all
+  unsigned threads = 2;                                 // maximum; runs start with one thread
 };
-/// The cantilever of other codes' figures: time against errors, moving and settled.
+/// Measures the cantilever of other codes' published results: time against error, moving and static.
 Report bench_beam(const BeamBenchOptions& options);
 
 struct Beam101kBenchOptions {
   int steps = 60;
-  std::string solver;    // only these rows; empty: all
-  unsigned threads = 2;  // from one to this many
+  std::string solver;    // filter; empty: all
+  unsigned threads = 2;  // maximum; runs start with one thread
 };
-/// SOFA's published beam of 101,250 tetrahedra.
+/// Measures SOFA's published beam of 101,250 tetrahedra.
 Report bench_beam101k(const Beam101kBenchOptions& options);
 
 struct PressBenchOptions {
-  unsigned cells = 12;   // through the organ; n make 18n³ tetrahedra
-  std::string solver;    // only these rows; empty: all
-  unsigned threads = 2;  // from one to this many
+  unsigned cells = 12;   // cells through the organ; n cells give 18n³ tetrahedra
+  std::string solver;    // filter; empty: all
+  unsigned threads = 2;  // maximum; runs start with one thread
 };
-/// An organ pressed by a ball: steps a second in contact, and their error.
+/// Measures an organ pressed by a ball: steps per second in contact, and their error.
 Report bench_press(const PressBenchOptions& options);
 
 struct WeightBenchOptions {
-  std::string body;          // only this one; empty: all
-  double poisson_ratio = 0;  // only this one; 0: all
-  bool quick = false;        // coarse: to see that it runs
+  std::string body;          // filter; empty: all
+  double poisson_ratio = 0;  // filter; 0: all
+  bool quick = false;        // coarse smoke test
 };
-/// Bodies that stand and hang: error against cost, the nearer to incompressible the harder.
+/// Measures standing and hanging bodies for several ν: error against cost of each element.
 Report bench_weight(const WeightBenchOptions& options);
 
 struct ContactBenchOptions {
-  std::string only;            // one case; empty: all
-  std::string picture_folder;  // where to write contact-hertz.svg; empty: nowhere
-  bool quick = false;          // coarse and short: to see that it runs
+  std::string only;            // case; empty: all
+  std::string picture_folder;  // folder of contact-hertz.svg; empty: not written
+  bool quick = false;          // coarse, short smoke test
 };
 std::vector<std::string> contact_case_names();
-/// What bodies make of touching each other, beside what they should; one thread.
+/// Runs the contact test suite: measured values against references, one thread.
 Report bench_contact(const ContactBenchOptions& options);
 
 struct CrowdBenchOptions {
   std::string scene;  // file
-  std::string organ;  // which is pressed; empty: the one of the most tetrahedra
+  std::string organ;  // pressed organ; empty: the one with the most tetrahedra
   std::vector<std::size_t> users = {1, 2, 4, 8, 16, 32, 64};
-  std::size_t hands = 2;  // of each user
-  double depth = 0.02;    // m: how far in middle fingertips are aimed
-  int ticks = 60;         // measured for each crowd
+  std::size_t hands = 2;  // hands per user
+  double depth = 0.02;    // m, target depth of the middle fingertips
+  int ticks = 60;         // measured ticks per row
   int threads = 2;
-  unsigned seed = 1;  // of the places that are pressed
+  unsigned seed = 1;  // random seed of the pressed points
 };
-/// A step's cost against how many people press one organ of a scene.
+/// Measures step time against the number of users who press one organ of a scene.
 Report bench_crowd(const CrowdBenchOptions& options);
 
 struct RefineBenchOptions {
-  bool quick = false;               // a coarse body alone, and refined: to see that it runs
-  std::string only;                 // layer or organ; empty: both
-  std::string contact = "surface";  // the body's, as a scene names it
-  std::string picture_folder;       // where to write refine-BODY.svg; empty: nowhere
+  bool quick = false;               // smoke test: one coarse body, without and with refinement
+  std::string only;                 // layer, organ or liver; empty: all
+  std::string contact = "surface";  // contact points of the body, as in scenes
+  std::string picture_folder;       // folder of refine-BODY.svg; empty: not written
   int threads = 1;
 };
-/// The force of a ball pressed into tissue whose elements are smaller where it presses.
+/// Measures the force of a ball pressed into locally refined tissue, and its cost.
 Report bench_refine(const RefineBenchOptions& options);
 
 struct ReferenceBenchOptions {
-  std::string only;    // one of trade's cases; empty: all
-  bool quick = false;  // the coarsest mesh of each: to see that it runs
+  std::string only;    // case of trade; empty: all
+  bool quick = false;  // smoke test on the coarsest mesh of each
 };
-/// What trade's cases cube, slab, hang, press and organ are judged by, found anew on finer and finer meshes.
+/// Recomputes the reference solutions of the cases cube, slab, hang, press, organ and liver on finer meshes.
 Report bench_references(const ReferenceBenchOptions& options);
 
 struct CutBenchOptions {
   int threads = 2;
-  bool quick = false;                  // one coarse organ: to see that it runs
-  double cell = 0;                     // m, of the one organ; 0: those of the table
-  std::string only;                    // one stroke, as rows name it; empty: all
-  bool sheets = false;                 // these alone
-  std::string model, element, solver;  // the organ's, as a scene names them; empty: a scene's default
-  bool self_contact = false;           // of the organ
+  bool quick = false;                  // smoke test with one coarse organ
+  double cell = 0;                     // m, cell size of the organ; 0: all default sizes
+  std::string only;                    // stroke, as named in rows; empty: all
+  bool sheets = false;                 // only the sheets
+  std::string model, element, solver;  // of the organ; empty: a scene's default
+  bool self_contact = false;           // self-contact of the organ
 };
 std::vector<std::string> cut_stroke_names();
-/// Strokes of a knife through organs of 5, 20 and 50 thousand tetrahedra.
+/// Measures strokes of a blade through organs of 5, 20 and 50 thousand tetrahedra, and through sheets.
 Report bench_cut(const CutBenchOptions& options);
 
 struct TradeBenchOptions {
   bool quick = false;
-  std::string only, model;        // one case, one model (as rows name it); empty: all
-  std::string picture_folder;     // where to write trade-CASE.svg; empty: nowhere
-  std::vector<std::string> from;  // reports whose rows are judged, drawn and advised on, instead of measured
-  double limit_ms = 12000;        // CPU time of one run; what would take longer is told as too slow
+  std::string only, model;        // case, model (as named in rows); empty: all
+  std::string picture_folder;     // folder of trade-CASE.svg; empty: not written
+  std::vector<std::string> from;  // reports to evaluate instead of measuring
+  double limit_ms = 12000;        // limit of one run's CPU time; longer runs are reported as stopped
 };
-/// Error against cost over the reference cases, one thread, with a recommendation.
+/// Measures error against cost of all model configurations over the test cases, with a recommendation; one
+/// thread.
 Report bench_trade(const TradeBenchOptions& options);
 
 struct StabilityBenchOptions {
-  std::string model, extreme;  // only these; empty: all
-  std::string picture_folder;  // where to write stability.svg; empty: nowhere
-  bool quick = false;          // only what is done in a blink
-  double limit_ms = 20000;     // CPU time of one rung under one extreme; what takes longer is left open
+  std::string model, extreme;  // filters; empty: all
+  std::string picture_folder;  // folder of stability.svg; empty: not written
+  bool quick = false;          // only fast extremes
+  double limit_ms =
+      20000;  // limit of CPU time of one configuration under one extreme; longer runs have no verdict
 };
 std::vector<std::string> extreme_names();
-/// Extremes over each rung, and a map of the verdicts; one thread.
+/// Runs every configuration under every extreme and maps the verdicts; one thread.
 Report bench_stability(const StabilityBenchOptions& options);
 
 struct ScalingBenchOptions {
-  std::string model, solver;  // only these rows; empty: all
+  std::string model, solver;  // filter; empty: all
   double max_tets = 1e6;
   unsigned threads = 2;    // 1, 2, 4 … up to this many
-  double limit_ms = 2000;  // CPU time of a frame after which no finer mesh is tried
+  double limit_ms = 2000;  // CPU time of a frame beyond which no finer mesh is run
 };
-/// Time against elements, from 100 on, and threads.
+/// Measures frame time against the number of elements, from 100, and of threads.
 Report bench_scaling(const ScalingBenchOptions& options);
 
 struct NeedBenchOptions {
   std::string scene;              // file
-  std::string body;               // only this one; empty: all solid soft ones
-  std::string cache;              // folder of rungs.json, meshes and trials
-  std::vector<std::string> data;  // folders of what scenes name
-  bool verbose = false;           // also what is tried
+  std::string body;               // filter; empty: all solid soft bodies
+  std::string cache;              // cache folder: rungs.json, meshes and trials
+  std::vector<std::string> data;  // folders of data files that scenes name
+  bool verbose = false;           // print each trial
 };
-/// What each soft body of a scene can have at what price, and what it promises.
+/// Chooses configurations of each soft body of a scene for several accuracies: cost and predicted error.
 Report bench_need(const NeedBenchOptions& options);
 
 struct PromiseBenchOptions {
@@ -159,62 +161,65 @@ struct PromiseBenchOptions {
   unsigned seed = 1;
   std::size_t finest_reference = 24000;  // tetrahedra
   std::string cache;
-  std::vector<std::string> data;  // folders where the CT volume is looked up
-  bool verbose = false;           // also what is tried
+  std::vector<std::string> data;  // folders searched for the CT volume
+  bool verbose = false;           // print each trial
 };
-/// Random bodies that ask for accuracy: what is promised against a finer reference and other acts.
+/// Measures the predicted accuracy of random bodies against finer references and other loads.
 Report bench_promise(const PromiseBenchOptions& options);
 
 struct EstimateBenchOptions {
-  std::string only;            // one case; empty: all
-  std::string scene;           // file, of which the cost is measured; empty: it isn't
-  std::string picture_folder;  // where to write estimate.svg; empty: nowhere
-  bool quick = false;          // one coarse case: to see that it runs
+  std::string only;            // case; empty: all
+  std::string scene;           // scene file for the cost of estimates; empty: not measured
+  std::string picture_folder;  // folder of estimate.svg; empty: not written
+  bool quick = false;          // smoke test with one coarse case
 };
-/// What bodies tell of their own error against the error that they have, over a table of cases.
+/// Measures the estimated error of soft bodies against their true error.
 Report bench_estimate(const EstimateBenchOptions& options);
 
 struct FeltBenchOptions {
-  std::string journal;                               // file of a recorded session
-  std::string scene;                                 // file in place of the session's own scene; empty: that
-  std::string body = "liver";                        // soft body whose force is told
-  std::vector<double> cells = {0.016, 0.012, 0.01};  // m: of the finer models, quadratic and of tissue's law
+  std::string journal;         // file of a recorded session
+  std::string scene;           // scene file that replaces the recorded scene; empty: none
+  std::string body = "liver";  // soft body whose force is reported
+  std::vector<double> cells = {
+      0.016, 0.012, 0.01};  // m: cells of the finer models, with quadratic elements and the tissue law
   unsigned threads = 2;
 };
-/// What people felt in a recorded session, against what finer models of the organ would have let them feel.
+/// Re-runs a recorded session's inputs on finer models of the organ and compares the contact forces.
 Report bench_felt(const FeltBenchOptions& options);
 
 struct CollisionBenchOptions {
-  int pairs = 1000;  // poses a shape
+  int pairs = 1000;  // poses per shape
   int ticks = 5;
   int max_bodies = 10000;
   int max_triangles = 131072;
-  std::string picture_folder;  // where to write collision.svg; empty: nowhere
-  double limit_ms = 5000;      // CPU time of a tick after which no larger scene is tried
+  std::string picture_folder;  // folder of collision.svg; empty: not written
+  double limit_ms = 5000;      // CPU time of a tick beyond which no larger scene is run
 };
-/// Collision detection at every fidelity: cost, false and missed hits, errors, memory, growth; one thread.
+/// Measures collision detection at every fidelity: cost, false and missed hits, errors, memory, scaling; one
+/// thread.
 Report bench_collision(const CollisionBenchOptions& options);
 
 struct HapticsBenchOptions {
-  bool quick = false;          // coarse: to see that it runs
-  std::string picture_folder;  // where to write haptics-stable.svg and haptics-felt.svg; empty: nowhere
+  bool quick = false;          // coarse smoke test
+  std::string picture_folder;  // folder of haptics-stable.svg and haptics-felt.svg; empty: not written
 };
-/// What a hand feels of tissue over a network with an arm, scheme by scheme, in virtual time.
+/// Measures haptic rendering of tissue over a network, for each scheme, in virtual time.
 Report bench_haptics(const HapticsBenchOptions& options);
 
 struct CameraBenchOptions {
-  bool quick = false;  // few places: to see that it runs
+  bool quick = false;  // smoke test with few poses
   std::filesystem::path
-      picture_folder;          // where to write camera-distance.svg and camera-speed.svg; empty: nowhere
-  std::filesystem::path page;  // a picture that is measured as a board, 0.2 m wide; empty: none is
+      picture_folder;          // folder of camera-distance.svg and camera-speed.svg; empty: not written
+  std::filesystem::path page;  // image measured as a board 0.2 m wide; empty: none
 };
-/// Printed boards, and a face, before a synthetic camera, by what makes it hard; and CPU time a picture.
+/// Measures detection of printed boards and a face with a synthetic camera under varied conditions: errors,
+/// CPU time per image.
 Report bench_camera(const CameraBenchOptions& options);
 
 struct HandsBenchOptions {
-  bool quick = false;  // few pictures: to see that it runs
+  bool quick = false;  // smoke test with few images
 };
-/// Bare hands before synthetic cameras: found, followed, fitted, their gestures, and CPU time a picture.
+/// Measures bare hands before synthetic cameras: detection, tracking, fitting, gestures, CPU time per image.
 Report bench_hands(const HandsBenchOptions& options);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// Writes SVG: what the benches' pictures are made of. Coordinates in pixels, y down.
+// Writes SVG plots. Coordinates are in pixels, y down.
 
 #include <string>
 #include <vector>
@@ -17,12 +17,12 @@ struct TextStyle {
   std::string anchor = "start";  // start | middle | end
   std::string color = "#222222";
   bool bold = false;
-  double turn = 0;  // degrees, clockwise about the point given
+  double turn = 0;  // rotation in degrees, clockwise about the given point
 };
 
 class Svg {
  public:
-  /// A white sheet.
+  /// Creates a white image of this size, pixels.
   Svg(double width, double height);
   void line(double x1, double y1, double x2, double y2, const Stroke& stroke = {});
   void path(const std::vector<std::pair<double, double>>& points, const Stroke& stroke = {});
@@ -41,10 +41,10 @@ class Svg {
   std::string body_;
 };
 
-/// With < > & " as XML wants them.
+/// Escapes < > & " for XML.
 std::string xml_escaped(const std::string& words);
 
-/// Colours that colour-blind people can tell apart (Okabe and Ito 2008).
+/// Colours distinguishable with colour blindness (Okabe and Ito 2008).
 inline const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00",
                                                  "#56B4E9", "#7F6000", "#000000", "#8C564B", "#7F7F7F"};
 

@@ -1,5 +1,5 @@
-// The vibrating beam: let go in the shape of its first bending mode, 4 mm at the tip, no gravity, no damping.
-// The continuum swings at beam_first_frequency for ever.
+// The vibrating beam: released in the shape of its first bending mode, 4 mm at the tip, without gravity and
+// damping. The continuum oscillates at beam_first_frequency with constant amplitude.
 
 #include <cmath>
 #include <numbers>
@@ -14,11 +14,11 @@ namespace {
 
 constexpr double amplitude = 0.004;  // m
 constexpr double periods = 3;
-constexpr double higher_modes_s = 0.15;  // s: from then on frequency and decay are fitted
+constexpr double higher_modes_s = 0.15;  // s: frequency and decay are fitted to later times
 
-/// The mesh's own first mode, `amplitude` at the tip: the continuum's also stirs modes that only this mesh
-/// has. Steps of implicit Euler from rest are inverse iterations: here each keeps half of the first mode and
-/// a thirtieth of the second. A specimen with more nodes than the mesh starts from the continuum's.
+/// Returns the first mode of the mesh, `amplitude` at the tip. The continuum's mode would also excite higher
+/// modes of the mesh. Implicit Euler steps from rest act as inverse iterations: each keeps half of the first
+/// mode and a thirtieth of the second. Specimens with more nodes than the mesh start in the continuum's mode.
 VecX pure_mode(const TestPiece& piece, const VecX& rest, Eigen::Index tip) {
   VecX bent = in_first_mode(rest, amplitude);
   if (rest.size() != static_cast<Eigen::Index>(3 * piece.mesh.positions.size())) return bent;

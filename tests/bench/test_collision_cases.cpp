@@ -1,4 +1,4 @@
-// What the published study of fidelity tells of sessions, on fewer pairs.
+// Tests the published collision study on fewer pairs.
 
 #include <gtest/gtest.h>
 
@@ -17,10 +17,10 @@ Proximity deep(double gap) {
 TEST(PairErrors, TellWhatIsFalseAndWhatIsMissed) {
   PairErrors errors(0.1);
   const PairContact up{-0.02, Vec3::UnitY()}, aside{-0.01, Vec3::UnitX()}, near{0.001, Vec3::UnitY()};
-  errors.add(up, deep(-0.01));        // a hit of both, 0.1 of the size off
-  errors.add(aside, deep(-0.01));     // another, at a right angle
-  errors.add(up, deep(-0.02));        // another, right
-  errors.add(up, std::nullopt);       // false
+  errors.add(up, deep(-0.01));        // hit in both, depth error 0.1 of the size
+  errors.add(aside, deep(-0.01));     // hit in both, normals at a right angle
+  errors.add(up, deep(-0.02));        // hit in both, correct
+  errors.add(up, std::nullopt);       // false hit
   errors.add(near, std::nullopt);     // near, but no hit
   errors.add(near, deep(-0.01));      // missed
   errors.add(std::nullopt, deep(0));  // missed
@@ -36,7 +36,7 @@ TEST(PairErrors, TellWhatIsFalseAndWhatIsMissed) {
 
 constexpr int few = 70;  // pairs
 
-// What encloses can't miss.
+// Enclosing shapes miss no hit.
 TEST(CollisionCases, SpheresAndBoxesOfRigidBodiesMissNothing) {
   for (const test::NamedParts& shape : test::shape_table()) {
     const RigidPairs pairs(shape, few);
@@ -49,7 +49,7 @@ TEST(CollisionCases, SpheresAndBoxesOfRigidBodiesMissNothing) {
   }
 }
 
-// The distance from a vertex to a box is exact, and the deepest point of an organ in a box is a vertex.
+// The distance of a vertex to a box is exact, and an organ's deepest point in a box is a vertex.
 TEST(CollisionCases, AnOrgansOwnMeshTellsABoxsDepthBest) {
   const test::NamedParts& box = test::shape_table().front();
   double coarser = 1;

@@ -1,4 +1,4 @@
-// Crowds at one organ: forces are those of a solve to the end, and effort grows with what touches.
+// Tests many hands on one organ: forces match a converged solve, and effort grows with the contacts.
 
 #include <gtest/gtest.h>
 
@@ -12,21 +12,21 @@ constexpr int settling = 45, watched = 15;   // ticks
 constexpr double simulation_step = 1. / 60;  // s, as the scene has it
 constexpr double depth = 0.012;              // m
 
-/// A slab, and beside it a box as high that nothing holds: hands press both.
+/// Scene with a slab and a free box of equal height beside it; hands press both.
 SceneDesc slab_and_box() {
   SceneDesc scene;
   scene.rigid = {test::table(), test::part_body("box", "box", {0.08, 0.06, 0.24}, {0.162, 0.03, 0})};
   SoftDesc slab = test::block("slab");
-  slab.size = {0.24, 0.06, 0.24};
-  slab.damping_mass = 4;
-  slab.damping_stiffness = 0.02;
+  slab.geometry.size = {0.24, 0.06, 0.24};
+  slab.material.damping_mass = 4;
+  slab.material.damping_stiffness = 0.02;
   scene.soft = {slab};
   return scene;
 }
 
 struct Pressed {
-  std::vector<double> force;  // N, by hand, mean over the ticks watched
-  double solver = 0;          // iterations, mean a tick
+  std::vector<double> force;  // N, per hand, mean over the observed ticks
+  double solver = 0;          // mean iterations per tick
 };
 
 Pressed press(const SceneDesc& scene, std::size_t users) {
@@ -48,9 +48,9 @@ Pressed press(const SceneDesc& scene, std::size_t users) {
 TEST(Crowd, PressesAsHardAsSolvedToTheEnd) {
   SceneDesc scene = slab_and_box();
   const Pressed usual = press(scene, 4);
-  scene.soft.front().newton_iterations = 40;
-  scene.soft.front().solver_iterations = 2000;
-  scene.soft.front().solver_tolerance = 1e-8;
+  scene.soft.front().configuration.newton_iterations = 40;
+  scene.soft.front().configuration.solver_iterations = 2000;
+  scene.soft.front().configuration.solver_tolerance = 1e-8;
   const Pressed exact = press(scene, 4);
   double sum = 0, off = 0;
   for (std::size_t hand = 0; hand < exact.force.size(); ++hand) {

@@ -1,4 +1,4 @@
-// The report's form, the tables and the pictures: what other programs and people read.
+// Tests the formats of reports, text tables and plots.
 
 #include <gtest/gtest.h>
 

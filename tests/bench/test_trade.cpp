@@ -1,4 +1,4 @@
-// What trade's cases are judged by: closed forms, symmetry, and that finer meshes lead there.
+// Tests the reference solutions of trade: closed forms, symmetry, and convergence of finer meshes.
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 namespace prosector {
 namespace {
 
-/// In a stiff bar of ν = 0 that hangs from its foot, weight goes ρ²g²AL³/3E, J: the work of its load.
+/// The work of the weight of a stiff hanging bar with ν = 0 is ρ²g²AL³/3E, J.
 TEST(Weighed, AHangingBarsWeightGoesAsFarAsTheClosedFormSays) {
   constexpr double modulus = 1e7, gravity = 9.81;
   SoftDesc desc = weighed_desc(weighed_cube, "tet4", 0);
-  desc.youngs_modulus = modulus;
+  desc.material.youngs_modulus = modulus;
   const Weighed bar(desc, kuhn_anatomy({2, 8, 2}, weighed_cube.size), gravity);
   ASSERT_TRUE(bar.answer.usable());
   const VecX load = load_of({"weight", Vec3(0, gravity, 0), {}}, bar.body);
@@ -28,7 +28,7 @@ TEST(Weighed, AHangingBarsWeightGoesAsFarAsTheClosedFormSays) {
   EXPECT_NEAR(work / right, 1, 0.01);
 }
 
-/// The whole foot holds, its far corner too.
+/// All nodes of the foot are held, including its corners.
 TEST(TestPiece, IsHeldAllOverItsFoot) {
   const Vec3 size(0.3, 0.06, 0.3);
   TestPiece piece;
@@ -49,7 +49,7 @@ class Reference : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Weighed, Reference, testing::Range<std::size_t>(0, 3),
                          [](const auto& info) { return std::string(weighed_references()[info.param].name); });
 
-/// The body is symmetric, so what is stored must be.
+/// The stored displacements must be symmetric, like the body.
 TEST_P(Reference, IsSymmetric) {
   const auto& moved = weighed_references()[GetParam()].moved;
   EXPECT_EQ(moved[0], Vec3(0, moved[0][1], 0));
@@ -58,7 +58,7 @@ TEST_P(Reference, IsSymmetric) {
   EXPECT_EQ(moved[3][2], 0);
 }
 
-/// Each mesh with half the cells is nearer by half or more.
+/// Halving the cells at least halves the error.
 TEST_P(Reference, FinerMeshesLeadThere) {
   const WeighedReference& which = weighed_references()[GetParam()];
   const double coarse = error_of(which, moved_at_rest(which, 1)),
@@ -75,16 +75,16 @@ TEST(Extrapolated, IsTheLimitOfWhatFallsEvenly) {
   for (const Vec3& limit : extrapolated(by_mesh)) EXPECT_LT((limit - Vec3(1, 2, 3)).norm(), 1e-12);
 }
 
-/// At small strain a layer's force is the finite layer's, of a table of converged values.
+/// At small strain a layer's force matches the table of converged finite-layer forces.
 TEST(Pressed, LinearLayerBearsWhatTheTableSays) {
   PressedBody shallow = pressed_layer_body();
   shallow.depth = 0.001;
   SoftDesc desc = pressed_desc(shallow, 1.6e-3);
-  desc.model = "fem_linear";
+  desc.configuration.model = "fem_linear";
   EXPECT_NEAR(force_at_rest(shallow, desc) / 0.03128, 1, 0.02);
 }
 
-/// Finer meshes than those that real time affords come near what is stored, from above.
+/// Meshes finer than real-time ones converge to the stored force from above.
 TEST(Pressed, FinerMeshesLeadToTheStoredForces) {
   for (const auto& [body, coarse, fine] :
        {std::tuple(&pressed_layer_body(), 4e-3, 2.25e-3), {&pressed_organ(), 8e-3, 4.5e-3}}) {

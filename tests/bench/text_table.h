@@ -1,5 +1,5 @@
 #pragma once
-// Report rows as lines of aligned text, printed one by one while a bench runs.
+// Prints report rows as aligned text while a benchmark runs.
 
 #include <string>
 #include <vector>
@@ -10,18 +10,19 @@ namespace prosector {
 
 struct Column {
   enum class Kind { text, count, number, fixed, percent } kind;  // fixed: six decimals
-  std::string key;                                               // of the row
-  std::string heading;                                           // with the unit
-  int width = 0;  // characters at least; the heading always fits
+  std::string key;                                               // key in the report row
+  std::string heading;                                           // column heading, with unit
+  int width = 0;  // minimum width in characters; at least the heading's
 };
 
 class TextTable {
  public:
   explicit TextTable(std::vector<Column> columns);
-  /// Numbers to three digits that count; a dash for what was not measured or is not finite.
+  /// Returns the heading line. Numbers in lines have three significant digits; missing or non-finite ones are
+  /// printed as a dash.
   std::string header() const;
   std::string line(const ReportRow& row) const;
-  /// To standard output, at once.
+  /// Prints the heading line to standard output and flushes it.
   void print_header() const;
   void print(const ReportRow& row) const;
 
@@ -29,7 +30,7 @@ class TextTable {
   std::vector<Column> columns_;
 };
 
-/// Three digits that count: 0.0123, 1.23, 123, 12300, 1.2e-07.
+/// Formats a number with three significant digits: 0.0123, 1.23, 123, 12300, 1.2e-07.
 std::string three_digits(double value);
 
 }  // namespace prosector

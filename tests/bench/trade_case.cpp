@@ -8,7 +8,7 @@ namespace prosector {
 namespace {
 
 constexpr double frame = 1. / 60;           // s
-constexpr std::size_t steps_to_judge = 10;  // before the rest is extrapolated
+constexpr std::size_t steps_to_judge = 10;  // steps after which the total time is extrapolated
 
 }  // namespace
 

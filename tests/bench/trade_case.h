@@ -1,6 +1,6 @@
 #pragma once
-// The reference cases that rungs are weighed on. Each knows its piece of tissue at a resolution, what to do
-// with it, and the right answer.
+// The test cases of `prosector-bench trade`. Each defines its piece of tissue at a resolution, a load, and
+// the reference solution.
 
 #include <functional>
 #include <memory>
@@ -13,17 +13,18 @@
 
 namespace prosector {
 
-/// Runs a body step by step and takes the time of it.
+/// Steps a body and measures the time of its steps.
 class Runner {
  public:
-  /// Gives up once the run would take longer than `limit_ms` of CPU time in all.
+  /// `dt`: s. `gravity`: m/s². Stops when the run would take more than `limit_ms` of CPU time in total.
   Runner(Steppable& body, double dt, const Vec3& gravity, double limit_ms)
       : body_(body), dt_(dt), gravity_(gravity), limit_ms_(limit_ms) {}
-  /// Steps for that long, s; after each step calls `after(t)`. False: gave up, or went non-finite.
+  /// Simulates `seconds` and calls `after(t)` after each step. Returns false if it stopped early or the state
+  /// became non-finite.
   bool run(double seconds, const std::function<void(double)>& after);
-  /// ms_per_frame (CPU, all threads, of 1/60 s; median over steps), ms_per_simulated_s, steps_per_s (by the
-  /// clock on the wall), residual (largest), simulated_s, and `reported` when a step said that it lost
-  /// something.
+  /// Returns `ms_per_frame` (CPU time of all threads per 1/60 s, median over steps), `ms_per_simulated_s`,
+  /// `steps_per_s` (wall time), `residual` (largest), `simulated_s`, and `reported` (text) if a step reported
+  /// a loss.
   ReportRow figures() const;
   bool finite() const { return finite_; }
 
@@ -41,36 +42,36 @@ class Runner {
 struct TradeCase {
   const char* name;
   const char* title;
-  const char* error_key;    // the figure that the picture draws
-  const char* error_label;  // what it is, for people
+  const char* error_key;    // key of the figure that the plot shows
+  const char* error_label;  // axis label of that figure
   /// Resolutions, coarsest first; cells along the longest side.
   std::vector<unsigned> cells;
-  /// Null where a ball presses: see `pressed`.
+  /// Builds the piece. Null for the cases with a ball (`pressed`).
   TestPiece (*piece)(unsigned cells);
-  /// Runs it and returns the case's own figures (null: it did not get that far). `model` as in the report.
+  /// Runs the case and returns its figures, null where the run stopped early. `model` as in the report.
   ReportRow (*measure)(Specimen& specimen, const TestPiece& piece, const std::string& model, Runner& runner);
   Vec3 gravity;
-  bool moving = false;  // judged by how it moves: steps and integrators matter
-  /// Errors from the figures of a row, if it has them, where that can be done: null, where it takes the run.
+  bool moving = false;  // whether the case tests motion, so that time steps and integrators are varied
+  /// Computes the errors of a row from its figures. Null if errors can only be computed during the run.
   void (*judge)(ReportRow& row) = nullptr;
-  const PressedBody* pressed = nullptr;  // by a ball, in the server's own simulation
+  const PressedBody* pressed = nullptr;  // body pressed by a ball in the server's simulation; null: none
 };
 
-/// bend: a beam under its own weight, at rest again.
+/// bend: static deflection of a beam under its own weight.
 const TradeCase& bend_case();
-/// bend_incompressible: the same at ν = 0.45, where linear tetrahedra lock.
+/// bend_incompressible: the beam at ν = 0.45, where linear tetrahedra lock.
 const TradeCase& bend_incompressible_case();
-/// swing: the beam in its first bending mode, undamped.
+/// swing: undamped oscillation of a beam in its first bending mode.
 const TradeCase& swing_case();
-/// free: a block thrown and spinning: momentum, angular momentum and energy.
+/// free: a thrown, spinning block; conservation of momentum, angular momentum and energy.
 const TradeCase& free_case();
-/// heavy: a nearly incompressible block under twice its own weight: volume.
+/// heavy: static displacement and volume of a nearly incompressible block under twice its own weight.
 const TradeCase& heavy_case();
-/// cube, slab, hang: tissue that stands on a bonded foot, or hangs from it, by its own weight.
+/// cube, slab, hang: tissue that stands on a bonded foot or hangs from it, under its own weight.
 const TradeCase& cube_case();
 const TradeCase& slab_case();
 const TradeCase& hang_case();
-/// press, organ: a ball pressed into a bonded layer, and into an organ.
+/// press, organ: static force on a ball pressed into a bonded layer, and into an organ.
 const TradeCase& press_case();
 const TradeCase& organ_case();
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double left = 95, top = 70, plot_width = 640, plot_height = 500, bottom = 75, key_width = 690;
 
-/// Decades of one axis on the sheet.
+/// Logarithmic axis.
 struct LogAxis {
   double low, high;  // log10
   double start, length;
@@ -52,7 +52,7 @@ std::string decade(double exponent) {
                        : fmt::format("{:.{}f}", value, static_cast<int>(-exponent));
 }
 
-/// A shape for each group, so that colour is not all that tells them apart.
+/// Draws the group's marker shape, so that groups differ in more than colour.
 void mark(Svg& svg, std::size_t group, double x, double y, double r) {
   const std::string& color = palette[group % palette.size()];
   switch (group % 4) {
@@ -97,7 +97,7 @@ void draw_axes(Svg& svg, const TradePlot& plot, const LogAxis& x, const LogAxis&
   svg.text(24, top + plot_height / 2, plot.error_label, {14, "middle", "#222222", false, -90});
 }
 
-/// The edge of what can be had: at a given cost, the least error so far.
+/// Draws a Pareto front as a step line.
 std::vector<std::pair<double, double>> staircase(const std::vector<TradePoint>& points,
                                                  const std::vector<std::size_t>& front, const LogAxis& x,
                                                  const LogAxis& y) {
@@ -111,7 +111,7 @@ std::vector<std::pair<double, double>> staircase(const std::vector<TradePoint>& 
   return path;
 }
 
-/// Where a point's number goes: below it to the left, farther down while another number is there.
+/// Places a point's number below it to the left, farther down while it overlaps another number.
 std::pair<double, double> place_number(double x, double y, std::vector<std::pair<double, double>>& taken) {
   constexpr double size = 16;
   std::pair<double, double> place(x - 11, y + 17);
@@ -133,7 +133,7 @@ void draw_number(Svg& svg, const std::string& number, double x, double y,
 
 const std::array<Stroke, 2> front_strokes = {Stroke{"#444444", 1.6, "6 3"}, Stroke{"#D55E00", 1.6, ""}};
 
-/// Returns the indices of its points, cheapest first.
+/// Returns the indices of the front's points, cheapest first.
 std::vector<std::size_t> front_of(const TradeFront& front, const std::vector<TradePoint>& points) {
   std::vector<std::size_t> among;
   std::vector<TradePoint> those;
@@ -191,7 +191,7 @@ Svg draw(const TradePlot& plot) {
     }
   }
   std::vector<std::pair<double, double>> taken;
-  std::map<std::size_t, std::size_t> numbers;  // by point
+  std::map<std::size_t, std::size_t> numbers;  // number of each point
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     line += 14;
     svg.line(key, line - 4, key + 30, line - 4, front_strokes[f % front_strokes.size()]);

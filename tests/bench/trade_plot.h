@@ -1,5 +1,5 @@
 #pragma once
-// Error against cost, log–log, with the Pareto front: what a person chooses from.
+// Log–log plot of error against cost, with Pareto fronts.
 
 #include <string>
 #include <vector>
@@ -8,34 +8,34 @@
 
 namespace prosector {
 
-/// Errors below it are one as good as another.
+/// Errors below this are treated as equal (fraction).
 inline constexpr double negligible_error = 1e-5;
 
 struct TradePoint {
   double cost = 0, error = 0;
-  std::string group;  // colour and mark: see the legend
-  std::string label;  // told of points on the front
+  std::string group;  // determines colour and marker; listed in the legend
+  std::string label;  // printed for points on a front
 };
 
-/// An edge of what can be had.
+/// A Pareto front of some groups.
 struct TradeFront {
   std::string title;
-  std::vector<std::string> groups;  // whose points; empty: all
+  std::vector<std::string> groups;  // groups that it covers; empty: all
 };
 
 struct TradePlot {
   std::string title, subtitle;
   std::string cost_label, error_label;
-  /// Errors outside are drawn on the edge: below the floor nothing differs, above the ceiling all is lost.
+  /// Errors outside this range are drawn on the edge of the plot (fractions).
   double error_floor = negligible_error, error_ceiling = 10;
-  std::vector<TradeFront> fronts = {{"The front: nothing is both cheaper and better", {}}};
-  std::vector<TradePoint> points;  // those without a finite positive cost and a finite error are left out
+  std::vector<TradeFront> fronts = {{"Pareto front: no other run is cheaper and more accurate", {}}};
+  std::vector<TradePoint> points;  // points without finite positive cost and finite error are omitted
 };
 
-/// Indices of the points that no other one beats in cost and error, cheapest first.
+/// Returns the indices of the Pareto-optimal points in cost and error, cheapest first.
 std::vector<std::size_t> pareto_front(const std::vector<TradePoint>& points);
 
-/// Errors are fractions and drawn as per cent.
+/// Draws the plot. Errors are given as fractions and labelled in per cent.
 Svg draw(const TradePlot& plot);
 
 }  // namespace prosector

@@ -9,17 +9,18 @@ namespace prosector {
 namespace {
 
 constexpr double frame = 1. / 60;
-/// Factorising more quadratic elements takes a quarter of a minute, every Newton iteration.
+/// Quadratic elements up to which the direct solver is run: factorising more takes 15 s per Newton iteration.
 constexpr std::size_t most_quadratic_for_direct = 2000;
 
 struct Effort {
   int newton, solver;
   double tolerance;
 };
-/// From one glance to converged; the scene's default among them.
+/// Efforts from a single iteration to convergence, including the scene's default.
 const Effort efforts[] = {
     {1, 20, 1e-2},
-    {SoftDesc{}.newton_iterations, SoftDesc{}.solver_iterations, SoftDesc{}.solver_tolerance},
+    {SoftDesc{}.configuration.newton_iterations, SoftDesc{}.configuration.solver_iterations,
+     SoftDesc{}.configuration.solver_tolerance},
     {5, 300, 1e-3},
     {20, 2000, 1e-6}};
 
@@ -29,7 +30,7 @@ std::vector<unsigned> resolutions(const TradeCase& which, bool quick) {
   return cells;
 }
 
-/// Where time matters steps are varied; where only the settled shape does, a frame's step will do.
+/// Returns the time steps: several if the case tests motion, else 1/60 s.
 std::vector<double> steps(const TradeCase& which, bool quick) {
   if (!which.moving) return {frame};
   if (quick) return {frame, frame / 4};
@@ -44,41 +45,41 @@ Rung with(const Rung& rung, const Effort& effort) {
   return out;
 }
 
-/// Whose elements may be quadratic; springs know no others than linear ones.
+/// Returns whether the model is a constitutive law. Only laws support quadratic elements.
 bool is_law(const ModelRow& model) {
   return model.name.rfind("fem_", 0) == 0;
 }
 
-/// Where a ball presses, the solvers that real time affords.
+/// Returns the solvers of a case; with a ball, only those fast enough for real time.
 std::vector<std::string> solvers_for(const TradeCase& which) {
   if (which.pressed) return {"cg", "multigrid"};
   return solver_names();
 }
 
-/// Rungs of one model and element at every effort.
+/// Returns the configurations of a model and element, with every solver at every effort.
 std::vector<Rung> efforts_of(const TradeCase& which, const ModelRow& model, const std::string& element) {
-  const std::string integrator = SoftDesc{}.integrator;
+  const std::string integrator = SoftDesc{}.configuration.integrator;
   std::vector<Rung> out;
   if (model.position_based) {
-    for (const int substeps : {5, SoftDesc{}.substeps, 50, 200}) {
-      out.push_back({model.name, integrator, SoftDesc{}.solver, element});
+    for (const int substeps : {5, SoftDesc{}.configuration.substeps, 50, 200}) {
+      out.push_back({model.name, integrator, SoftDesc{}.configuration.solver, element});
       out.back().substeps = substeps;
     }
     return out;
   }
   for (const std::string& solver : solvers_for(which))
     for (const Effort& effort : efforts) {
-      // An exact solve has no effort of its own: only the Newton iterations count.
-      if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
+      // A direct solve has no iteration count: only the Newton iterations are varied.
+      if (solver == "direct" && effort.tolerance != SoftDesc{}.configuration.solver_tolerance) continue;
       out.push_back(with({model.name, integrator, solver, element}, effort));
     }
   return out;
 }
 
-/// Every integrator on linear elements, and on quadratic ones those that explicit methods' short steps do not
-/// make dearer than they are worth.
+/// Returns all integrators on linear elements, and the implicit ones on quadratic elements, where explicit
+/// methods need very short steps.
 std::vector<Rung> ways_through_time(const ModelRow& model) {
-  const std::string solver = SoftDesc{}.solver;
+  const std::string solver = SoftDesc{}.configuration.solver;
   std::vector<Rung> out;
   for (const std::string& integrator : integrators_for(model))
     out.push_back({model.name, integrator, solver});
@@ -91,11 +92,11 @@ std::vector<Rung> ways_through_time(const ModelRow& model) {
 
 std::vector<Trial> trials(const TradeCase& which, bool quick) {
   std::vector<Trial> all;
-  const std::string first_integrator = SoftDesc{}.integrator;
+  const std::string first_integrator = SoftDesc{}.configuration.integrator;
   for (const ModelRow& model : models()) {
     if (!model.tets) continue;
     for (const std::string& element : element_names()) {
-      if (!is_law(model) && element != SoftDesc{}.element) continue;
+      if (!is_law(model) && element != SoftDesc{}.configuration.element) continue;
       for (const unsigned cells : resolutions(which, quick))
         for (const Rung& rung : efforts_of(which, model, element)) {
           const bool dear = rung.solver == "direct" && element == "tet10" &&
@@ -105,7 +106,7 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
     }
     for (const Rung& rung : ways_through_time(model))
       for (const double dt : steps(which, quick)) {
-        if (rung.integrator == first_integrator && dt == frame) continue;  // above
+        if (rung.integrator == first_integrator && dt == frame) continue;  // run above
         all.push_back({with(rung, efforts[2]), which.cells[0], dt});
       }
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Which rungs, resolutions, steps and iterations a case is run with.
+// Configurations, resolutions, time steps and iterations that a case is run with.
 
 #include <vector>
 
@@ -14,10 +14,10 @@ struct Trial {
   unsigned cells;
   double dt;  // s
 };
-/// Not the whole product: for each model and element, every solver (where a ball presses, the iterative ones)
-/// at every effort and resolution with the first integrator and a frame's step; then every integrator (on
-/// quadratic elements, every implicit one) at every step, on the coarsest mesh with the first solver.
-/// `quick`: the two coarsest resolutions and steps.
+/// Returns the runs of a case. For each model and element: every solver (only the iterative ones if a ball
+/// presses) at every effort and resolution, with the first integrator and a step of 1/60 s; then every
+/// integrator (only the implicit ones on quadratic elements) at every step, on the coarsest mesh with the
+/// first solver. `quick`: the two coarsest resolutions and steps.
 std::vector<Trial> trials(const TradeCase& which, bool quick);
 
 struct BulletTrial {
@@ -25,7 +25,7 @@ struct BulletTrial {
   unsigned cells;
   double dt;  // s
 };
-/// None where a ball presses.
+/// Returns the runs with Bullet's soft bodies; none if a ball presses.
 std::vector<BulletTrial> bullet_trials(const TradeCase& which, bool quick);
 
 }  // namespace prosector

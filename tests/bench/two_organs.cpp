@@ -14,7 +14,7 @@ namespace {
 
 constexpr ParticipantId somebody = 1;
 constexpr BodyId left = 1, right = 2;
-constexpr double near_seconds = 0.25;  // between two looks
+constexpr double near_seconds = 0.25;  // between two penetration checks
 
 /// A tied block and a free one side by side on a table.
 SceneDesc two_organs(const Rung& rung) {
@@ -30,17 +30,17 @@ SceneDesc two_organs(const Rung& rung) {
     SoftDesc& organ = scene.soft.emplace_back();
     rung.apply_to(organ);
     organ.name = x < 0 ? "left" : "right";
-    organ.shape = "block";
-    organ.size = {0.1, 0.06, 0.1};
+    organ.geometry.shape = "block";
+    organ.geometry.size = {0.1, 0.06, 0.1};
     organ.pose.p = {x, 0.03, 0};
-    organ.cell = organ.surface_cell = 0.02;
+    organ.geometry.cell = organ.geometry.surface_cell = 0.02;
   }
   scene.soft[0].attach.push_back({{-10.09, 0.03, 0}, 10, 1e9});
   return scene;
 }
 
-/// Where the hand is told to be: thrown into the one from above, through it into the other at 5 m/s, pressed
-/// down there, and drawn back through both.
+/// Returns the hand's target: it is thrown into the first organ from above, through it into the second at
+/// 5 m/s, pressed down there, and withdrawn through both.
 std::optional<Vec3> hand_at(double t) {
   if (t < 0.2) return Vec3(-0.03, 0.2, 0);
   if (t < 1) return Vec3(-0.03, 0.01, 0);
@@ -109,7 +109,7 @@ StabilityResult press_two_organs(const Rung& rung, double limit_ms) {
   result.shape_error = found.overlap;
   if (!found.good() || found.inverted > 0) {
     result.verdict = Verdict::fails;
-    result.reason = found.good() ? "something is inside out" : found.where;
+    result.reason = found.good() ? "inverted element" : found.where;
   } else {
     result.verdict = result.resets + result.losses > 0 ? Verdict::degrades : Verdict::survives;
   }

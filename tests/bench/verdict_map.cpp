@@ -30,7 +30,7 @@ void draw_legend(Svg& svg, double x, double y) {
     svg.text(x + cell_width + 6, y + 15, verdict_names[v], {12});
   }
   svg.polygon({{x, y + 4}, {x + 8, y + 4}, {x + 8, y + 12}}, "#333333");
-  svg.text(x + 14, y + 15, "the median frame took longer than the time it stands for", {12});
+  svg.text(x + 14, y + 15, "median frame slower than real time", {12});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Rungs against extremes, a coloured and lettered cell each: survives, degrades, refuses, fails.
+// SVG map of verdicts: one row per configuration, one column per extreme.
 
 #include <optional>
 #include <string>
@@ -12,13 +12,13 @@ namespace prosector {
 
 struct VerdictCell {
   Verdict verdict = Verdict::fails;
-  bool met_deadline = true;  // false: a frame took longer than the time it stands for
+  bool met_deadline = true;  // false: the median frame took longer than its simulated time
 };
 
 struct VerdictMap {
   std::string title, subtitle;
   std::vector<std::string> rungs, extremes;                    // rows, columns
-  std::vector<std::vector<std::optional<VerdictCell>>> cells;  // [rung][extreme]; none: not run
+  std::vector<std::vector<std::optional<VerdictCell>>> cells;  // [configuration][extreme]; none: not run
 };
 
 Svg draw(const VerdictMap& map);

@@ -8,12 +8,12 @@ namespace prosector {
 SoftDesc weighed_desc(const WeighedBody& body, const char* element, double poisson_ratio) {
   SoftDesc desc;
   desc.name = body.name;
-  desc.model = tissue_law;
-  desc.element = element;
-  desc.youngs_modulus = weighed_modulus;
-  desc.poisson_ratio = poisson_ratio;
-  desc.density = weighed_density;
-  constexpr double flat = 1e5, foot_stiffness = 1e13;  // m: a ball so large that the foot alone is in it
+  desc.configuration.model = tissue_law;
+  desc.configuration.element = element;
+  desc.material.youngs_modulus = weighed_modulus;
+  desc.material.poisson_ratio = poisson_ratio;
+  desc.material.density = weighed_density;
+  constexpr double flat = 1e5, foot_stiffness = 1e13;  // m: sphere so large that it contains only the foot
   desc.attach.push_back({Vec3(body.size[0] / 2, -flat, body.size[2] / 2), flat + 1e-4, foot_stiffness});
   return desc;
 }

@@ -1,5 +1,5 @@
-// Cube, slab, hang: tissue that bears its own weight on a bonded foot, or hangs from it, and is measured when
-// it has come to rest, at four places.
+// The cases cube, slab and hang: tissue that stands on a bonded foot or hangs from it under its own weight.
+// The static displacements of four points are measured.
 
 #include <cmath>
 
@@ -63,7 +63,7 @@ TradeCase weighed(const char* title, const std::vector<unsigned>& cells) {
   return {reference(which).name,
           title,
           "error_material",
-          "RMS error of four places, at rest",
+          "RMS error at four points, at rest",
           cells,
           piece<which>,
           measure<which>,
@@ -85,7 +85,7 @@ const TradeCase& slab_case() {
 }
 
 const TradeCase& hang_case() {
-  static const TradeCase row = weighed<hang>("A cube hangs by its own weight (ν = 0.45)", {2, 4, 8});
+  static const TradeCase row = weighed<hang>("A cube hangs under its own weight (ν = 0.45)", {2, 4, 8});
   return row;
 }
 

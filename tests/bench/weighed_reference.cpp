@@ -57,7 +57,7 @@ std::array<Vec3, weighed_places> moved_at_rest(const WeighedReference& which, st
   for (std::uint32_t& n : cells) n *= times;
   const Weighed found(weighed_desc(which.body, "tet10", which.poisson_ratio),
                       kuhn_anatomy(cells, which.body.size), which.gravity);
-  if (!found.answer.usable()) throw std::logic_error("the reference comes to no rest");
+  if (!found.answer.usable()) throw std::logic_error("the reference solution did not converge");
   const Vec3 middle = which.body.size / 2;
   std::array<Vec3, weighed_places> moved;
   moved.fill(Vec3::Zero());
@@ -73,7 +73,7 @@ std::array<Vec3, weighed_places> moved_at_rest(const WeighedReference& which, st
 
 std::array<Vec3, weighed_places> extrapolated(
     const std::array<std::array<Vec3, weighed_places>, 3>& by_mesh) {
-  constexpr double slowest = 1.5, fastest = 10;  // how much smaller steps become
+  constexpr double slowest = 1.5, fastest = 10;  // accepted ratio of successive differences
   std::array<Vec3, weighed_places> out = by_mesh[2];
   for (std::size_t k = 0; k < weighed_places; ++k)
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

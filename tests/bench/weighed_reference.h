@@ -1,6 +1,6 @@
 #pragma once
-// How far a cube and a slab of tissue go under their own weight, in the continuum: what trade's cases of that
-// name are judged by.
+// Reference displacements of a cube and a slab of tissue under their own weight, in the continuum limit. The
+// cases cube, slab and hang of `prosector-bench trade` are compared with them.
 
 #include <array>
 #include <span>
@@ -15,30 +15,30 @@ struct WeighedReference {
   const char* name;
   WeighedBody body;
   double poisson_ratio;
-  double gravity;  // m/s² along y: below 0 it stands
-  Cells coarse;    // of the coarsest mesh; every finer one is this one divided
-  /// How far places_of() go, m.
+  double gravity;  // m/s² along y; the body stands if negative
+  Cells coarse;    // cells of the coarsest mesh; finer meshes divide them
+  /// Displacements of places_of(), m.
   std::array<Vec3, weighed_places> moved;
-  double unsettled;  // fraction: what that may be off, as error_of() has it
+  double unsettled;  // uncertainty of `moved`, as a fraction (see error_of)
 };
 
-/// Returns cube, slab and hang.
+/// Returns the references of the cases cube, slab and hang.
 std::span<const WeighedReference> weighed_references();
 
-/// Returns places of the body at rest, m: the free face's middle, the middle of its edge, its corner, and the
-/// middle of a side.
+/// Returns the four evaluated points of the undeformed body, m: centre of the free face, centre of one of its
+/// edges, one of its corners, and centre of a side face.
 std::array<Vec3, weighed_places> places_of(const WeighedReference& which);
 
-/// Returns the root mean square of the places' errors over that of their displacements.
+/// Returns the RMS error of the displacements `moved`, relative to the RMS of the reference displacements.
 double error_of(const WeighedReference& which, const std::array<Vec3, weighed_places>& moved);
 
-/// Returns how far the places go in quadratic elements, each of the coarsest mesh's cells cut `times` times
-/// along each axis; the mean of each place and its three mirror images, since the mesh isn't symmetric and
-/// the body is. Throws std::logic_error where it comes to no rest.
+/// Returns the static displacements of the points with quadratic elements. Each cell of the coarsest mesh is
+/// divided into `times` cells along each axis. Displacements are averaged over each point and its three
+/// mirror images, because the mesh is not symmetric. Throws std::logic_error if the solver does not converge.
 std::array<Vec3, weighed_places> moved_at_rest(const WeighedReference& which, std::uint32_t times);
 
-/// Returns what three meshes lead to, each with half the cells of the next (Aitken 1926). A component that
-/// doesn't fall evenly takes a third of its last step more.
+/// Returns the limit extrapolated from three meshes, each with half the cells of the next (Aitken 1926). A
+/// component that does not converge monotonically is extrapolated by a third of its last difference.
 std::array<Vec3, weighed_places> extrapolated(const std::array<std::array<Vec3, weighed_places>, 3>& by_mesh);
 
 }  // namespace prosector

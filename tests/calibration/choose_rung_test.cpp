@@ -16,8 +16,8 @@ using test::made_up_table;
 SoftDesc needing(double accuracy_percent, double budget_ms) {
   SoftDesc desc;
   desc.name = "liver";
-  desc.accuracy.value = accuracy_percent;
-  desc.budget.value = budget_ms;
+  desc.choice.accuracy.value = accuracy_percent;
+  desc.choice.budget.value = budget_ms;
   return desc;
 }
 
@@ -146,10 +146,10 @@ TEST(ChooseRung, SaysByHowMuchItMisses) {
 
 TEST(ChooseRung, KeepsWhatTheSceneFixed) {
   SoftDesc desc = needing(5, 0);
-  desc.model = "fem_linear";
-  desc.element = "tet4";
-  desc.solver = "direct";
-  desc.fixed = {.model = true, .element = true, .integrator = false, .solver = true, .cell = true};
+  desc.configuration.model = "fem_linear";
+  desc.configuration.element = "tet4";
+  desc.configuration.solver = "direct";
+  desc.choice.fixed = {.model = true, .element = true, .integrator = false, .solver = true, .cell = true};
   const Choice choice = choose(desc);
   EXPECT_EQ(choice.rung.model, "fem_linear");
   EXPECT_EQ(choice.rung.element, "tet4");
@@ -159,25 +159,25 @@ TEST(ChooseRung, KeepsWhatTheSceneFixed) {
 
 TEST(ChooseRung, RefusesWhatNothingGoesWith) {
   SoftDesc desc = needing(5, 0);
-  desc.model = "xpbd";
-  desc.element = "tet10";
-  desc.fixed.model = desc.fixed.element = true;
+  desc.configuration.model = "xpbd";
+  desc.configuration.element = "tet10";
+  desc.choice.fixed.model = desc.choice.fixed.element = true;
   EXPECT_THROW(candidates(desc), InputError);
-  desc.model = "jelly";
+  desc.configuration.model = "jelly";
   EXPECT_THROW(candidates(desc), InputError);
 }
 
 TEST(ChooseRung, LeavesOutModelsThatDoNotKnowTheMaterial) {
   SoftDesc desc = needing(5, 0);
-  desc.relaxation.push_back({});
+  desc.material.relaxation.push_back({});
   for (const Rung& rung : candidates(desc)) EXPECT_TRUE(rung.model.starts_with("fem_")) << rung.model;
 }
 
 TEST(ChooseRung, SaysThatARatioWasNotMeasured) {
   SoftDesc desc = needing(5, 0);
-  desc.poisson_ratio = 0.4995;
+  desc.material.poisson_ratio = 0.4995;
   EXPECT_NE(explain(choose(desc), desc).find("expect a larger error"), std::string::npos);
-  desc.poisson_ratio = 0.499;
+  desc.material.poisson_ratio = 0.499;
   EXPECT_EQ(explain(choose(desc), desc).find("expect a larger error"), std::string::npos);
 }
 
@@ -186,7 +186,7 @@ TEST(ChooseRung, MeasuresAtTheNextLargerRatio) {
                                              {0.46, 0.49}, {0.49, 0.49}, {0.495, 0.499}, {0.4999, 0.499}};
   for (const auto& [ratio, measured] : cases) {
     SoftDesc desc = needing(5, 0);
-    desc.poisson_ratio = ratio;
+    desc.material.poisson_ratio = ratio;
     for (const RungTrial& trial : trials_for(desc)) EXPECT_EQ(trial.poisson_ratio, measured) << ratio;
   }
 }

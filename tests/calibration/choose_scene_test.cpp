@@ -37,7 +37,7 @@ struct Chooser {
     SoftDesc plain, needs;
     plain.name = "plain";
     needs.name = "liver";
-    needs.accuracy.value = 2;
+    needs.choice.accuracy.value = 2;
     scene.soft = {plain, needs};
     return scene;
   }
@@ -58,7 +58,7 @@ struct Chooser {
                           .sources = {}};
     options.sources.progress = [this](const std::string& line) { log.push_back(line); };
     options.sources.anatomy = [](const SoftDesc& desc) {
-      const auto across = static_cast<std::uint32_t>(std::max(1.0, std::round(0.1 / desc.cell)));
+      const auto across = static_cast<std::uint32_t>(std::max(1.0, std::round(0.1 / desc.geometry.cell)));
       return Anatomy{kuhn_box({0.4, 0.1, 0.1}, 4 * across, across, across), {}, {}};
     };
     return choose_rungs(scene, options);
@@ -76,11 +76,11 @@ TEST(ChooseScene, MeasuresOnceAndKeepsTheTable) {
   const auto first = chooser.choose(scene);
   EXPECT_GT(chooser.measured, 20);
   EXPECT_TRUE(chooser.said("measuring"));
-  EXPECT_TRUE(chooser.said("liver: accuracy 2 % requested, chosen: ")) << chooser.log.back();
+  EXPECT_TRUE(chooser.said("liver: accuracy 2 % requested, chosen configuration: ")) << chooser.log.back();
   ASSERT_EQ(first.size(), 1u);
-  EXPECT_EQ(scene.soft[0].cell, SoftDesc{}.cell) << "nothing was asked for this one";
-  EXPECT_EQ(scene.soft[1].cell, first[0].cell);
-  EXPECT_EQ(scene.soft[1].element, first[0].rung.element);
+  EXPECT_EQ(scene.soft[0].geometry.cell, SoftDesc{}.geometry.cell) << "nothing was asked for this one";
+  EXPECT_EQ(scene.soft[1].geometry.cell, first[0].cell);
+  EXPECT_EQ(scene.soft[1].configuration.element, first[0].rung.element);
 
   SceneDesc again = Chooser::scene();
   const auto second = chooser.choose(again);
@@ -110,11 +110,11 @@ TEST(ChooseScene, MeasuresWhatIsMissingOnly) {
   SceneDesc scene = Chooser::scene();
   chooser.choose(scene);
   scene = Chooser::scene();
-  scene.soft[1].fixed.solver = true;
-  scene.soft[1].solver = "direct";
+  scene.soft[1].choice.fixed.solver = true;
+  scene.soft[1].configuration.solver = "direct";
   chooser.choose(scene);
   EXPECT_GT(chooser.measured, 0);
-  EXPECT_EQ(scene.soft[1].solver, "direct");
+  EXPECT_EQ(scene.soft[1].configuration.solver, "direct");
 }
 
 TEST(ChooseScene, ForeignAndDamagedTablesAreMeasuredAgainAndSaid) {
@@ -218,8 +218,8 @@ TEST(ChooseScene, JudgesOnTheBodyItself) {
   Chooser chooser;
   chooser.on_the_body = true;
   SceneDesc scene = Chooser::scene();
-  scene.soft[1].accuracy.value = 40;
-  scene.soft[1].accuracy_of = {"shape"};
+  scene.soft[1].choice.accuracy.value = 40;
+  scene.soft[1].choice.accuracy_of = {"shape"};
   const Choice choice = chooser.choose(scene).front();
   ASSERT_FALSE(choice.acts.empty());
   EXPECT_TRUE(choice.good_enough);
@@ -234,30 +234,31 @@ TEST(ChooseScene, GradesAtRimsWhereThatServes) {
   Chooser chooser;
   chooser.on_the_body = true;
   chooser.on_measure = [](RungFigures& figures, const RungTrial&) { figures.settled_sag = 1; };
-  const auto chosen = [&](const char* grade) {
+  const auto chosen = [&](std::optional<Grading> grade) {
     SceneDesc scene = Chooser::scene();
     SoftDesc& liver = scene.soft[1];
     constexpr double flat = 1e4;
     liver.attach.push_back({Vec3(0, -flat, 0), flat + 1e-4, 1e13});
-    liver.youngs_modulus = 1e5;
-    liver.model = "fem_neo_hookean";
-    liver.element = "tet10";
-    liver.cell = 0.05;
-    liver.fixed = {.model = true, .element = true, .cell = true, .grade = grade != nullptr};
-    if (grade) liver.grade = grade;
-    liver.accuracy.value = 1;
-    liver.accuracy_of = {"shape"};
+    liver.material.youngs_modulus = 1e5;
+    liver.configuration.model = "fem_neo_hookean";
+    liver.configuration.element = "tet10";
+    liver.geometry.cell = 0.05;
+    liver.choice.fixed = {.model = true, .element = true, .cell = true, .grade = grade.has_value()};
+    if (grade) liver.geometry.grade = *grade;
+    liver.choice.accuracy.value = 1;
+    liver.choice.accuracy_of = {"shape"};
     const Choice choice = chooser.choose(scene).front();
-    EXPECT_EQ(scene.soft[1].grade, choice.grade);
+    EXPECT_EQ(scene.soft[1].geometry.grade, choice.grade);
     return choice;
   };
-  const Choice by_need = chosen(nullptr), uniform = chosen("none"), graded = chosen("rims");
-  EXPECT_EQ(by_need.grade, "rims");
-  EXPECT_EQ(uniform.grade, "none");
-  EXPECT_EQ(graded.grade, "rims");
+  const Choice by_need = chosen(std::nullopt), uniform = chosen(Grading::none),
+               graded = chosen(Grading::rims);
+  EXPECT_EQ(by_need.grade, Grading::rims);
+  EXPECT_EQ(uniform.grade, Grading::none);
+  EXPECT_EQ(graded.grade, Grading::rims);
   EXPECT_EQ(by_need.expected.error, graded.expected.error);
   EXPECT_LT(graded.expected.error, 0.8 * uniform.expected.error);
-  EXPECT_EQ(decode_choices(encode({graded})).front().grade, "rims");
+  EXPECT_EQ(decode_choices(encode({graded})).front().grade, Grading::rims);
 }
 
 /// A way that the table makes too dark is tried all the same, and chosen where it suits the body.
@@ -274,11 +275,11 @@ TEST(ChooseScene, TriesWhatTheTableMakesTooDark) {
   SoftDesc& liver = scene.soft[1];
   constexpr double flat = 1e4;
   liver.attach.push_back({Vec3(0, -flat, 0), flat + 1e-4, 1e13});  // tilted, linear ones would not suit it
-  liver.model = "fem_neo_hookean";
-  liver.fixed.model = liver.fixed.grade = true;
-  liver.poisson_ratio = 0.3;
-  liver.accuracy.value = 60;
-  liver.accuracy_of = {"shape"};
+  liver.configuration.model = "fem_neo_hookean";
+  liver.choice.fixed.model = liver.choice.fixed.grade = true;
+  liver.material.poisson_ratio = 0.3;
+  liver.choice.accuracy.value = 60;
+  liver.choice.accuracy_of = {"shape"};
   const Choice choice = chooser.choose(scene).front();
   EXPECT_EQ(choice.rung.element, "tet4");
   EXPECT_TRUE(choice.good_enough);
@@ -293,8 +294,8 @@ TEST(Choices, AsTextComeBackAndAreChecked) {
   EXPECT_EQ(encode(decode_choices(text)), text);
   SceneDesc other = Chooser::scene();
   adopt(decode_choices(text), other);
-  EXPECT_EQ(other.soft[1].cell, scene.soft[1].cell);
-  EXPECT_EQ(other.soft[1].solver_tolerance, scene.soft[1].solver_tolerance);
+  EXPECT_EQ(other.soft[1].geometry.cell, scene.soft[1].geometry.cell);
+  EXPECT_EQ(other.soft[1].configuration.solver_tolerance, scene.soft[1].configuration.solver_tolerance);
   EXPECT_THROW(adopt(decode_choices("[]"), other), InputError);
   std::string bad = text;
   bad.replace(bad.find("\"substeps\":"), 11, "\"substeps\":-");

@@ -550,8 +550,9 @@ TEST(Figures, AreOfTheLastHalfSecond) {
     figures.take(k * picture, k == 4 ? 0.040 : 0.010, counters, &status);
   }
   const std::string& text = figures.text();
-  EXPECT_NE(text.find("frame 13.0 ms, at most 40.0, 20 per second"), std::string::npos) << text;
-  EXPECT_NE(text.find("network 100.0 kB/s in, 10.0 kB/s out, 3 dropped"), std::string::npos) << text;
+  EXPECT_NE(text.find("frame 13.0 ms (mean), 40.0 ms (max), 20 frames per second"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("network 100.0 kB/s in, 10.0 kB/s out, 3 samples dropped"), std::string::npos) << text;
   EXPECT_NE(text.find("step 4.2 ms"), std::string::npos) << text;
 }
 

@@ -87,9 +87,9 @@ SceneDesc scene_of(const std::string& lesson) {
   EXPECT_FALSE(named.empty()) << lesson << " opens no scene";
   SceneDesc scene = load_scene(source_path("deploy/scenes/" + named.at(0)));
   for (SoftDesc& soft : scene.soft) {
-    soft.cell *= 1.5;
-    soft.surface_cell *= 1.5;
-    soft.tension = {};
+    soft.geometry.cell *= 1.5;
+    soft.geometry.surface_cell *= 1.5;
+    soft.material.tension = {};
   }
   return scene;
 }

@@ -300,7 +300,7 @@ TEST_F(Told, WhatTheHostDoesWithTimeIsTold) {
   };
   EXPECT_EQ(at_pace(0), Lines{"the host stopped time"});
   EXPECT_EQ(at_pace(0), Lines{});
-  EXPECT_EQ(at_pace(0.25), Lines{"slow motion: 0.25 of real time"});
+  EXPECT_EQ(at_pace(0.25), Lines{"slow motion: time runs at 0.25 of real time"});
   EXPECT_EQ(at_pace(1), Lines{"time resumed"});
 }
 

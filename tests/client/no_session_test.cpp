@@ -25,7 +25,7 @@ BusConfig looking_for(const std::string& name) {
 TEST(NoSession, SaysWhatToStartOrToChoose) {
   const std::string none = session_not_found_text(looking_for("lesson"), 5s, {});
   EXPECT_NE(none.find("no server found for session 'lesson'"), std::string::npos) << none;
-  EXPECT_NE(none.find("Start one"), std::string::npos) << none;
+  EXPECT_NE(none.find("Start a server"), std::string::npos) << none;
   const std::vector<SessionInfo> others = {running("ward"), running("class")};
   const std::string other = session_not_found_text(looking_for("lesson"), 5s, others);
   EXPECT_NE(other.find("'ward' (scene abdomen), 'class'"), std::string::npos) << other;

@@ -118,20 +118,24 @@ TEST(Curve, RefusesWhatIsNone) {
   };
   const auto knots = [&](std::vector<double> k) { return says([&] { NurbsCurve(2, std::move(k), x); }); };
   EXPECT_EQ(knots({0, 0, 0, 0.5, 1, 1, 1}), "nothing");
-  EXPECT_EQ(knots({0, 0, 0, 0.5, 1, 1}), "6 knots: 4 points of degree 2 need 7");
-  EXPECT_EQ(knots({0, 0, 0, 0.5, 0.4, 1, 1}), "knot 5 is 0.4, below the one before, 0.5");
+  EXPECT_EQ(knots({0, 0, 0, 0.5, 1, 1}), "6 knots are given, but a curve of 4 points and degree 2 needs 7");
+  EXPECT_EQ(knots({0, 0, 0, 0.5, 0.4, 1, 1}),
+            "knot 5 is 0.4, which is below the knot before it, 0.5; knots must not decrease");
   EXPECT_EQ(knots({0, 0, 0, NAN, 1, 1, 1}), "knot 4 is not a finite number");
   EXPECT_EQ(knots({0, 0, 0, 0, 1, 1, 1}), "knots 2 to 4 are all 0: at most 2 within the curve may be equal");
   EXPECT_EQ(knots({-1, 0, 0, 0, 0, 0, 1}).substr(0, 20), "knots 2 to 4 are all");
   EXPECT_EQ(says([&] { NurbsCurve(4, clamped_knots(5, 4), x); }),
-            "4 points are too few for degree 4: it needs 5 at least");
+            "4 control points are too few for degree 4: it needs 5 at least");
   EXPECT_EQ(says([&] { NurbsCurve(0, {}, x); }), "degree 0: must be 1 to 9");
   EXPECT_EQ(says([&] { NurbsCurve::bezier({{0, NAN, 0}, {1, 0, 0}}); }), "point 1 is not finite");
   EXPECT_EQ(says([&] {
               NurbsCurve::bezier({{0, 0, 0}, {1, 0, 0}}, {1, -1});
             }),
             "weight 2 is -1: must be above 0 and finite");
-  EXPECT_EQ(says([&] { NurbsCurve::bezier({{0, 0, 0}}); }), "a bezier of 1 points: must have 2 to 10");
+  EXPECT_EQ(says([&] {
+              NurbsCurve::bezier({{0, 0, 0}});
+            }),
+            "a bezier curve has 1 points: it must have 2 to 10");
   EXPECT_NE(says([&] { ellipse_arc(1, 0, 0, 1); }), "nothing");
   EXPECT_NE(says([&] { hyperbola_arc(1, 1, 2, 2); }), "nothing");
 }

@@ -71,7 +71,9 @@ TEST(Patch, RefusesWhatIsNone) {
     CoonsPatch coons(open);
     FAIL() << "took sides that don't meet";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "sides 2 and 4 are 0.1 m apart at the corner u = 1, v = 1");
+    EXPECT_STREQ(
+        error.what(),
+        "sides 2 and 4 of a Coons patch are 0.1 m apart at the corner u = 1, v = 1; they must meet there");
   }
   const std::vector<Vec3> points(7, Vec3::Zero());
   EXPECT_THROW(NurbsSurface({2, bezier_knots(2)}, {2, bezier_knots(2)}, 3, points), InputError);

@@ -118,11 +118,11 @@ INSTANTIATE_TEST_SUITE_P(Organs, OuterShapes,
 TEST(OuterShape, OfTheCtLiverIsItsFineSurface) {
   SoftDesc liver;
   liver.name = "liver";
-  liver.volume = find_in_data("liver.inr.gz");
-  liver.label = 255;
-  liver.cell = 0.012;
-  liver.surface_cell = 0.006;
-  if (liver.volume.empty()) GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
+  liver.geometry.volume = find_in_data("liver.inr.gz");
+  liver.geometry.label = 255;
+  liver.geometry.cell = 0.012;
+  liver.geometry.surface_cell = 0.006;
+  if (liver.geometry.volume.empty()) GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
   const Anatomy anatomy = make_anatomy(liver, {}, {});
   const TetComplex complex(anatomy.tets, mesh_density);
   const Skin skin(complex, std::make_shared<const OuterShape>(complex, anatomy.surface));

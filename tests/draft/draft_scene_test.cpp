@@ -82,7 +82,7 @@ TEST(DraftScene, SurfacesOfEveryFormatAndUnitRun) {
     const SceneDesc scene = drafted(dir.path / c.file, dir.path);
     const bool bone = std::string(c.file) == "femur.obj";
     ASSERT_EQ(scene.soft.size(), bone ? 0u : 1u);
-    const double scale = bone ? scene.rigid[1].scale : scene.soft[0].scale;
+    const double scale = bone ? scene.rigid[1].scale : scene.soft[0].geometry.scale;
     EXPECT_NEAR(scale * c.per_metre, 1, 1e-9);
     EXPECT_FALSE(scene.lights.empty());
     run(scene, dir.path, bone ? 2 : 3);  // and the table, and a scalpel for what can be cut
@@ -116,7 +116,7 @@ TEST(DraftScene, AFolderIsABodyEach) {
   ASSERT_EQ(scene.rigid.size(), 3u);
   EXPECT_EQ(scene.rigid[1].name, "rib");
   EXPECT_EQ(scene.soft[0].name, "kidney");
-  EXPECT_GT(scene.soft[0].youngs_modulus, scene.soft[1].youngs_modulus);  // by material
+  EXPECT_GT(scene.soft[0].material.youngs_modulus, scene.soft[1].material.youngs_modulus);  // by material
   EXPECT_EQ(scene.soft[0].pose.p, scene.soft[1].pose.p);  // they stay as they lie to each other
   EXPECT_TRUE(scene.rigid[1].part);
   run(scene, dir.path, 5);
@@ -196,8 +196,8 @@ TEST(DraftScene, TetrahedralMeshesRunAsTheyAre) {
     write(dir.path / name, text);
     const SceneDesc scene = drafted(dir.path / name, dir.path);
     ASSERT_EQ(scene.soft.size(), 1u);
-    EXPECT_EQ(scene.soft[0].mesh, name);
-    EXPECT_NEAR(scene.soft[0].scale, 1e-3, 1e-12);
+    EXPECT_EQ(scene.soft[0].geometry.mesh, name);
+    EXPECT_NEAR(scene.soft[0].geometry.scale, 1e-3, 1e-12);
     const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
     EXPECT_EQ(made.tets.tets.size(), 6u);
     EXPECT_NEAR(tet_quality(made.tets).volume, 1.2e-4, 1e-9);
@@ -211,7 +211,7 @@ TEST(DraftScene, WhatIsSaidIsDone) {
   const auto file = dir.path / "thing.obj";
   TriangleMesh open = box_surface(Vec3::Zero(), {0.1, 0.2, 0.3});
   write(file, as_obj(open, 1));
-  EXPECT_EQ(drafted(file, dir.path, {.unit = 1e-2}).soft[0].scale, 1e-2);
+  EXPECT_EQ(drafted(file, dir.path, {.unit = 1e-2}).soft[0].geometry.scale, 1e-2);
   EXPECT_TRUE(drafted(file, dir.path, {.z_up = true})
                   .soft[0]
                   .pose.q.isApprox(Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0), 1e-6));
@@ -236,7 +236,8 @@ TEST(DraftScene, LongNamesAreCut) {
   write(dir.path / long_name, as_off(box_surface(Vec3::Zero(), {60, 40, 90}), 1));
   EXPECT_EQ(drafted(dir.path / long_name, dir.path).soft.at(0).name,
             "Segment 1 left kidney cortex and medulla without vessels, as f");
-  EXPECT_NE(notes_on(dir.path / long_name).find("its name is longer than 63 bytes: shortened to \"Segment 1"),
+  EXPECT_NE(notes_on(dir.path / long_name)
+                .find("the body's name is longer than 63 bytes: shortened to \"Segment 1"),
             std::string::npos);
 }
 
@@ -258,7 +259,7 @@ TEST(DraftScene, FilesFarFromTheirOriginAreBroughtToTheTable) {
   write(dir.path / "far.off", as_off(far, 1));
   const SceneDesc scene = drafted(dir.path / "far.off", dir.path);
   ASSERT_EQ(scene.soft.size(), 1u);
-  EXPECT_EQ(scene.soft[0].mesh_origin, Vec3(2000030, 20, 45));
+  EXPECT_EQ(scene.soft[0].geometry.mesh_origin, Vec3(2000030, 20, 45));
   const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
   Eigen::AlignedBox3d box;
   for (const Vec3& x : made.surface.positions) box.extend(x);
@@ -328,7 +329,7 @@ TEST(DraftScene, SaysWhatItCantUse) {
   write(folder / "c.ply", std::string("ply\n"));
   write(folder / "._c.ply", std::string("what another system keeps beside its files"));
   const std::string more = complaint(folder);
-  EXPECT_NE(more.find("its name must be usable as a body's name"), std::string::npos) << more;
+  EXPECT_NE(more.find("the file's name becomes the body's name"), std::string::npos) << more;
   EXPECT_NE(more.find("c.ply: not a surface (line"), std::string::npos) << more;
   EXPECT_EQ(more.find("._c.ply"), std::string::npos) << more;
   EXPECT_EQ(std::ranges::count(more, '\n'), 3) << more;

@@ -342,7 +342,8 @@ TEST(ConfigVersions, ErrorsAfterARenewedKeyNameTheirOwnLine) {
       says("[tracker]\naddress = 'fastrak:/x'\nalignment = [0, 0, 0, 200, 0,\n 0, 0, 150, 0]\nbinary = 1\n"),
       "c.toml:5: tracker.binary: must be true or false");
   EXPECT_EQ(says("version = 3\nnew = 1\n"),
-            "c.toml:1: version: 3 was written by a newer Prosector; this one reads versions up to 2");
+            "c.toml:1: version: a file of version 3 was written by a newer Prosector; this program reads "
+            "versions up to 2");
   EXPECT_NE(says("version = 2\n[tracker]\naddress = 'fastrak:/x'\nalignment = [0]\n")
                 .find("alignment: unknown key"),
             std::string::npos);

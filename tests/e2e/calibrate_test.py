@@ -205,7 +205,7 @@ instrument.station = 1 # the stylus
     found = tomllib.loads(tracker_config.read_text())["tracker"]["room"]
     off, turned = distance(found["position"], ROOM[:3]), turn_between(found["orientation"], ROOM[3:])
     print(f"the transmitter is off by {1e3 * off:.2f} mm and {math.degrees(turned):.2f} degrees")
-    told, = words(align, r"expected error: (\S+) mm RMS amid")
+    told, = words(align, r"expected position error: (\S+) mm RMS between")
     check("within 1 mm and 0.2 degrees", off < 1e-3 and turned < math.radians(0.2))
     check("a small error is told", told < 0.5)
 

@@ -5,6 +5,7 @@ import csv
 import math
 import pathlib
 import signal
+import subprocess
 import sys
 import tomllib
 
@@ -33,12 +34,17 @@ for name, focal in FOCALS.items():
                                       f'[[board]]\nknown = "calibration"\nmotion = "shown.csv"\nloop = true\n{fault}')
 config = OUT / "client.toml"
 config.write_text("# mine\n")
+early = subprocess.run([BIN / "prosector-client", "camera", "calibrate", f"synthetic:{OUT / 'first.toml'}", "--second", f"synthetic:{OUT / 'second.toml'}",
+                        "--out", OUT / "lens.toml", "--out-config", config], capture_output=True, text=True, timeout=20)
+check(f"a configuration without a tracker is refused before the calibration: {early.stderr}",
+      early.returncode != 0 and "tracker.address" in early.stderr and "views of the board" not in early.stdout)
+config.write_text('# mine\n[tracker]\naddress = "hands:0,2"\n')
 program = Program(BIN / "prosector-client", "camera", "calibrate", f"synthetic:{OUT / 'first.toml'}", "--second", f"synthetic:{OUT / 'second.toml'}",
                   "--out", OUT / "lens.toml", "--out-config", config, "--patience", "40")
 try:
     told = program.wait("unplugged")
     check(f"the camera that is unplugged is named: {told}", "second.toml" in told)
-    print(program.wait("expected error amid the boards", seconds=150))
+    print(program.wait("expected position error between the shown boards", seconds=150))
     program.wait("wrote ")
 finally:
     program.end(signal.SIGTERM)

@@ -68,7 +68,7 @@ position = [0, 0.8, 0]
     check("the glove is in it", f'address = "5dt:{OUT}/glove"' in after)
     check("and the receiver", "station = 2" in after)
     user.click("Tracker")
-    user.sees("receiver 2 exact")
+    user.sees("receiver 2 accurate")
     user.picture("setup-tracker.png")
     user.click("Glove")
     for gesture in ("fist", "flat"):

@@ -23,11 +23,11 @@ SceneDesc held_block(double poisson_ratio = 0.4) {
   SceneDesc scene;
   scene.soft = {block()};
   scene.soft[0].attach = {{{0, -0.2, 0}, 0.215, 1e9}};
-  scene.soft[0].poisson_ratio = poisson_ratio;
-  scene.soft[0].cell = 0.012;
-  scene.soft[0].youngs_modulus = 20000;
+  scene.soft[0].material.poisson_ratio = poisson_ratio;
+  scene.soft[0].geometry.cell = 0.012;
+  scene.soft[0].material.youngs_modulus = 20000;
   scene.soft[0].gravity = false;
-  scene.soft[0].contact = "surface";
+  scene.soft[0].contact.points = ContactPoints::surface;
   return scene;
 }
 
@@ -244,7 +244,7 @@ TEST(FeltHands, TheStateIsTheSameWithAndWithout) {
 TEST(TissueCompliance, IsThatOfAStaticSolution) {
   SoftDesc desc = block();
   desc.attach = {{{0, -0.2, 0}, 0.215, 1e9}};
-  desc.poisson_ratio = 0.4;
+  desc.material.poisson_ratio = 0.4;
   const Simulation simulation(
       [&] {
         SceneDesc scene;

@@ -37,7 +37,7 @@ SceneDesc soft_block() {
   scene.soft = {block()};
   scene.soft[0].attach = {{{0, 0, 0}, 0.2, 1e7}};
   scene.soft[0].gravity = false;
-  scene.soft[0].youngs_modulus = 20000;
+  scene.soft[0].material.youngs_modulus = 20000;
   return scene;
 }
 

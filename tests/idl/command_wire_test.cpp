@@ -176,19 +176,20 @@ struct Malformed {
 TEST(CommandWire, MalformedFieldsAreRefusedAlsoWhereTheCommandDoesNotUseThem) {
   using W = prosector_Command;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Malformed> table = {{[](W& w) { w.shape.p[1] = 1e6; }, "shape offset out of range"},
-                                        {[](W& w) { w.shape.a[5] = nan; }, "shape out of range"},
-                                        {[](W& w) { w.shape.a[8] = 0; }, "shape collapsed"},
-                                        {[](W& w) { w.participant = 0; }, "participant id 0"},
-                                        {[](W& w) { w.kind = command_kinds; }, "unknown kind"},
-                                        {[](W& w) { w.kind = 255; }, "unknown kind"},
-                                        {[](W& w) { w.role = 3; }, "unknown role"},
-                                        {[](W& w) { w.control_id = 6; }, "unknown control"},
-                                        {[](W& w) { w.value = nan; }, "value out of range"},
-                                        {[](W& w) { w.value = -0.1; }, "value out of range"},
-                                        {[](W& w) { w.value = max_accuracy + 1; }, "value out of range"},
-                                        {[](W& w) { w.hand = 2; }, "no such hand"},
-                                        {[](W& w) { w.body = max_bodies; }, "no such body"}};
+  const std::vector<Malformed> table = {
+      {[](W& w) { w.shape.p[1] = 1e6; }, "the offset of a part's displayed shape is out of range"},
+      {[](W& w) { w.shape.a[5] = nan; }, "shape out of range"},
+      {[](W& w) { w.shape.a[8] = 0; }, "shape collapsed"},
+      {[](W& w) { w.participant = 0; }, "participant id 0"},
+      {[](W& w) { w.kind = command_kinds; }, "unknown kind"},
+      {[](W& w) { w.kind = 255; }, "unknown kind"},
+      {[](W& w) { w.role = 3; }, "unknown role"},
+      {[](W& w) { w.control_id = 6; }, "unknown control"},
+      {[](W& w) { w.value = nan; }, "value out of range"},
+      {[](W& w) { w.value = -0.1; }, "value out of range"},
+      {[](W& w) { w.value = max_accuracy + 1; }, "value out of range"},
+      {[](W& w) { w.hand = 2; }, "no such hand"},
+      {[](W& w) { w.body = max_bodies; }, "no such body"}};
   for (const Form& form : forms())
     for (const Malformed& row : table) {
       SCOPED_TRACE(command_names[form.body.index()]);

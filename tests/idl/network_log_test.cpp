@@ -28,8 +28,10 @@ TEST(NetworkLog, AFloodBecomesALineNowAndThen) {
     if (const auto line = digest.take(k * second / 4000, "malformed packet \n\033[2J" + std::to_string(k)))
       lines.push_back(*line);
   ASSERT_EQ(lines.size(), 3u);  // in 25 s
-  EXPECT_EQ(lines[0], "network: 1 errors (1 in total); latest: malformed packet [2J0");
-  EXPECT_EQ(lines[1].rfind("network: 40000 errors (40001 in total)", 0), 0u) << lines[1];
+  EXPECT_EQ(lines[0],
+            "network: 1 errors since the last report (1 in total); the latest error: malformed packet [2J0");
+  EXPECT_EQ(lines[1].rfind("network: 40000 errors since the last report (40001 in total)", 0), 0u)
+      << lines[1];
   EXPECT_LT(digest.take(1000 * second, std::string(100'000, 'x'))->size(), 300u);
 }
 

@@ -46,11 +46,11 @@ TickInput by(ParticipantId who, TickInput input) {
 SoftDesc sheet(const std::string& name, const std::string& model, const Vec3& at) {
   SoftDesc out;
   out.name = name;
-  out.shape = "sheet";
-  out.model = model;
-  out.size = {0.1, 0.003, 0.1};
-  out.cell = out.surface_cell = 0.0125;
-  out.youngs_modulus = 3e4;
+  out.geometry.shape = "sheet";
+  out.configuration.model = model;
+  out.geometry.size = {0.1, 0.003, 0.1};
+  out.geometry.cell = out.geometry.surface_cell = 0.0125;
+  out.material.youngs_modulus = 3e4;
   out.pose.p = at;
   return out;
 }
@@ -98,7 +98,7 @@ Script cut_and_go_back(int undo_at, int save_at, int rewind_at) {
 Session cut_block() {
   Session out = session("cut block, undo, rewind", 220, {"hold", "cut", "piece", "undo", "rewind"},
                         block_and_scalpel());
-  out.scene.soft[0].toughness = 0;
+  out.scene.soft[0].material.toughness = 0;
   out.input = cut_and_go_back(170, 60, 190);
   return out;
 }
@@ -109,8 +109,8 @@ Session cut_quadratic() {
   out.scene.gravity = {0, -9.81, 0};
   out.scene.rigid.push_back(table());
   out.scene.rigid[0].balanced = true;
-  out.scene.soft[0].element = "tet10";
-  out.scene.soft[0].cell = out.scene.soft[0].surface_cell = 0.03;
+  out.scene.soft[0].configuration.element = "tet10";
+  out.scene.soft[0].geometry.cell = out.scene.soft[0].geometry.surface_cell = 0.03;
   out.input = cut_and_go_back(-1, -1, -1);
   return out;
 }
@@ -118,7 +118,7 @@ Session cut_quadratic() {
 Session cut_sheet(bool ray) {
   Session out = session(ray ? "sheet under a ray" : "cut sheet", 180,
                         {"hold", "cut", "piece", "undo", "rewind"}, membrane_and_scalpel());
-  out.scene.soft[0].toughness = 1;
+  out.scene.soft[0].material.toughness = 1;
   out.scene.rigid[0].edges[0].ray = ray;
   out.input = cut_and_go_back(150, 50, 160);
   return out;
@@ -130,7 +130,7 @@ Session layers() {
   out.scene.rigid = {table()};
   out.scene.soft = {block(), sheet("lower", "mass_spring", {0, 0.07, 0}),
                     sheet("upper", "xpbd", {0.02, 0.085, 0.01})};
-  for (SoftDesc& soft : out.scene.soft) soft.self_contact = true;
+  for (SoftDesc& soft : out.scene.soft) soft.contact.self_contact = true;
   out.input = [](int tick, Simulation&) {
     const Vec3 at(0, 0.16 - 0.0012 * std::min(tick, 70), 0.03);
     return tick == 0 ? appear(at) : target(at);
@@ -143,8 +143,8 @@ Session pads() {
   Session out = session("pads", 150, {"pressed"});
   out.scene.rigid = {table(), part_body("rod", "cylinder", {0.03, 0.12, 0.03}, {0, 0.06, 0})};
   out.scene.soft = {block()};
-  out.scene.soft[0].size = {0.03, 0.08, 0.03};
-  out.scene.soft[0].cell = out.scene.soft[0].surface_cell = 0.01;
+  out.scene.soft[0].geometry.size = {0.03, 0.08, 0.03};
+  out.scene.soft[0].geometry.cell = out.scene.soft[0].geometry.surface_cell = 0.01;
   out.scene.soft[0].pose.p = {0.15, 0.04, 0};
   out.input = [](int tick, Simulation&) {
     const double lift = 0.0008 * std::max(0, tick - 90), bent = std::min(1.0, 0.015 * tick);
@@ -213,8 +213,9 @@ Session press() {
   out.scene.rigid = {table(), part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.08, 0})};
   out.scene.rigid[1].fixed = true;
   out.scene.soft = {block()};
-  out.scene.soft[0].relaxation = {{0.3, 0.2}, {0.2, 1}};
-  out.scene.soft[0].regions.push_back({.center = {0, 0.03, 0}, .radius = 0.03, .youngs_modulus = 2e4});
+  out.scene.soft[0].material.relaxation = {{0.3, 0.2}, {0.2, 1}};
+  out.scene.soft[0].material.regions.push_back(
+      {.center = {0, 0.03, 0}, .radius = 0.03, .youngs_modulus = 2e4});
   out.input = [](int tick, Simulation&) {
     TickInput input;
     input.kinematic_targets = {{1, {{0, 0.08 - 0.0004 * std::min(tick, 120 - tick), 0}, Quat::Identity()}}};
@@ -228,15 +229,16 @@ Session proxies() {
   Session out = session("proxies", 120, {"pressed"});
   out.scene.rigid = {table()};
   double x = -0.4;
-  for (const char* collision : {"sphere", "aabb", "obb", "hull", "mesh"}) {
-    RigidDesc box =
-        part_body(std::string("box ") + collision, "box", {0.03, 0.04, 0.05}, {x + 0.01, 0.12, 0.01});
+  for (const Fidelity collision :
+       {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull, Fidelity::mesh}) {
+    const std::string name(fidelity_name(collision));
+    RigidDesc box = part_body("box " + name, "box", {0.03, 0.04, 0.05}, {x + 0.01, 0.12, 0.01});
     box.collision = collision;
     box.pose.q = Quat(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()));
     out.scene.rigid.push_back(box);
-    SoftDesc soft = block(collision);
-    soft.collision = collision;
-    soft.cell = soft.surface_cell = 0.03;
+    SoftDesc soft = block(name);
+    soft.contact.collision = collision;
+    soft.geometry.cell = soft.geometry.surface_cell = 0.03;
     soft.pose.p.x() = x;
     out.scene.soft.push_back(soft);
     x += 0.2;
@@ -254,9 +256,9 @@ Session models_of_solids() {
     if (!model.tets) continue;
     for (const std::string& integrator : integrators_for(model)) {
       SoftDesc soft = block(model.name + " " + integrator);
-      soft.model = model.name;
-      soft.integrator = integrator;
-      soft.cell = soft.surface_cell = 0.05;
+      soft.configuration.model = model.name;
+      soft.configuration.integrator = integrator;
+      soft.geometry.cell = soft.geometry.surface_cell = 0.05;
       soft.pose.p = {x, 0.03, z};
       out.scene.soft.push_back(soft);
       out.scene.rigid.push_back(part_body("ball " + soft.name, "sphere", {0.03, 0, 0}, {x + 0.01, 0.1, z}));
@@ -273,8 +275,8 @@ Session position_based() {
   Session out = session("xpbd in contact", 120, {"pressed", "squeezed", "substeps"});
   out.scene.rigid = {table(), part_body("ball", "sphere", {0.04, 0, 0}, {0.01, 0.2, 0})};
   out.scene.soft = {block(), sheet("cloth", "xpbd", {0, 0.1, 0})};
-  out.scene.soft[0].model = "xpbd";
-  out.scene.soft[1].self_contact = true;
+  out.scene.soft[0].configuration.model = "xpbd";
+  out.scene.soft[1].contact.self_contact = true;
   out.input = nothing;
   return out;
 }

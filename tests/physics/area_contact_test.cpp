@@ -83,10 +83,10 @@ TEST(EvenSpring, WithoutSpreadIsASpring) {
 
 SoftDesc tissue(const std::string& element) {
   SoftDesc out = block();
-  out.element = element;
-  out.contact = "surface";
+  out.configuration.element = element;
+  out.contact.points = ContactPoints::surface;
   out.gravity = false;
-  out.damping_mass = 0;
+  out.material.damping_mass = 0;
   return out;
 }
 
@@ -171,20 +171,20 @@ constexpr double radius = 0.01, depth = 0.001, height = 0.02;  // m
 constexpr double half_a_cell = 2;                              // radii of contact: a cell
 
 struct Layer {
-  explicit Layer(const std::string& element, const std::string& contact, double poisson_ratio = 0.3) {
+  explicit Layer(const std::string& element, ContactPoints contact, double poisson_ratio = 0.3) {
     SoftDesc layer;
     layer.name = "layer";
-    layer.model = "fem_linear";
-    layer.element = element;
-    layer.contact = contact;
-    layer.youngs_modulus = 5000;
-    layer.poisson_ratio = poisson_ratio;
+    layer.configuration.model = "fem_linear";
+    layer.configuration.element = element;
+    layer.contact.points = contact;
+    layer.material.youngs_modulus = 5000;
+    layer.material.poisson_ratio = poisson_ratio;
     layer.gravity = false;
-    layer.damping_mass = layer.damping_stiffness = 0;
-    layer.newton_iterations = 8;
-    layer.solver_iterations = 300;
-    layer.solver_tolerance = 1e-4;
-    layer.cell = layer.surface_cell = cell;
+    layer.material.damping_mass = layer.material.damping_stiffness = 0;
+    layer.configuration.newton_iterations = 8;
+    layer.configuration.solver_iterations = 300;
+    layer.configuration.solver_tolerance = 1e-4;
+    layer.geometry.cell = layer.geometry.surface_cell = cell;
     layer.attach = {bonded_below(height)};
     SceneDesc scene = under_ball(layer, radius, {0, radius + 1e-4, 0});
     scene.tick_rate = 1;
@@ -219,7 +219,7 @@ struct Range {
 TEST(AreaContact, ForceIsRightWhereverVerticesAre) {
   Range forces;
   for (const auto& [x, z] : {std::pair(0.0, 0.0), {0.5, 0.5}, {0.33, 0.66}, {0.25, 0.1}, {0.75, 0.0}}) {
-    Layer layer("tet4", "surface");
+    Layer layer("tet4", ContactPoints::surface);
     forces.add(layer.press(x * Layer::cell, z * Layer::cell, 5) / 0.02661);
   }
   EXPECT_GT(forces.least, 0.9);
@@ -227,13 +227,13 @@ TEST(AreaContact, ForceIsRightWhereverVerticesAre) {
 }
 
 TEST(AreaContact, QuadraticElementsAreRight) {
-  Layer layer("tet10", "surface", 0.45);
+  Layer layer("tet10", ContactPoints::surface, 0.45);
   EXPECT_NEAR(layer.press(0, 0, 4) / 0.03128, 1, 0.08);
 }
 
 // Sliding over a cell in steps of a fortieth, the force hardly changes from step to step.
 TEST(AreaContact, ForceIsSmoothWhileSliding) {
-  Layer layer("tet4", "surface");
+  Layer layer("tet4", ContactPoints::surface);
   double last = layer.press(0, 0.2 * Layer::cell, 5);
   for (double x = 0.025; x <= 1; x += 0.025) {
     const double force = layer.press(x * Layer::cell, 0.2 * Layer::cell, 1);
@@ -265,10 +265,10 @@ TEST(AreaContact, TissueGetsTheImpulseAndItsMoment) {
     SceneDesc scene;
     scene.gravity = Vec3::Zero();
     scene.soft = {tissue(element)};
-    scene.soft[0].newton_iterations = 30;
-    scene.soft[0].solver_iterations = 400;
-    scene.soft[0].solver_tolerance = 1e-9;
-    scene.soft[0].damping_stiffness = 0;
+    scene.soft[0].configuration.newton_iterations = 30;
+    scene.soft[0].configuration.solver_iterations = 400;
+    scene.soft[0].configuration.solver_tolerance = 1e-9;
+    scene.soft[0].material.damping_stiffness = 0;
     scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0.021, 0.0805, 0.013})};
     scene.rigid[0].fixed = true;
     scene.rigid[0].friction = 0;
@@ -293,7 +293,7 @@ TEST(AreaContact, WhatRestsSleeps) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
-  scene.soft[0].contact = "surface";
+  scene.soft[0].contact.points = ContactPoints::surface;
   Simulation simulation(scene, options());
   run(simulation, 300);
   EXPECT_TRUE(simulation.asleep(1));
@@ -305,12 +305,12 @@ TEST(AreaContact, FrictionHoldsWithoutCreep) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
-  scene.soft[0].contact = "surface";
-  scene.soft[0].element = "tet10";
-  scene.soft[0].cell = scene.soft[0].surface_cell = 0.03;
-  scene.soft[0].youngs_modulus = 2e4;
+  scene.soft[0].contact.points = ContactPoints::surface;
+  scene.soft[0].configuration.element = "tet10";
+  scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.03;
+  scene.soft[0].material.youngs_modulus = 2e4;
   const double angle =
-      std::atan(std::sqrt(scene.soft[0].friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
+      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   Simulation simulation(scene, options());
   TickInput input;
@@ -332,9 +332,9 @@ TEST(AreaContact, WhatIsSmallAndHeavyStaysOutside) {
   scene.rigid = {table(), part_body("tip", "sphere", {0.006, 0, 0}, {0.002, 0.0340, 0.001})};
   scene.rigid[1].mass = 0.02;
   scene.soft = {block()};
-  scene.soft[0].contact = "surface";
-  scene.soft[0].size = {0.06, 0.03, 0.06};
-  scene.soft[0].cell = scene.soft[0].surface_cell = 0.006;
+  scene.soft[0].contact.points = ContactPoints::surface;
+  scene.soft[0].geometry.size = {0.06, 0.03, 0.06};
+  scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.006;
   scene.soft[0].pose.p = {0, 0.015, 0};
   Simulation simulation(scene, options());
   run(simulation, 90);
@@ -349,12 +349,12 @@ TEST(AreaContact, WhatIsSmallAndHeavyStaysOutside) {
 TEST(AreaContact, IsForSolidsOnly) {
   SceneDesc scene;
   scene.soft = {block()};
-  scene.soft[0].contact = "surface";
-  scene.soft[0].model = "xpbd";
+  scene.soft[0].contact.points = ContactPoints::surface;
+  scene.soft[0].configuration.model = "xpbd";
   EXPECT_THROW(Simulation(scene, options()), InputError);
   scene.soft[0] = block();
-  scene.soft[0].contact = "surface";
-  scene.soft[0].collision = "sphere";
+  scene.soft[0].contact.points = ContactPoints::surface;
+  scene.soft[0].contact.collision = Fidelity::sphere;
   EXPECT_THROW(Simulation(scene, options()), InputError);
 }
 
@@ -362,7 +362,7 @@ TEST(AreaContact, GoesOnFromACheckpoint) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("ball", "sphere", {0.04, 0, 0}, {0.01, 0.085, 0})};
   scene.soft = {block()};
-  scene.soft[0].contact = "surface";
+  scene.soft[0].contact.points = ContactPoints::surface;
   Simulation simulation(scene, options()), other(scene, options());
   run(simulation, 40);
   other.restore(simulation.checkpoint());

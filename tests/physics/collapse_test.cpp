@@ -23,9 +23,9 @@ SceneDesc hanging_bar() {
   scene.rigid = {part_body("ball", "sphere", {0.01, 0.01, 0.01}, {-0.045, 0.05, 0})};
   SoftDesc& bar = scene.soft.emplace_back();
   bar.name = "bar";
-  bar.shape = "beam";
-  bar.size = {0.12, 0.04, 0.04};
-  bar.element = "tet10";
+  bar.geometry.shape = "beam";
+  bar.geometry.size = {0.12, 0.04, 0.04};
+  bar.configuration.element = "tet10";
   bar.attach = {{{-10.055, 0, 0}, 10, 1e12}};
   return scene;
 }
@@ -82,11 +82,11 @@ TEST_P(HeavyCube, StandsOnItsFootAndStaysThereWhenTouched) {
   scene.rigid = {table()};
   SoftDesc& cube = scene.soft.emplace_back();
   cube.name = "cube";
-  cube.shape = "block";
-  cube.size = {0.1, 0.1, 0.1};
+  cube.geometry.shape = "block";
+  cube.geometry.size = {0.1, 0.1, 0.1};
   cube.pose.p = {0, 0.05, 0};
-  cube.youngs_modulus = 5000;
-  cube.poisson_ratio = GetParam();
+  cube.material.youngs_modulus = 5000;
+  cube.material.poisson_ratio = GetParam();
   Simulation simulation(scene, plain());
   const auto expect_sound = [&](const char* when) {
     const VecX& x = simulation.soft_state(1).motion.x;

@@ -128,9 +128,9 @@ TEST(Friction, HoldsABlockThatStaysAwakeWithoutCreep) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
-  scene.soft[0].youngs_modulus = 2e4;
+  scene.soft[0].material.youngs_modulus = 2e4;
   const double angle =
-      std::atan(std::sqrt(scene.soft[0].friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
+      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   Simulation simulation(scene, options());
   run(simulation, 60, drive(0, table_place));
@@ -177,9 +177,9 @@ TEST(Friction, StiffBlockSlidesAsACoulombBodyDoes) {
   scene.rigid = {table()};
   scene.rigid[0].parts[0].size.x() = 20;
   scene.soft = {block()};
-  scene.soft[0].youngs_modulus = 2e4;
-  scene.soft[0].damping_mass = 0;
-  scene.rigid[0].friction = scene.soft[0].friction = 0.3;
+  scene.soft[0].material.youngs_modulus = 2e4;
+  scene.soft[0].material.damping_mass = 0;
+  scene.rigid[0].friction = scene.soft[0].contact.friction = 0.3;
   Simulation simulation(scene, options());
   const double theory = 9.81 * (0.5 - 0.3 * std::sqrt(0.75));
   EXPECT_NEAR(acceleration(simulation, [&] { return centre(simulation, 1).x(); }), theory, 0.02 * theory);
@@ -193,11 +193,11 @@ TEST(Friction, RigidBlockOnTissueHoldsBelowItsAngleAndSlidesAbove) {
     scene.gravity = tilted(limit + beyond);
     scene.rigid = {table(), part_body("plate", "box", {0.06, 0.02, 0.06}, {-0.1, 0.0505, 0})};
     SoftDesc& bed = scene.soft.emplace_back(block("bed"));
-    bed.size = {0.4, 0.04, 0.12};
+    bed.geometry.size = {0.4, 0.04, 0.12};
     bed.pose.p.y() = 0.02;
-    bed.youngs_modulus = 2e5;
+    bed.material.youngs_modulus = 2e5;
     bed.attach = {{{0, -1000, 0}, std::hypot(1000, 1), 1e13}};
-    bed.friction = scene.rigid[1].friction = 0.3;
+    bed.contact.friction = scene.rigid[1].friction = 0.3;
     Simulation simulation(scene, options());
     const auto at = [&] { return simulation.rigid_state(1).pose.p.x(); };
     run(simulation, 30, drive(0, table_place));
@@ -217,15 +217,15 @@ TEST(Friction, TissueOnTissueHoldsBelowItsAngleAndSlidesAbove) {
     scene.gravity = tilted(limit + beyond);
     scene.rigid = {table()};
     SoftDesc& bed = scene.soft.emplace_back(block("bed"));
-    bed.size = {0.4, 0.04, 0.12};
+    bed.geometry.size = {0.4, 0.04, 0.12};
     bed.pose.p.y() = 0.02;
     bed.attach = {{{0, -1000, 0}, std::hypot(1000, 1), 1e13}};
     SoftDesc& upper = scene.soft.emplace_back(block("upper"));
-    upper.size = {0.06, 0.02, 0.06};
+    upper.geometry.size = {0.06, 0.02, 0.06};
     upper.pose.p = {-0.1, 0.0505, 0};
     for (SoftDesc& body : scene.soft) {
-      body.youngs_modulus = 2e5;
-      body.friction = 0.3;
+      body.material.youngs_modulus = 2e5;
+      body.contact.friction = 0.3;
     }
     Simulation simulation(scene, options());
     const auto at = [&] { return centre(simulation, 2).x(); };
@@ -248,7 +248,7 @@ TEST(Restitution, HoldsBesideTissue) {
                    part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.2, 0})};
     scene.rigid[1].restitution = scene.rigid[2].restitution = std::sqrt(restitution);
     scene.soft = {block()};
-    scene.soft[0].youngs_modulus = 5e4;
+    scene.soft[0].material.youngs_modulus = 5e4;
     Simulation simulation(scene, options());
     double before = 0, after = 0, start = 0;
     for (int tick = 0; tick < 30; ++tick) {
@@ -333,13 +333,13 @@ TEST(Touches, TellTheMomentumThatTissueGot) {
   scene.gravity = {0, -1, 0};
   scene.soft = {block()};
   scene.soft[0].gravity = false;
-  scene.soft[0].damping_mass = 0;
-  scene.soft[0].newton_iterations = 30;
-  scene.soft[0].solver_iterations = 400;
-  scene.soft[0].solver_tolerance = 1e-8;
+  scene.soft[0].material.damping_mass = 0;
+  scene.soft[0].configuration.newton_iterations = 30;
+  scene.soft[0].configuration.solver_iterations = 400;
+  scene.soft[0].configuration.solver_tolerance = 1e-8;
   scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0.015, 0.2, 0}, 3000)};
   for (const char* integrator : {"implicit_euler", "symplectic_euler"}) {
-    scene.soft[0].integrator = integrator;
+    scene.soft[0].configuration.integrator = integrator;
     Simulation simulation(scene, options());
     Vec3 told = Vec3::Zero();
     for (int tick = 0; tick < 60; ++tick) {
@@ -390,7 +390,7 @@ TEST(Stack, TowerOnTissueStands) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
-  scene.soft[0].youngs_modulus = 1e5;
+  scene.soft[0].material.youngs_modulus = 1e5;
   for (int i = 0; i < 8; ++i) {
     scene.rigid.push_back(part_body("box", "box", {0.06, 0.03, 0.06}, {0, 0.0755 + 0.0303 * i, 0}));
     scene.rigid.back().mass = i % 2 == 0 ? 0.01 : 0.3;

@@ -24,13 +24,13 @@ SceneDesc soft_ball(const std::string& model, double youngs_modulus) {
   SceneDesc scene;
   scene.rigid = {table()};
   SoftDesc& soft = scene.soft.emplace_back(block("ball"));
-  soft.shape = "ball";
-  soft.size = {0.12, 0.12, 0.12};
+  soft.geometry.shape = "ball";
+  soft.geometry.size = {0.12, 0.12, 0.12};
   soft.pose.p = {0, 0.06, 0};
-  soft.cell = 0.018;
-  soft.surface_cell = 0.01;
-  soft.youngs_modulus = youngs_modulus;
-  soft.model = model;
+  soft.geometry.cell = 0.018;
+  soft.geometry.surface_cell = 0.01;
+  soft.material.youngs_modulus = youngs_modulus;
+  soft.configuration.model = model;
   return scene;
 }
 
@@ -82,7 +82,7 @@ TEST_P(CorotatedLinear, StaysWithinItsVolumeHoweverItIsTurned) {
   const double angle = 0.1 * GetParam();  // rad
   SceneDesc scene;
   scene.soft = {block("block")};
-  scene.soft[0].model = "fem_linear";
+  scene.soft[0].configuration.model = "fem_linear";
   Simulation simulation(scene, options());  // it falls
   ASSERT_FALSE(simulation.asleep(0));
   const VecX now = simulation.soft_state(0).motion.x;

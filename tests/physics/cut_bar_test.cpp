@@ -74,9 +74,9 @@ Rest rest_of(const Anatomy& anatomy) {
   scene.soft = {block("bar")};
   SoftDesc& soft = scene.soft[0];
   soft.pose = {};
-  soft.density = 1000;
-  soft.youngs_modulus = 20e3;
-  soft.poisson_ratio = 0.3;
+  soft.material.density = 1000;
+  soft.material.youngs_modulus = 20e3;
+  soft.material.poisson_ratio = 0.3;
   soft.attach = {{{0, 0.26, 0}, 0.2021, 1e8}};  // the top's nodes alone
   CompileOptions with = options();
   with.anatomy = [&](const SoftDesc&) { return anatomy; };

@@ -33,16 +33,16 @@ SceneDesc ball_over_cube(const CheapRung& rung) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("ball", "sphere", {0.03, 0, 0}, {0, 0.13, 0}, 3000)};
   SoftDesc cube = block("cube");
-  cube.size = {0.1, 0.1, 0.1};
+  cube.geometry.size = {0.1, 0.1, 0.1};
   cube.pose.p = {0, 0.0505, 0};
-  cube.poisson_ratio = 0.499;
-  cube.cell = 0.0333;
-  cube.model = rung.model;
-  cube.element = "tet10";
-  cube.solver = rung.solver;
-  cube.newton_iterations = rung.newton_iterations;
-  cube.solver_iterations = rung.solver_iterations;
-  cube.solver_tolerance = rung.solver_tolerance;
+  cube.material.poisson_ratio = 0.499;
+  cube.geometry.cell = 0.0333;
+  cube.configuration.model = rung.model;
+  cube.configuration.element = "tet10";
+  cube.configuration.solver = rung.solver;
+  cube.configuration.newton_iterations = rung.newton_iterations;
+  cube.configuration.solver_iterations = rung.solver_iterations;
+  cube.configuration.solver_tolerance = rung.solver_tolerance;
   scene.soft = {cube};
   return scene;
 }
@@ -52,9 +52,9 @@ CompileOptions with_all_nodes_touched() {
   CompileOptions out;
   out.threads = 1;
   out.anatomy = [](const SoftDesc& desc) -> std::optional<Anatomy> {
-    const auto cells = static_cast<std::uint32_t>(std::lround(desc.size.x() / desc.cell));
-    TetMesh tets = kuhn_box(desc.size, cells, cells, cells);
-    for (Vec3& x : tets.positions) x += desc.pose.p - desc.size / 2;
+    const auto cells = static_cast<std::uint32_t>(std::lround(desc.geometry.size.x() / desc.geometry.cell));
+    TetMesh tets = kuhn_box(desc.geometry.size, cells, cells, cells);
+    for (Vec3& x : tets.positions) x += desc.pose.p - desc.geometry.size / 2;
     TriangleMesh surface = with_boundary(tets).surface;
     return embed(std::move(tets), midpoint_subdivided(std::move(surface))).anatomy;
   };
@@ -87,7 +87,7 @@ TEST_P(Budget, ABallThatLandsOnACubeGivesNoMoreThanItsFall) {
 std::string warning_of(const char* model) {
   SceneDesc scene;
   scene.soft = {block()};
-  scene.soft[0].model = model;
+  scene.soft[0].configuration.model = model;
   CompileOptions compiled = options();
   std::string said;
   compiled.progress = [&](const std::string& line) {

@@ -32,10 +32,10 @@ TEST(Exchange, BounceKeepsMomentumAndGainsNoEnergy) {
   scene.gravity = {0, -1, 0};  // takes the ball to the block, which has none
   scene.soft = {block()};
   scene.soft[0].gravity = false;
-  scene.soft[0].damping_mass = 0;
-  scene.soft[0].newton_iterations = 30;
-  scene.soft[0].solver_iterations = 400;
-  scene.soft[0].solver_tolerance = 1e-8;
+  scene.soft[0].material.damping_mass = 0;
+  scene.soft[0].configuration.newton_iterations = 30;
+  scene.soft[0].configuration.solver_iterations = 400;
+  scene.soft[0].configuration.solver_tolerance = 1e-8;
   scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0.015, 0.5, 0}, 3000)};
   Simulation simulation(scene, options());
   const double ball_mass = 3000 * 4.0 / 3 * std::numbers::pi * 8e-6;
@@ -60,10 +60,10 @@ TEST(Exchange, AFastPlatesImpulseIsWhatTheTissueGot) {
   SceneDesc scene;
   scene.gravity = Vec3::Zero();
   scene.soft = {block()};
-  scene.soft[0].damping_mass = 0;
-  scene.soft[0].newton_iterations = 30;
-  scene.soft[0].solver_iterations = 400;
-  scene.soft[0].solver_tolerance = 1e-8;
+  scene.soft[0].material.damping_mass = 0;
+  scene.soft[0].configuration.newton_iterations = 30;
+  scene.soft[0].configuration.solver_iterations = 400;
+  scene.soft[0].configuration.solver_tolerance = 1e-8;
   scene.rigid = {part_body("plate", "box", {0.4, 0.02, 0.4}, {0, 0.1, 0})};
   scene.rigid[0].fixed = true;
   Simulation simulation(scene, options());
@@ -137,7 +137,7 @@ TEST(Exchange, RigidPlateRestsOnTissueAtAnyMassRatio) {
     scene.rigid = {table(), part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0701, 0})};
     scene.rigid[1].mass = ratio * block_mass;
     scene.soft = {block()};
-    if (ratio > 1) scene.soft[0].youngs_modulus = 1e8;  // or it would be flat
+    if (ratio > 1) scene.soft[0].material.youngs_modulus = 1e8;  // or it would be flat
     Simulation simulation(scene, options());
     run(simulation, 300);
     const Vec3 before = simulation.rigid_state(1).pose.p;
@@ -147,8 +147,8 @@ TEST(Exchange, RigidPlateRestsOnTissueAtAnyMassRatio) {
       speed = std::max(speed, simulation.rigid_state(1).linear_velocity.norm());
     }
     const double pressure = scene.rigid[1].mass * 9.81 / 0.01;
-    const double yields =
-        pressure / scene.soft[0].youngs_modulus * scene.soft[0].surface_cell / scene.contact_stiffness;
+    const double yields = pressure / scene.soft[0].material.youngs_modulus *
+                          scene.soft[0].geometry.surface_cell / scene.contact_stiffness;
     EXPECT_LT(speed, 1e-3) << ratio;
     EXPECT_LT((simulation.rigid_state(1).pose.p - before).norm(), 1e-5) << ratio;
     EXPECT_LT(sunk(simulation, 1, 2), 3 * yields + 1e-5) << ratio;  // edges carry more than the middle
@@ -177,10 +177,10 @@ TEST(Exchange, BlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove) {
   for (const double beyond : {-1.0, 1.0}) {
     SceneDesc scene;
     scene.soft = {block()};
-    scene.soft[0].youngs_modulus = 2e5;
+    scene.soft[0].material.youngs_modulus = 2e5;
     scene.rigid = {table(), part_body("waker", "sphere", {0.01, 0, 0}, {0, 0.08, 0}, 100)};
     scene.rigid[0].parts[0].size = {20, 0.1, 20};
-    const double angle = std::atan(std::sqrt(scene.soft[0].friction * scene.rigid[0].friction)) +
+    const double angle = std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) +
                          beyond * std::numbers::pi / 180;
     scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
     Simulation simulation(scene, options());

@@ -22,7 +22,7 @@ SceneDesc tied_block() {
   scene.rigid = {table()};
   scene.rigid[0].friction = 0;
   scene.soft = {block()};
-  scene.soft[0].cell = scene.soft[0].surface_cell = 0.025;
+  scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.025;
   scene.soft[0].attach = {{{0, 0, 0}, 0.015, 2e7}};
   return scene;
 }

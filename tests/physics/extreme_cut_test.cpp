@@ -106,7 +106,7 @@ TEST(ExtremeCut, WhileTheBlockIsSqueezed) {
   SceneDesc scene = block_and_scalpel();
   scene.rigid[scalpel].edges[0].to.y() = -0.2;  // it swells up and down
   scene.soft[0].attach = {{{0, 0, 0}, 0.03, 1e5}};
-  scene.soft[0].toughness = 0;
+  scene.soft[0].material.toughness = 0;
   for (const double side : {-1.0, 1.0}) {
     scene.rigid.push_back(
         part_body(side < 0 ? "near jaw" : "far jaw", "box", {0.14, 0.08, 0.02}, {0, 0.03, 0.061 * side}));
@@ -133,7 +133,7 @@ TEST(ExtremeCut, WhileTheBlockIsSqueezed) {
 
 TEST(ExtremeCut, WhileTheBlockIsInsideOut) {
   SceneDesc scene = block_and_scalpel();
-  scene.soft[0].toughness = 0;
+  scene.soft[0].material.toughness = 0;
   Simulation simulation(scene, options());
   const Tissue tissue(simulation);
   Vec3 at = take(simulation);
@@ -161,8 +161,8 @@ TEST(ExtremeCut, WhileTheBlockIsInsideOut) {
 TEST(ExtremeCut, WhereTwoHandsHoldThePieces) {
   SceneDesc scene = block_and_scalpel();
   scene.soft[0].attach.clear();
-  scene.soft[0].size = {0.1, 0.06, 0.24};
-  scene.soft[0].toughness = 0;
+  scene.soft[0].geometry.size = {0.1, 0.06, 0.24};
+  scene.soft[0].material.toughness = 0;
   Simulation simulation(scene, options());
   const Tissue tissue(simulation);
   const std::array<Vec3, 2> ends = {Vec3(0, 0.073, -0.08), Vec3(0, 0.073, 0.11)};

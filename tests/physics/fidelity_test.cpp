@@ -20,7 +20,7 @@ double lowest(const Simulation& simulation, BodyId soft) {
 }
 
 /// A flat box, turned about y by 45°, 0.12 × 0.02 × 0.06 m.
-SceneDesc plate(const std::string& collision) {
+SceneDesc plate(Fidelity collision) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("plate", "box", {0.12, 0.02, 0.06}, {0, 0.1, 0})};
   scene.rigid[1].pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()));
@@ -30,19 +30,19 @@ SceneDesc plate(const std::string& collision) {
 
 TEST(Fidelity, RigidBodyRestsOnWhatItCollidesAs) {
   const struct {
-    const char* collision;
+    Fidelity collision;
     double height;  // m, of its centre at rest
-  } cases[] = {{"mesh", 0.01},
-               {"hull", 0.01},
-               {"obb", 0.01},
-               {"aabb", 0.01},
-               {"sphere", std::sqrt(0.06 * 0.06 + 0.01 * 0.01 + 0.03 * 0.03)}};
+  } cases[] = {{Fidelity::mesh, 0.01},
+               {Fidelity::hull, 0.01},
+               {Fidelity::obb, 0.01},
+               {Fidelity::aabb, 0.01},
+               {Fidelity::sphere, std::sqrt(0.06 * 0.06 + 0.01 * 0.01 + 0.03 * 0.03)}};
   for (const auto& c : cases) {
     Simulation simulation(plate(c.collision), options());
     run(simulation, 120);
-    EXPECT_NEAR(simulation.rigid_state(1).pose.p.y(), c.height, 1e-3) << c.collision;
+    EXPECT_NEAR(simulation.rigid_state(1).pose.p.y(), c.height, 1e-3) << fidelity_name(c.collision);
   }
-  Simulation falls(plate("none"), options());
+  Simulation falls(plate(Fidelity::none), options());
   run(falls, 60);
   EXPECT_LT(falls.rigid_state(1).pose.p.y(), -3);
 }
@@ -61,7 +61,7 @@ TEST(Fidelity, BoxesOfRigidBodiesAreThoseStated) {
 
 /// The same on tissue: detection and response of soft bodies see the same shape.
 TEST(Fidelity, TissueCarriesWhatTheRigidBodyCollidesAs) {
-  for (const auto& [collision, reach] : {std::pair{"hull", 0.01}, {"sphere", 0.046}}) {
+  for (const auto& [collision, reach] : {std::pair{Fidelity::hull, 0.01}, {Fidelity::sphere, 0.046}}) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("plate", "box", {0.08, 0.02, 0.04}, {0, 0.12, 0}, 300)};
     scene.rigid[1].collision = collision;
@@ -73,8 +73,8 @@ TEST(Fidelity, TissueCarriesWhatTheRigidBodyCollidesAs) {
       simulation.step({});
       highest = std::max(highest, simulation.rigid_state(1).pose.p.y());
     }
-    EXPECT_LT(highest, 0.06 + reach + 2e-3) << collision;
-    EXPECT_GT(highest, 0.06 + reach - 1.2e-2) << collision;
+    EXPECT_LT(highest, 0.06 + reach + 2e-3) << fidelity_name(collision);
+    EXPECT_GT(highest, 0.06 + reach - 1.2e-2) << fidelity_name(collision);
   }
 }
 
@@ -86,9 +86,9 @@ TEST(Masks, DecideWhoPassesThroughWhom) {
   for (SoftDesc& soft : scene.soft) soft.pose.p.y() += 0.05;
   scene.soft[1].pose.p.x() = -0.3;
   scene.rigid[0].group = "room";
-  scene.rigid[1].group = scene.soft[1].group = "ghosts";
+  scene.rigid[1].group = scene.soft[1].contact.group = "ghosts";
   scene.rigid[1].touches = {hand_group};
-  scene.soft[1].touches = {"ghosts"};
+  scene.soft[1].contact.touches = {"ghosts"};
   Simulation simulation(scene, options());
   run(simulation, 90);
   EXPECT_LT(simulation.rigid_state(1).pose.p.y(), -1) << "touches only hands";
@@ -101,7 +101,7 @@ TEST(Masks, OfSoftBodiesAtNoFidelity) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
-  scene.soft[0].collision = "none";
+  scene.soft[0].contact.collision = Fidelity::none;
   Simulation simulation(scene, options());
   run(simulation, 60);
   EXPECT_LT(lowest(simulation, 1), -1);
@@ -114,7 +114,7 @@ TEST(Continuous, FastProbeIsStoppedByTissue) {
     scene.gravity = {0, -600, 0};  // 50 m/s after 5 ticks and 2.5 m
     scene.soft = {block()};
     scene.soft[0].gravity = false;
-    scene.soft[0].size = {0.1, 0.03, 0.1};
+    scene.soft[0].geometry.size = {0.1, 0.03, 0.1};
     scene.soft[0].attach = {{.center = {0, 0.03, 0}, .radius = 0.2, .stiffness = 1e11}};
     scene.rigid = {part_body("probe", "capsule", {0.006, 0.06, 0}, {0.003, 2.9, 0.002})};
     scene.rigid[0].mass = 1e-4;
@@ -153,9 +153,9 @@ TEST(Continuous, FastTissueIsStoppedByAPlate) {
     scene.rigid = {part_body("plate", "box", {1, 0.005, 1}, {0, 0, 0})};
     scene.rigid[0].fixed = true;
     scene.soft = {block()};
-    scene.soft[0].youngs_modulus = 1e6;
+    scene.soft[0].material.youngs_modulus = 1e6;
     scene.soft[0].pose.p.y() = 2.9;
-    scene.soft[0].continuous = on;
+    scene.soft[0].contact.continuous = on;
     Simulation simulation(scene, options());
     run(simulation, 12);
     EXPECT_EQ(lowest(simulation, 1) > -0.03, on) << lowest(simulation, 1);

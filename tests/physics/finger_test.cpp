@@ -120,10 +120,10 @@ TEST(Fingers, AStiffSoftBlockStopsThem) {
     SceneDesc scene;
     scene.gravity = Vec3::Zero();
     scene.soft = {block()};
-    scene.soft[0].youngs_modulus = youngs_modulus;
+    scene.soft[0].material.youngs_modulus = youngs_modulus;
     scene.soft[0].attach = {{{0, 0, 0}, 0.2, 1e9}};
     Simulation simulation(scene, options());
-    scene.soft[0].cell = scene.soft[0].surface_cell = 0.01;
+    scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.01;
     const Vec3 above(0, 0.06 + 0.013, 0.12);  // the stretched fingers just over the block's top
     simulation.step(appear(above));
     double most = 0;

@@ -19,9 +19,9 @@ constexpr double tick_rate = 60;  // Hz
 SoftDesc refined_block() {
   SoftDesc desc;
   desc.name = "block";
-  desc.refine = "touch";
-  desc.cell = 0.03;
-  desc.refine_reach = 0.02;
+  desc.refinement.at = Refining::touch;
+  desc.geometry.cell = 0.03;
+  desc.refinement.reach = 0.02;
   desc.attach = {{{0.05, 0.1, 0.05}, 0.04, 1e8}};
   return desc;
 }
@@ -41,16 +41,16 @@ class RefinedFollowers : public ::testing::TestWithParam<RefinedRung> {};
 TEST_P(RefinedFollowers, TouchingAtRandomIsBeingMadeAnew) {
   const RefinedRung rung = GetParam();
   SoftDesc desc = refined_block();
-  desc.model = rung.model;
-  desc.solver = rung.solver;
-  desc.integrator = rung.integrator;
+  desc.configuration.model = rung.model;
+  desc.configuration.solver = rung.solver;
+  desc.configuration.integrator = rung.integrator;
   if (rung.regions) {
-    RegionDesc& region = desc.regions.emplace_back();
+    RegionDesc& region = desc.material.regions.emplace_back();
     region.center = {0.07, 0.05, 0.05};
     region.radius = 0.04;
-    region.youngs_modulus = 5 * desc.youngs_modulus;
+    region.youngs_modulus = 5 * desc.material.youngs_modulus;
   }
-  if (rung.relaxes) desc.relaxation = {{0.3, 0.5}};
+  if (rung.relaxes) desc.material.relaxation = {{0.3, 0.5}};
   Anatomy mesh = round_block();
   if (rung.tense) {
     Random random(8);

@@ -94,14 +94,15 @@ class FollowingCloths final : public FollowingBodies {
     Anatomy sheet = anatomy_of(organ, organ.piece(edit.body), numbering);
     const SurfaceEdit surface = edit_between(body.solver->anatomy().surface, body.numbering, sheet.surface,
                                              sheet.embedding, numbering);
-    SpringNetwork springs = make_sheet_springs(desc, body.solver->anatomy());
-    follow_sheet(desc, sheet, edit.mesh.kept_nodes, edit.touched, springs);
+    SpringNetwork springs = make_sheet_springs(desc.material, body.solver->anatomy());
+    follow_sheet(desc.material, sheet, edit.mesh.kept_nodes, edit.touched, springs);
     springs_ = std::move(springs);
     body.solver->follower().follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
     body.follow(surface, std::move(numbering));
   }
   ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
-    if (const auto springs = prosector::same(springs_, make_sheet_springs(desc, anew.solver->anatomy()));
+    if (const auto springs =
+            prosector::same(springs_, make_sheet_springs(desc.material, anew.solver->anatomy()));
         !springs)
       return springs;
     return prosector::same(*bodies[body].solver, *anew.solver, seed);
@@ -116,13 +117,13 @@ TEST_P(FollowingSheets, CutsAtRandomIsBeingMadeAnew) {
   const Rung rung = GetParam();
   SoftDesc desc;
   desc.name = "sheet";
-  desc.model = rung.model;
-  desc.solver = rung.solver;
-  desc.integrator = rung.integrator;
-  desc.damping_stiffness = rung.damped ? 0.01 : 0;
+  desc.configuration.model = rung.model;
+  desc.configuration.solver = rung.solver;
+  desc.configuration.integrator = rung.integrator;
+  desc.material.damping_stiffness = rung.damped ? 0.01 : 0;
   desc.attach = {{{0.05, 0, 0.05}, 0.03, 1e8}};
   const Anatomy sheet = square();
-  Organ organ(0, sheet, desc.density, held_nodes(desc.attach, sheet));
+  Organ organ(0, sheet, desc.material.density, held_nodes(desc.attach, sheet));
   FollowingCloths bodies(organ, desc, rung.stiffness);
   Random random(20261122);
   bodies.make_strokes(24, [&](unsigned) -> FollowingBodies::Stroke {

@@ -59,7 +59,7 @@ struct Rung {
   bool hold_volume = true;
   double spring_stiffness = 0;  // N/m; 0: from E
   const char* element = "tet4";
-  double poisson_ratio = SoftDesc().poisson_ratio;
+  double poisson_ratio = SoftDesc().material.poisson_ratio;
   std::uint32_t cells = 4;  // across
   bool tense = false;       // each tetrahedron stretched otherwise
 };
@@ -107,7 +107,9 @@ class FollowingBlocks final : public FollowingBodies {
   ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
     return prosector::same(*bodies[body].solver, *anew.solver, seed);
   }
-  void end_stroke() override { ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc.density)); }
+  void end_stroke() override {
+    ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc.material.density));
+  }
 
   const Anatomy& mesh_;
 };
@@ -126,27 +128,27 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   const Rung rung = GetParam();
   SoftDesc desc;
   desc.name = "block";
-  desc.model = rung.model;
-  desc.element = rung.element;
-  desc.poisson_ratio = rung.poisson_ratio;
-  desc.solver = rung.solver;
-  desc.integrator = rung.integrator;
-  desc.damping_stiffness = rung.damped ? 0.01 : 0;
-  desc.hold_volume = rung.hold_volume;
-  desc.spring_stiffness = rung.spring_stiffness;
+  desc.configuration.model = rung.model;
+  desc.configuration.element = rung.element;
+  desc.material.poisson_ratio = rung.poisson_ratio;
+  desc.configuration.solver = rung.solver;
+  desc.configuration.integrator = rung.integrator;
+  desc.material.damping_stiffness = rung.damped ? 0.01 : 0;
+  desc.material.hold_volume = rung.hold_volume;
+  desc.material.spring_stiffness = rung.spring_stiffness;
   desc.attach = {{{0.05, 0.1, 0.05}, 0.04, 1e8}};
   if (rung.regions) {
-    RegionDesc& region = desc.regions.emplace_back();
+    RegionDesc& region = desc.material.regions.emplace_back();
     region.center = {0.07, 0.05, 0.05};
     region.radius = 0.04;
-    region.youngs_modulus = 5 * desc.youngs_modulus;
+    region.youngs_modulus = 5 * desc.material.youngs_modulus;
   }
-  if (desc.model == "fem_fibers") desc.fiber_stiffness = 1e4;
-  if (rung.relaxes) desc.relaxation = {{0.3, 0.5}, {0.2, 5}};
+  if (desc.configuration.model == "fem_fibers") desc.material.fiber_stiffness = 1e4;
+  if (rung.relaxes) desc.material.relaxation = {{0.3, 0.5}, {0.2, 5}};
   Anatomy mesh = rung.round ? embed(shaken_box(rung.cells), surface_of("block", 0.01)).anatomy
                             : Anatomy{shaken_box(rung.cells), {}, {}};
   if (rung.tense) stretch_at_random(mesh.tets);
-  Organ organ(0, mesh, desc.density);
+  Organ organ(0, mesh, desc.material.density);
   FollowingBlocks bodies(organ, desc, mesh, rung.stiffness);
   Random random(20261122);
   bodies.make_strokes(10, [&](unsigned stroke) -> FollowingBodies::Stroke {
@@ -173,9 +175,9 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
 // Which no other answer tells of: it only says from where on single precision will do.
 TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
   SoftDesc desc;
-  desc.model = "fem_fibers";
-  desc.fiber_stiffness = 1e4;
-  RegionDesc& region = desc.regions.emplace_back();
+  desc.configuration.model = "fem_fibers";
+  desc.material.fiber_stiffness = 1e4;
+  RegionDesc& region = desc.material.regions.emplace_back();
   region.center = {0.07, 0.05, 0.05};
   region.radius = 0.04;
   region.fiber_stiffness = 3e4;
@@ -191,7 +193,7 @@ TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
     ASSERT_TRUE(edit && model->can_follow(edit->mesh));
     organ.follow(*edit);
     apply(edit->mesh, mesh);
-    model->follow(desc, mesh, edit->mesh);
+    model->follow(desc.material, mesh, edit->mesh);
     const auto anew = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
     EXPECT_EQ(model->rest_trace(), anew->rest_trace());
   }
@@ -226,7 +228,7 @@ TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
 // What a cut leaves of motion, and what it makes, is what a mesh made anew would be given.
 TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
   SoftDesc desc;
-  desc.element = "tet10";
+  desc.configuration.element = "tet10";
   Organ organ(0, {shaken_box(3), {}, {}}, 1000);
   Numbering numbering;
   SoftBody body(desc, anatomy_of(organ, organ.piece(0), numbering));

@@ -97,9 +97,9 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   potential.diagonal(diagonal);
   std::vector<Mat3> inverse;
   for (const Mat3& block : diagonal) inverse.push_back(block.inverse());
-  if (body.desc().solver == "direct")
+  if (body.desc().configuration.solver == "direct")
     potential.factor_solve(p.data(), solution.data());
-  else if (body.desc().solver == "multigrid")
+  else if (body.desc().configuration.solver == "multigrid")
     potential.multigrid_solve(diagonal, inverse, p.data(), solution.data());
   else
     solution.setZero();
@@ -156,14 +156,14 @@ void Hung::follow(const SurfaceEdit& edit, Numbering now) {
 void Hung::fit() {
   surface->fit({}, !numbering.triangles.empty());
   if (!surface->faces() || solver->anatomy().thickness > 0) return;
-  EXPECT_TRUE(surface->fit_self_collision(2 * solver->desc().cell)) << "an open surface";
+  EXPECT_TRUE(surface->fit_self_collision(2 * solver->desc().geometry.cell)) << "an open surface";
 }
 
 std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
   std::vector<VertexMeeting> out;
   TissueSurface& surface = *body.surface;
   if (!surface.self_collision()) return out;
-  const double cell = body.solver->desc().cell, little = 0.1 * std::sin(seed);  // cells
+  const double cell = body.solver->desc().geometry.cell, little = 0.1 * std::sin(seed);  // cells
   const VecX rest = body.solver->rest();
   VecX x = rest;
   for (Eigen::Index i = 0; i < x.size(); ++i)

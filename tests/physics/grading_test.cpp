@@ -23,7 +23,7 @@ SoftDesc on_foot() {
   constexpr double flat = 1e4;
   SoftDesc desc;
   desc.name = "block";
-  desc.grade = "rims";
+  desc.geometry.grade = Grading::rims;
   desc.attach.push_back({Vec3(size.x() / 2, -flat, size.z() / 2), flat + 1e-4, 1e13});
   return desc;
 }
@@ -102,7 +102,7 @@ TEST(Grading, RefusesWhatItCantDivide) {
   Anatomy rope = block();
   rope.tets.tets.clear();
   rope.segments = {{0, 1}};
-  EXPECT_NE(message(rope).find("[[soft]] \"block\": grade is \"rims\", allowed only for solids"),
+  EXPECT_NE(message(rope).find("[[soft]] \"block\": grade is \"rims\", which is allowed only for solids"),
             std::string::npos)
       << message(rope);
   Anatomy flat = block();

@@ -72,10 +72,11 @@ TEST(Hand, TeleportStaysBounded) {
   // Friction holds at most μ·m·g/2 across the middle, at the base: a strain of 4·that/(E·section) there, and
   // none at the ends.
   const SoftDesc& desc = scene.soft[0];
-  const double friction = std::sqrt(desc.friction * scene.rigid[0].friction);
-  const double held = friction * desc.density * desc.size.prod() * 9.81 / 2;
-  const double strain = 4 * held / (desc.youngs_modulus * desc.size.x() * desc.size.y());
-  EXPECT_LT(deformation(settled, simulation.soft_state(1).motion.x), strain * desc.size.x() / 2);
+  const double friction = std::sqrt(desc.contact.friction * scene.rigid[0].friction);
+  const double held = friction * desc.material.density * desc.geometry.size.prod() * 9.81 / 2;
+  const double strain =
+      4 * held / (desc.material.youngs_modulus * desc.geometry.size.x() * desc.geometry.size.y());
+  EXPECT_LT(deformation(settled, simulation.soft_state(1).motion.x), strain * desc.geometry.size.x() / 2);
 }
 
 // On a frictionless table nothing can hold a strain: the shape is back.

@@ -34,7 +34,7 @@ TEST(Hold, TwoHandsPullingApartBalance) {
     SceneDesc scene;
     scene.gravity = Vec3::Zero();
     scene.soft = {block()};
-    scene.soft[0].size = {0.24, 0.06, 0.1};
+    scene.soft[0].geometry.size = {0.24, 0.06, 0.1};
     Simulation simulation(scene, options());
     const Vec3 left(-0.08, 0.073, 0.045), right(0.08, 0.073, 0.045);
     simulation.step(at({{1, left}, {2, right}}, HandEvent::Kind::appear));
@@ -88,7 +88,7 @@ TEST(Hold, TearsAtTheScenesForce) {
     SceneDesc scene;
     scene.hand.tear_force = tear_force;
     scene.soft = {block()};
-    scene.soft[0].youngs_modulus = 5e4;
+    scene.soft[0].material.youngs_modulus = 5e4;
     scene.soft[0].attach = {{{0, 0, 0}, 0.06, 1e9}};
     Simulation simulation(scene, options());
     const Vec3 on_top(-0.004, 0.073, 0.045);

@@ -43,24 +43,24 @@ std::vector<Case> cases() {
 
 SoftDesc soft_body(const Case& c) {
   SoftDesc desc = block("body");
-  desc.shape = c.shape;
-  desc.model = c.model;
-  desc.integrator = c.integrator;
-  desc.youngs_modulus = 2e4;
-  desc.poisson_ratio = 0.4;
-  desc.newton_iterations = 4;
-  desc.damping_stiffness = 0.002;
-  desc.substeps = 40;
+  desc.geometry.shape = c.shape;
+  desc.configuration.model = c.model;
+  desc.configuration.integrator = c.integrator;
+  desc.material.youngs_modulus = 2e4;
+  desc.material.poisson_ratio = 0.4;
+  desc.configuration.newton_iterations = 4;
+  desc.material.damping_stiffness = 0.002;
+  desc.configuration.substeps = 40;
   if (c.model == "fem_fibers") {  // muscle: fibres, a stiffer end, relaxation
-    desc.fiber_stiffness = 4e4;
-    desc.fiber_direction = {1, 0, 1};
-    desc.regions.push_back({.center = {0.05, 0.1, 0}, .radius = 0.04, .youngs_modulus = 6e4});
-    desc.relaxation = {{0.3, 0.1}};
+    desc.material.fiber_stiffness = 4e4;
+    desc.material.fiber_direction = {1, 0, 1};
+    desc.material.regions.push_back({.center = {0.05, 0.1, 0}, .radius = 0.04, .youngs_modulus = 6e4});
+    desc.material.relaxation = {{0.3, 0.1}};
   }
   if (c.shape == "sheet") {
-    desc.size = {0.2, 0.004, 0.2};
+    desc.geometry.size = {0.2, 0.004, 0.2};
     desc.pose.p = {0, 0.1, 0};
-    desc.damping_mass = 2;
+    desc.material.damping_mass = 2;
   }
   return desc;
 }
@@ -69,7 +69,7 @@ CompileOptions with_sheets(int threads = 1) {
   CompileOptions out = options(threads);
   const auto solids = out.anatomy;
   out.anatomy = [solids](const SoftDesc& desc) -> std::optional<Anatomy> {
-    return desc.shape == "block" ? solids(desc) : std::nullopt;
+    return desc.geometry.shape == "block" ? solids(desc) : std::nullopt;
   };
   return out;
 }
@@ -111,7 +111,7 @@ TEST(LadderContact, ASheetLiesHalfItsThicknessOffTheTable) {
   scene.soft[0].pose.p.y() = 0.02;
   Simulation simulation(scene, with_sheets());
   run(simulation, 120);
-  EXPECT_NEAR(lowest(simulation), scene.soft[0].size.y() / 2, 2e-4);
+  EXPECT_NEAR(lowest(simulation), scene.soft[0].geometry.size.y() / 2, 2e-4);
 }
 
 TEST_P(Ladder, ABallThatHitsItHandsOverItsMomentum) {
@@ -119,11 +119,11 @@ TEST_P(Ladder, ABallThatHitsItHandsOverItsMomentum) {
   scene.gravity.setZero();
   scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.2, 0}, 2000)};
   scene.soft = {soft_body(GetParam())};
-  scene.soft[0].damping_mass = 0;
-  scene.soft[0].damping_stiffness = 0.005;
-  scene.soft[0].newton_iterations = 40;  // what a solve leaves unsolved is momentum too
-  scene.soft[0].solver_iterations = 2000;
-  scene.soft[0].solver_tolerance = 1e-9;
+  scene.soft[0].material.damping_mass = 0;
+  scene.soft[0].material.damping_stiffness = 0.005;
+  scene.soft[0].configuration.newton_iterations = 40;  // what a solve leaves unsolved is momentum too
+  scene.soft[0].configuration.solver_iterations = 2000;
+  scene.soft[0].configuration.solver_tolerance = 1e-9;
   scene.soft[0].pose.p.setZero();
   Simulation simulation(scene, with_sheets());
   const SoftBody& body = simulation.soft(1);
@@ -241,13 +241,13 @@ TEST(LadderReport, SaysHowItWasSteppedAndWhyItWasRefused) {
   EXPECT_GT(fine.substep, 0);
   EXPECT_TRUE(fine.converged);
   EXPECT_NE(fine.note.find("substeps"), std::string::npos) << fine.note;
-  scene.soft[0].max_substeps = 2;
+  scene.soft[0].configuration.max_substeps = 2;
   const BodyReport refused = row_of(scene);
   EXPECT_EQ(refused.substep, 0);
   EXPECT_FALSE(refused.converged);
   EXPECT_NE(refused.note.find("2 are allowed"), std::string::npos) << refused.note;
-  scene.soft[0].integrator = "rk2";
-  scene.soft[0].damping_mass = scene.soft[0].damping_stiffness = 0;
+  scene.soft[0].configuration.integrator = "rk2";
+  scene.soft[0].material.damping_mass = scene.soft[0].material.damping_stiffness = 0;
   EXPECT_NE(row_of(scene).note.find("is unstable at any step size"), std::string::npos) << row_of(scene).note;
 }
 
@@ -295,9 +295,9 @@ TEST_P(Recovers, ItsShapeFromRuinedStartsOrReportsAReset) {
   scene.gravity.setZero();
   scene.rigid = {part_body("far", "sphere", {0.02, 0, 0}, {5, 5, 5})};
   scene.soft = {soft_body(GetParam())};
-  scene.soft[0].cell = 0.03;
-  scene.soft[0].damping_mass = 2;
-  scene.soft[0].damping_stiffness = 0.01;
+  scene.soft[0].geometry.cell = 0.03;
+  scene.soft[0].material.damping_mass = 2;
+  scene.soft[0].material.damping_stiffness = 0.01;
   std::mt19937_64 random(5);
   const auto noise = [&](Eigen::Index n) {
     return VecX::NullaryExpr(n, [&] { return std::uniform_real_distribution<double>(-0.1, 0.1)(random); });

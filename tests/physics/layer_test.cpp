@@ -47,11 +47,11 @@ int self_crossings(const Simulation& simulation, BodyId body, double apart) {
 SoftDesc sheet(const std::string& name, const std::string& model) {
   SoftDesc soft;
   soft.name = name;
-  soft.shape = "sheet";
-  soft.model = model;
-  soft.size = {0.3, 0.006, 0.12};
-  soft.cell = 0.012;
-  soft.youngs_modulus = 3e4;
+  soft.geometry.shape = "sheet";
+  soft.configuration.model = model;
+  soft.geometry.size = {0.3, 0.006, 0.12};
+  soft.geometry.cell = 0.012;
+  soft.material.youngs_modulus = 3e4;
   return soft;
 }
 
@@ -60,7 +60,7 @@ SceneDesc falling_on_its_edge(const std::string& model = "xpbd") {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {sheet("sheet", model)};
-  scene.soft[0].youngs_modulus = 1e4;
+  scene.soft[0].material.youngs_modulus = 1e4;
   scene.soft[0].pose.p = {0, 0.18, 0};
   scene.soft[0].pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi / 2 - 0.02, Vec3::UnitZ()));
   return scene;
@@ -73,7 +73,7 @@ struct Folding {
 
 Folding fold(SceneDesc scene, bool self_contact) {
   Folding out;
-  scene.soft[0].self_contact = self_contact;
+  scene.soft[0].contact.self_contact = self_contact;
   Simulation simulation(scene, options());
   for (int tick = 0; tick < 170; ++tick) {
     const double now = energy(simulation.step({}));
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Models, FoldedSheet, ::testing::Values("xpbd", "mass_sp
 
 TEST(Layers, SameHashForAnyThreadCountAndAfterRestore) {
   SceneDesc scene = falling_on_its_edge();
-  scene.soft[0].self_contact = true;
+  scene.soft[0].contact.self_contact = true;
   Simulation one(scene, options(1)), two(scene, options(2)), restored(scene, options(1));
   run(one, 30);
   run(two, 30);
@@ -113,9 +113,9 @@ TEST(Layers, SameHashForAnyThreadCountAndAfterRestore) {
 
 SoftDesc rope(const std::string& name, const std::string& model) {
   SoftDesc soft = sheet(name, model);
-  soft.shape = "rope";
-  soft.size = {0.24, 0.01, 0.01};
-  soft.youngs_modulus = 2e5;
+  soft.geometry.shape = "rope";
+  soft.geometry.size = {0.24, 0.01, 0.01};
+  soft.material.youngs_modulus = 2e5;
   return soft;
 }
 
@@ -129,8 +129,8 @@ class ThinBodies : public ::testing::TestWithParam<const char*> {};
 /// Lets body 1 fall on body 0, and on through it where they don't touch; J gained at most.
 double fall(SceneDesc scene, bool touch, int ticks, const auto& look) {
   if (!touch) {
-    scene.soft[1].group = "ghosts";
-    scene.soft[1].touches = {"ghosts"};
+    scene.soft[1].contact.group = "ghosts";
+    scene.soft[1].contact.touches = {"ghosts"};
   }
   Simulation simulation(scene, options());
   double highest = 0;
@@ -177,7 +177,7 @@ TEST_P(ThinBodies, RopeStaysOnASheet) {
 TEST_P(ThinBodies, SheetLiesOnASheet) {
   SceneDesc scene;
   scene.soft = {sheet("lower", GetParam()), sheet("upper", GetParam())};
-  for (SoftDesc& soft : scene.soft) soft.size = {0.12, 0.006, 0.12};
+  for (SoftDesc& soft : scene.soft) soft.geometry.size = {0.12, 0.006, 0.12};
   scene.rigid = {table()};
   scene.soft[0].pose.p = {0, 0.004, 0};
   scene.soft[1].pose.p = {0.01, 0.035, 0.004};

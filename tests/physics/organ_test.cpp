@@ -42,7 +42,7 @@ TEST(Organ, HeldScalpelCutsABlockInTwo) {
 TEST(Organ, ToughTissueIsDrawnAlongInsteadOfCut) {
   for (const double toughness : {10.0, 1e5}) {
     SceneDesc scene = block_and_scalpel();
-    scene.soft[0].toughness = toughness;
+    scene.soft[0].material.toughness = toughness;
     Simulation simulation(scene, options());
     const std::size_t elements = tet_count(simulation);
     Vec3 at = take(simulation);
@@ -114,7 +114,8 @@ TEST(Organ, ACutWhosePiecesCannotBeSolvedIsTakenBackAndToldOf) {
 TEST(Organ, GoesBackToAMarkBitForBit) {
   const Simulation simulation(block_and_scalpel(), options());
   const SoftBody& body = simulation.soft(1);
-  Organ organ(0, body.anatomy(), body.desc().density), other(0, body.anatomy(), body.desc().density);
+  Organ organ(0, body.anatomy(), body.desc().material.density),
+      other(0, body.anatomy(), body.desc().material.density);
   const auto bytes = [](const Organ& o) {
     ByteWriter out;
     RecordWriter io(out);
@@ -150,7 +151,7 @@ TEST(Organ, WhatACutTakesAllTiesFromFallsAlsoThePieceThatKeepsTheName) {
   scene.gravity = Vec3(0, -9.81, 0);
   scene.soft[0].gravity = false;  // imaged as it hangs there
   scene.soft[0].attach = {{{0, 0.03, 0.05}, 0.03, 1e7}};
-  scene.soft[0].toughness = 0;
+  scene.soft[0].material.toughness = 0;
   scene.rigid[0].pose.p.z() = 0.015;  // nearer to the ties: what they hold is the smaller piece
   Simulation simulation(scene, options());
   Vec3 at(-0.12, 0.14, 0.035);
@@ -172,10 +173,10 @@ TEST(Organ, WhatLiesOnItStaysWhereItIsWithTheFirstCut) {
   scene.gravity = {0, -9.81, 0};
   scene.rigid[0].balanced = true;
   SoftDesc& loaf = scene.soft[0];
-  loaf.shape = "ball";
-  loaf.size = {0.14, 0.06, 0.12};
-  loaf.cell = 0.018;
-  loaf.surface_cell = 0.009;
+  loaf.geometry.shape = "ball";
+  loaf.geometry.size = {0.14, 0.06, 0.12};
+  loaf.geometry.cell = 0.018;
+  loaf.geometry.surface_cell = 0.009;
   loaf.gravity = false;
   constexpr BodyId weights = 5, tissue = 1 + weights;
   for (const Vec3& at : {Vec3(0.005, 0.067, 0), Vec3(0, 0.066, 0.022), Vec3(0, 0.066, -0.022),
@@ -183,7 +184,7 @@ TEST(Organ, WhatLiesOnItStaysWhereItIsWithTheFirstCut) {
     scene.rigid.push_back(part_body("weight", "box", {0.012, 0.01, 0.012}, at));
     scene.rigid.back().friction = 1;
   }
-  loaf.friction = 1;
+  loaf.contact.friction = 1;
   CompileOptions from_shape = options();
   from_shape.anatomy = {};
   Simulation simulation(scene, from_shape);
@@ -231,7 +232,7 @@ TEST(Organ, UndoPutsAPieceBackThatHasFallenAndLiesThere) {
     scene.gravity = Vec3(0, -9.81, 0);
     scene.soft[0].gravity = false;
     scene.soft[0].attach = {{{0, 0.03, larger_falls ? 0.05 : -0.05}, 0.03, 1e7}};
-    scene.soft[0].toughness = 0;
+    scene.soft[0].material.toughness = 0;
     scene.rigid[0].pose.p.z() = 0.015;
     Simulation simulation(scene, options());
     const std::uint64_t uncut = simulation.soft(1).content_hash();

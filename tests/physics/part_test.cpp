@@ -139,11 +139,11 @@ double sag(const std::string& model, const std::string& integrator, double stiff
   scene.soft = {block("organ")};
   SoftDesc& desc = scene.soft[0];
   desc.part = true;
-  desc.model = model;
-  desc.integrator = integrator;
+  desc.configuration.model = model;
+  desc.configuration.integrator = integrator;
   desc.pose.p = {0, 0.5, 0};
-  desc.youngs_modulus = 1e5;
-  desc.damping_mass = 10;
+  desc.material.youngs_modulus = 1e5;
+  desc.material.damping_mass = 10;
   desc.attach = {{{0, 0.53, 0}, 0.08, 1e12}};  // as good as clamped, on top
   Simulation simulation(scene, options());
   const auto tip = [&] {

@@ -182,10 +182,10 @@ TEST(Pinch, SmoothOrHeavyThingsSlip) {
 TEST(Pinch, ASoftBlockDoesNotSlip) {
   SceneDesc scene = on_post(0.01);
   SoftDesc soft = block();
-  soft.size = {0.016, 0.02, 0.016};
+  soft.geometry.size = {0.016, 0.02, 0.016};
   soft.pose.p = place;
-  soft.cell = soft.surface_cell = 0.004;
-  soft.youngs_modulus = 5e4;
+  soft.geometry.cell = soft.geometry.surface_cell = 0.004;
+  soft.material.youngs_modulus = 5e4;
   scene.soft = {soft};
   EXPECT_LT(pinch(scene, 0.016).moved, 5e-3);
 }

@@ -71,11 +71,11 @@ SceneDesc soft_under_stiff() {
   scene.soft = {block("under"), block("over")};
   for (SoftDesc& soft : scene.soft) soft.gravity = false;
   scene.soft[0].pose.p.y() += 0.05;
-  scene.soft[0].poisson_ratio = 0.3;
-  scene.soft[0].youngs_modulus = 2000;
+  scene.soft[0].material.poisson_ratio = 0.3;
+  scene.soft[0].material.youngs_modulus = 2000;
   scene.soft[0].attach = {{{0, 0.05 - 1000, 0}, std::hypot(1000, 0.08), 1e8}};  // the nodes of its floor
   scene.soft[1].pose.p.y() += 0.112;
-  scene.soft[1].youngs_modulus = 1e5;
+  scene.soft[1].material.youngs_modulus = 1e5;
   return scene;
 }
 

@@ -23,11 +23,11 @@ SceneDesc pressed_block(const std::string& model = "fem_corotational",
   scene.rigid[0].fixed = true;
   SoftDesc& soft = scene.soft.emplace_back(block());
   soft.attach = {{{0, -0.2, 0}, 0.205, 1e9}};
-  soft.cell = 0.02;
-  soft.refine = "touch";
-  soft.model = model;
-  soft.integrator = integrator;
-  soft.youngs_modulus = 1e4;
+  soft.geometry.cell = 0.02;
+  soft.refinement.at = Refining::touch;
+  soft.configuration.model = model;
+  soft.configuration.integrator = integrator;
+  soft.material.youngs_modulus = 1e4;
   return scene;
 }
 
@@ -93,7 +93,7 @@ TEST(Refine, IsFineUnderWhatPressesAndLeavesNoTrace) {
 
 TEST(Refine, AnUntouchedBodyIsTheSameToTheBit) {
   SceneDesc coarse = pressed_block();
-  coarse.soft[0].refine = "none";
+  coarse.soft[0].refinement.at = Refining::none;
   Simulation with(pressed_block(), halved()), without(coarse, halved());
   for (int tick = 0; tick < 30; ++tick) {
     with.step(press_at(0, -0.01));
@@ -123,7 +123,7 @@ TEST(Refine, MovesNothingWhenItComes) {
     return farthest;
   };
   SceneDesc coarse = pressed_block();
-  coarse.soft[0].refine = "none";
+  coarse.soft[0].refinement.at = Refining::none;
   Simulation twin(coarse, halved());
   const std::size_t tets = tet_count(simulation);
   for (int tick = 0; tick < 60 && tet_count(simulation) == tets; ++tick) {
@@ -261,7 +261,7 @@ SceneDesc refinable_and_scalpel() {
   SceneDesc scene = block_and_scalpel();
   scene.rigid.push_back(part_body("ball", "sphere", {2 * ball_radius, 0, 0}, {0, 0.1, 0}));
   scene.rigid[1].fixed = true;
-  scene.soft[0].refine = "touch";
+  scene.soft[0].refinement.at = Refining::touch;
   return scene;
 }
 
@@ -342,7 +342,7 @@ TEST(Refine, ABladeThatOnlyCameNearDoesNotEndIt) {
 
 TEST(Refine, WhatCannotBeRefinedIsRefused) {
   SceneDesc scene = pressed_block();
-  scene.soft[0].element = "tet10";
+  scene.soft[0].configuration.element = "tet10";
   EXPECT_THROW(Simulation(scene, options()), InputError);
 }
 

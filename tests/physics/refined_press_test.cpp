@@ -22,18 +22,18 @@ constexpr double coarse = 10 * mm;
 SoftDesc described(double refine_cell) {
   SoftDesc layer;
   layer.name = "layer";
-  layer.model = "fem_corotational";
-  layer.youngs_modulus = 5000;
-  layer.poisson_ratio = 0.45;
-  layer.contact = "surface";
-  layer.damping_mass = 5;
-  layer.cell = coarse;
+  layer.configuration.model = "fem_corotational";
+  layer.material.youngs_modulus = 5000;
+  layer.material.poisson_ratio = 0.45;
+  layer.contact.points = ContactPoints::surface;
+  layer.material.damping_mass = 5;
+  layer.geometry.cell = coarse;
   layer.attach = {bonded_below(height)};
   if (refine_cell > 0) {
-    layer.refine = "touch";
-    layer.refine_cell = refine_cell;
-    layer.refine_reach = radius;
-    layer.refine_most = 20000;
+    layer.refinement.at = Refining::touch;
+    layer.refinement.cell = refine_cell;
+    layer.refinement.reach = radius;
+    layer.refinement.max_elements = 20000;
   }
   return layer;
 }

@@ -61,7 +61,7 @@ double all_mass(const Simulation& simulation) {
 /// The block without ties to where it is, and so tender that a fast blade goes through.
 SceneDesc tender_block() {
   SceneDesc scene = block_and_scalpel();
-  scene.soft[0].toughness = 0;
+  scene.soft[0].material.toughness = 0;
   scene.soft[0].attach[0].stiffness = 1e5;
   return scene;
 }

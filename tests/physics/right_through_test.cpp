@@ -34,8 +34,9 @@ struct Attempt {
   double turn = 0;           // rad: of the blade about its edge's direction and z, over the way
   std::string what() const {
     const SoftDesc& body = scene.soft[0];
-    return shape + " " + body.model + ", E " + std::to_string(body.youngs_modulus) + " Pa, toughness " +
-           std::to_string(body.toughness) + " J/m², " + std::to_string(speed) + " m/s";
+    return shape + " " + body.configuration.model + ", E " + std::to_string(body.material.youngs_modulus) +
+           " Pa, toughness " + std::to_string(body.material.toughness) + " J/m², " + std::to_string(speed) +
+           " m/s";
   }
 };
 
@@ -50,15 +51,15 @@ Attempt random_attempt(Random& random) {
   out.scene = block_and_scalpel();
   out.scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.28, 0}}};
   SoftDesc& body = out.scene.soft[0];
-  body.shape = out.shape;
-  body.size = sizes[shape];
-  body.cell = random.uniform(0.016, 0.03);
+  body.geometry.shape = out.shape;
+  body.geometry.size = sizes[shape];
+  body.geometry.cell = random.uniform(0.016, 0.03);
   body.pose = {middle, Quat(Eigen::AngleAxisd(random.uniform(0, 3), random.point(1).normalized()))};
-  body.model = models[random.below(3)];
-  body.youngs_modulus = std::exp(random.uniform(std::log(3e3), std::log(5e4)));
-  body.poisson_ratio = random.uniform(0.2, 0.45);
+  body.configuration.model = models[random.below(3)];
+  body.material.youngs_modulus = std::exp(random.uniform(std::log(3e3), std::log(5e4)));
+  body.material.poisson_ratio = random.uniform(0.2, 0.45);
   const std::array<double, 4> toughness = {0, 3, 10, 30};
-  body.toughness = toughness[random.below(4)];
+  body.material.toughness = toughness[random.below(4)];
   body.attach = {{middle, 0.2, 1e7}};
   out.speed = std::exp(random.uniform(std::log(0.05), std::log(1)));
   out.bend = {0, 0, random.uniform(-0.02, 0.02)};
@@ -69,8 +70,8 @@ Attempt random_attempt(Random& random) {
 CompileOptions shapes() {
   CompileOptions out = options();
   out.anatomy = [box = out.anatomy](const SoftDesc& desc) -> std::optional<Anatomy> {
-    if (desc.shape != "ball") return box(desc);
-    TetMesh mesh = stuff_solid(implicit_shape("ball", desc.size), desc.cell);
+    if (desc.geometry.shape != "ball") return box(desc);
+    TetMesh mesh = stuff_solid(implicit_shape("ball", desc.geometry.size), desc.geometry.cell);
     for (Vec3& x : mesh.positions) x = desc.pose * x;
     return with_boundary(std::move(mesh));
   };
@@ -147,7 +148,7 @@ Tried right_through(unsigned seed) {
     out.strokes += outcome.grazes ? 0 : 1;
     if (outcome.off > 0) continue;
     std::cout << "whole: stroke " << i << ": " << attempt.what() << std::endl;
-    EXPECT_GT(attempt.scene.soft[0].toughness, 0) << "stroke " << i;
+    EXPECT_GT(attempt.scene.soft[0].material.toughness, 0) << "stroke " << i;
     ++(outcome.grazes ? grazed : out.whole);
   }
   EXPECT_LE(out.whole + grazed, most_whole * attempts);

@@ -38,13 +38,13 @@ SceneDesc rigid_ball(double sine, double resistance, bool on_the_rooms_floor) {
 SceneDesc soft_ball(double sine, double resistance, bool on_the_rooms_floor) {
   SceneDesc scene = slope(sine, on_the_rooms_floor);
   SoftDesc cube = block("ball");
-  cube.size = Vec3::Constant(2 * radius);
+  cube.geometry.size = Vec3::Constant(2 * radius);
   cube.pose.p.y() =
       std::sqrt(3.0) * radius + 0.025;  // it begins in an equilibrium where something near carries it
-  cube.youngs_modulus = 1e5;
-  cube.damping_mass = 0;
-  cube.collision = "sphere";
-  cube.rolling_resistance = resistance;
+  cube.material.youngs_modulus = 1e5;
+  cube.material.damping_mass = 0;
+  cube.contact.collision = Fidelity::sphere;
+  cube.contact.rolling_resistance = resistance;
   scene.soft.push_back(cube);
   return scene;
 }

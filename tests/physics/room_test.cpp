@@ -1,6 +1,7 @@
 // The room around a scene: what falls rests on its floor, what flies stops at its walls, and what leaves it
 // all the same comes back once.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,15 +57,16 @@ std::vector<RigidDesc> one_of_each_shape(double y) {
   int k = 0;
   for (const char* shape : {"sphere", "box", "capsule", "cylinder", "ellipsoid"})
     out.push_back(part_body(shape, shape, {0.06, 0.06, 0.06}, {0.3 * ++k, y, 0}));
-  for (const char* collision : {"mesh", "sphere", "obb"}) {
-    out.push_back(part_body(collision, "box", {0.06, 0.06, 0.06}, {0.3 * ++k, y, 0}));
+  for (const Fidelity collision : {Fidelity::mesh, Fidelity::sphere, Fidelity::obb}) {
+    out.push_back(
+        part_body(std::string(fidelity_name(collision)), "box", {0.06, 0.06, 0.06}, {0.3 * ++k, y, 0}));
     out.back().collision = collision;
     out.back().parts.push_back(out.back().parts.front());
     out.back().parts.back().pose.p.x() = 0.06;
   }
-  for (const char* collision : {"mesh", "hull"}) {  // a ring of triangles
+  for (const Fidelity collision : {Fidelity::mesh, Fidelity::hull}) {  // a ring of triangles
     RigidDesc ring;
-    ring.name = std::string("ring ") + collision;
+    ring.name = fmt::format("ring {}", fidelity_name(collision));
     ring.collision = collision;
     CurveDesc curve;
     curve.kind = "ellipse";
@@ -84,9 +86,9 @@ TEST(Room, RigidBodiesOfEveryShapeRestOnTheFloor) {
   for (BodyId body = 0; body < scene.rigid.size(); ++body) {
     const RigidBodyState state = simulation.rigid_state(body);
     EXPECT_LT(state.linear_velocity.norm(), 0.02) << simulation.name(body);
-    const double lowest = !scene.rigid[body].curves.empty()         ? 0.01  // it lies flat
-                          : scene.rigid[body].collision == "sphere" ? 0.05
-                                                                    : 0.03;
+    const double lowest = !scene.rigid[body].curves.empty()                 ? 0.01  // it lies flat
+                          : scene.rigid[body].collision == Fidelity::sphere ? 0.05
+                                                                            : 0.03;
     EXPECT_GT(state.pose.p.y(), lowest - 0.002) << simulation.name(body);
     EXPECT_LT(state.pose.p.y(), 0.08) << simulation.name(body);
   }
@@ -118,17 +120,18 @@ TEST(Room, WallsStopWhatIsFast) {
 }
 
 TEST(Room, TissueOfEveryFidelityRestsOnTheFloor) {
-  for (const char* collision : {"mesh", "sphere", "aabb", "obb", "hull"}) {
+  for (const Fidelity collision :
+       {Fidelity::mesh, Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull}) {
     SceneDesc scene = in_room();
     scene.soft = {block()};
     scene.soft[0].pose.p.y() = 0.1;
-    scene.soft[0].collision = collision;
+    scene.soft[0].contact.collision = collision;
     Simulation simulation(scene, options());
-    EXPECT_TRUE(run_and_listen(simulation, 240).empty()) << collision;
+    EXPECT_TRUE(run_and_listen(simulation, 240).empty()) << fidelity_name(collision);
     const auto [lowest, highest] = extent(simulation, 0, 1);
-    EXPECT_GT(lowest, -0.002) << collision;
-    EXPECT_LT(lowest, std::string(collision) == "sphere" ? 0.06 : 0.002) << collision;
-    EXPECT_GT(highest - lowest, 0.04) << collision;
+    EXPECT_GT(lowest, -0.002) << fidelity_name(collision);
+    EXPECT_LT(lowest, collision == Fidelity::sphere ? 0.06 : 0.002) << fidelity_name(collision);
+    EXPECT_GT(highest - lowest, 0.04) << fidelity_name(collision);
   }
 }
 
@@ -136,10 +139,10 @@ TEST(Room, SheetsRopesAndPositionBasedTissueRestOnTheFloor) {
   for (const char* shape : {"sheet", "rope", "block"}) {
     SceneDesc scene = in_room();
     SoftDesc soft = block(shape);
-    soft.shape = shape;
-    soft.model = "xpbd";
-    if (soft.shape == "sheet") soft.size = {0.1, 0.002, 0.1};
-    if (soft.shape == "rope") soft.size = {0.2, 0.006, 0.006};
+    soft.geometry.shape = shape;
+    soft.configuration.model = "xpbd";
+    if (soft.geometry.is_sheet()) soft.geometry.size = {0.1, 0.002, 0.1};
+    if (soft.geometry.is_rope()) soft.geometry.size = {0.2, 0.006, 0.006};
     soft.pose.p.y() = 0.06;
     scene.soft = {soft};
     Simulation simulation(scene, options());
@@ -251,8 +254,9 @@ TEST(Room, WhatBeginsBehindASidePassesThroughIt) {
   CompileOptions listening = options();
   listening.progress = [&](const std::string& line) { said.push_back(line); };
   Simulation without(scene, options()), with(with_room, listening);
-  for (const char* words : {"bar: starts behind the room's floor", "ball: starts behind the room's floor",
-                            "box: starts behind the room's wall"})
+  for (const char* words :
+       {"bar: the body starts behind the room's floor", "ball: the body starts behind the room's floor",
+        "box: the body starts behind the room's wall"})
     EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const std::string& line) {
       return line.find(words) != std::string::npos;
     })) << words;

@@ -49,12 +49,12 @@ SceneDesc cube_and_slab(const std::string& model) {
   scene.rigid = {table()};
   for (const char* name : {"cube", "slab"}) {
     SoftDesc& soft = scene.soft.emplace_back(block(name));
-    soft.model = model;
-    soft.cell = soft.surface_cell = cell;
+    soft.configuration.model = model;
+    soft.geometry.cell = soft.geometry.surface_cell = cell;
   }
-  scene.soft[0].size = {side, side, side};
+  scene.soft[0].geometry.size = {side, side, side};
   scene.soft[0].pose.p = {0, side / 2 + 0.05, 0};
-  scene.soft[1].size = {0.12, 0.04, 0.12};
+  scene.soft[1].geometry.size = {0.12, 0.04, 0.12};
   scene.soft[1].pose.p = {0.3, 0.02 + 0.05, 0};
   return scene;
 }

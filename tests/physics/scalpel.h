@@ -20,8 +20,8 @@ inline SceneDesc block_and_scalpel() {
   scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.14, 0}}};
   scene.soft = {block()};
   scene.soft[0].attach = {{{0, 0, 0}, 0.2, 1e7}};
-  scene.soft[0].cell = 0.02;
-  scene.soft[0].toughness = 10;
+  scene.soft[0].geometry.cell = 0.02;
+  scene.soft[0].material.toughness = 10;
   return scene;
 }
 
@@ -34,15 +34,15 @@ inline SceneDesc membrane_and_scalpel(const std::string& model = "mass_spring",
   SceneDesc scene = block_and_scalpel();
   SoftDesc& sheet = scene.soft[0];
   sheet.name = "membrane";
-  sheet.shape = "sheet";
-  sheet.size = {0.1, 0.001, 0.1};
+  sheet.geometry.shape = "sheet";
+  sheet.geometry.size = {0.1, 0.001, 0.1};
   sheet.pose.p = {0, membrane_height, 0};
-  sheet.cell = sheet.surface_cell = 0.01;
-  sheet.model = model;
-  sheet.integrator = integrator;
-  sheet.youngs_modulus = 1e5;
-  sheet.damping_mass = 5;
-  sheet.substeps = 10;
+  sheet.geometry.cell = sheet.geometry.surface_cell = 0.01;
+  sheet.configuration.model = model;
+  sheet.configuration.integrator = integrator;
+  sheet.material.youngs_modulus = 1e5;
+  sheet.material.damping_mass = 5;
+  sheet.configuration.substeps = 10;
   sheet.attach = {{{0, membrane_height, 0.06}, 0.045, 1e9}, {{0, membrane_height, -0.06}, 0.045, 1e9}};
   return scene;
 }

@@ -163,11 +163,10 @@ bool put(const Field&, std::size_t attempt, Quat& x) {
   x = x * Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()));
   return attempt == 0;
 }
-template <class Enum>
-requires std::is_enum_v<Enum>
-bool put(const Field& field, std::size_t attempt, Enum& x) {
-  x = static_cast<Enum>((static_cast<std::size_t>(x) + 1) % field.words.size());
-  return attempt == 0;
+bool put(const Field& field, std::size_t attempt, std::uint8_t& x) {  // an enumeration
+  if (attempt >= field.words.size()) return false;
+  x = static_cast<std::uint8_t>(attempt);
+  return true;
 }
 bool put(const Field& field, std::size_t attempt, std::string& x) {
   if (!field.words.empty()) {

@@ -119,10 +119,10 @@ RigidDesc table() {
 SoftDesc block(const std::string& name) {
   SoftDesc out;
   out.name = name;
-  out.shape = "block";
-  out.size = {0.1, 0.06, 0.1};
-  out.cell = 0.02;
-  out.surface_cell = 0.02;
+  out.geometry.shape = "block";
+  out.geometry.size = {0.1, 0.06, 0.1};
+  out.geometry.cell = 0.02;
+  out.geometry.surface_cell = 0.02;
   out.pose.p = {0, 0.03, 0};
   return out;
 }
@@ -131,12 +131,12 @@ CompileOptions options(int threads) {
   CompileOptions out;
   out.threads = threads;
   out.anatomy = [](const SoftDesc& desc) -> std::optional<Anatomy> {
-    if (desc.shape == "sheet" || desc.shape == "rope") return std::nullopt;
+    if (!desc.geometry.is_solid()) return std::nullopt;
     std::array<int, 3> cells;
     for (std::size_t a = 0; a < 3; ++a)
-      cells[a] =
-          std::max(1, static_cast<int>(std::lround(desc.size[static_cast<Eigen::Index>(a)] / desc.cell)));
-    Anatomy made = make_block(desc.size, cells);
+      cells[a] = std::max(1, static_cast<int>(std::lround(desc.geometry.size[static_cast<Eigen::Index>(a)] /
+                                                          desc.geometry.cell)));
+    Anatomy made = make_block(desc.geometry.size, cells);
     for (Vec3& x : made.tets.positions) x = desc.pose * x;
     for (Vec3& x : made.surface.positions) x = desc.pose * x;
     return made;

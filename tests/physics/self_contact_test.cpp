@@ -25,25 +25,25 @@ constexpr std::array<int, 3> cells = {8, 5, 2};
 
 SoftDesc clamp(const Rung& rung = {"fem_corotational", "implicit_euler", "tet4"}) {
   SoftDesc soft = block("clamp");
-  soft.model = rung.model;
-  soft.integrator = rung.integrator;
-  soft.element = rung.element;
-  soft.size = {0.08, 0.05, 0.02};
-  soft.cell = soft.surface_cell = 0.01;
-  soft.youngs_modulus = 4000;
-  soft.poisson_ratio = 0.4;
-  soft.friction = 0.5;
-  soft.damping_stiffness = 0.02;
-  soft.max_substeps = 2000;
+  soft.configuration.model = rung.model;
+  soft.configuration.integrator = rung.integrator;
+  soft.configuration.element = rung.element;
+  soft.geometry.size = {0.08, 0.05, 0.02};
+  soft.geometry.cell = soft.geometry.surface_cell = 0.01;
+  soft.material.youngs_modulus = 4000;
+  soft.material.poisson_ratio = 0.4;
+  soft.contact.friction = 0.5;
+  soft.material.damping_stiffness = 0.02;
+  soft.configuration.max_substeps = 2000;
   soft.pose.p = {0, 0.05, 0};
-  soft.self_contact = true;
+  soft.contact.self_contact = true;
   return soft;
 }
 
 CompileOptions clamps(int threads = 1, bool mirrored_order = false) {
   CompileOptions out = options(threads);
   out.anatomy = [mirrored_order](const SoftDesc& desc) -> std::optional<Anatomy> {
-    Anatomy made = make_block(desc.size, cells, [](int i, int j, int) { return i >= 2 && j == 2; });
+    Anatomy made = make_block(desc.geometry.size, cells, [](int i, int j, int) { return i >= 2 && j == 2; });
     for (auto* positions : {&made.tets.positions, &made.surface.positions})
       for (Vec3& x : *positions) x = desc.pose * x;
     if (!mirrored_order) return made;
@@ -130,13 +130,13 @@ TEST(SelfContacts, AreTheSameWhateverElseTouches) {
   Simulation alone(scene, fill);
   for (const double height : {0.011, 0.033}) {
     SoftDesc& cube = scene.soft.emplace_back(block(height < 0.02 ? "lower" : "upper"));
-    cube.size = {0.02, 0.02, 0.02};
-    cube.cell = cube.surface_cell = 0.004;  // more vertices than the clamp has
+    cube.geometry.size = {0.02, 0.02, 0.02};
+    cube.geometry.cell = cube.geometry.surface_cell = 0.004;  // more vertices than the clamp has
     cube.pose.p = {0.3, height, 0};
   }
   CompileOptions both = fill;
   both.anatomy = [&](const SoftDesc& desc) {
-    return desc.self_contact ? fill.anatomy(desc) : options().anatomy(desc);
+    return desc.contact.self_contact ? fill.anatomy(desc) : options().anatomy(desc);
   };
   Simulation among_others(scene, both);
   double deepest = 0;
@@ -155,7 +155,7 @@ class StruckClamp : public SelfContact {};
 TEST_P(SelfContact, ArmsFallOnEachOtherAndRest) {
   const auto fall = [&](bool self_contact) {
     SoftDesc soft = clamp(GetParam());
-    soft.self_contact = self_contact;
+    soft.contact.self_contact = self_contact;
     Simulation simulation(on_a_table(soft), clamps());
     double start = 0, deepest = 0;
     for (int tick = 0; tick < 90; ++tick) {
@@ -183,10 +183,10 @@ double pressed(const Simulation& simulation, BodyId body) {
 TEST_P(StruckClamp, KeepsMomentumAndGainsNoEnergy) {
   SoftDesc soft = clamp(GetParam());
   soft.gravity = false;
-  soft.damping_mass = 0;
-  soft.newton_iterations = 20;
-  soft.solver_iterations = 1000;
-  soft.solver_tolerance = 1e-16;  // its root, where Newton goes on
+  soft.material.damping_mass = 0;
+  soft.configuration.newton_iterations = 20;
+  soft.configuration.solver_iterations = 1000;
+  soft.configuration.solver_tolerance = 1e-16;  // its root, where Newton goes on
   SceneDesc scene;
   scene.tick_rate = 240;
   scene.rigid = {part_body("plate", "box", {0.03, 0.01, 0.04}, {0.03, 0.081, 0})};
@@ -220,11 +220,11 @@ TEST_P(StruckClamp, KeepsMomentumAndGainsNoEnergy) {
 
 TEST(SelfContactOf, WhatWasPressedTogetherRecovers) {
   SoftDesc soft = clamp();
-  soft.damping_mass = 3;
+  soft.material.damping_mass = 3;
   soft.gravity = false;
   soft.attach = {{.center = Vec3::Zero(), .radius = 0.012, .stiffness = 2e7}};  // or it would slip away
   soft.pose.p.y() = 0.025;
-  soft.youngs_modulus = 2e4;
+  soft.material.youngs_modulus = 2e4;
   SceneDesc scene = on_a_table(soft);
   scene.rigid.push_back(part_body("plate", "box", {0.2, 0.02, 0.2}, {0, 0.065, 0}));
   scene.rigid[1].fixed = true;
@@ -252,7 +252,7 @@ TEST(SelfContactOf, RubsByFriction) {
   const auto shear = [](double friction) {
     SceneDesc scene = on_a_table(clamp());
     scene.gravity = {0, -9.81, 1};
-    scene.soft[0].friction = friction;
+    scene.soft[0].contact.friction = friction;
     scene.rigid[0].friction = 1 / friction;  // of both bodies: 1
     Simulation simulation(scene, clamps());
     const auto slant = [&] {

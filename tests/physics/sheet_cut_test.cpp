@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Rungs, CutSheet, ::testing::ValuesIn(rungs()),
 TEST(SheetBlade, ToughSheetsAreDrawnAlongInsteadOfCut) {
   for (const double toughness : {10.0, 1e5}) {
     SceneDesc scene = membrane_and_scalpel();
-    scene.soft[0].toughness = toughness;
+    scene.soft[0].material.toughness = toughness;
     Simulation simulation(scene, options());
     Vec3 at = take(simulation);
     draw(simulation, at, 60);  // 2.6 cm into it
@@ -103,7 +103,7 @@ TEST(SheetBlade, ToughSheetsAreDrawnAlongInsteadOfCut) {
 
 TEST(SheetBlade, ARayCutsSheetsWithoutResistanceAndNothingElse) {
   SceneDesc sheet = membrane_and_scalpel(), solid = block_and_scalpel();
-  sheet.soft[0].toughness = 1e5;
+  sheet.soft[0].material.toughness = 1e5;
   for (SceneDesc* scene : {&sheet, &solid}) {
     scene->rigid[0].edges[0].ray = true;
     Simulation simulation(*scene, options());
@@ -121,8 +121,8 @@ TEST(SheetBlade, CutsKeepAFallingSheetsMomentum) {
   scene.gravity = {0, -0.05, 0};
   scene.rigid[0].balanced = true;
   scene.soft[0].attach.clear();
-  scene.soft[0].toughness = 0;
-  scene.soft[0].damping_mass = 0;
+  scene.soft[0].material.toughness = 0;
+  scene.soft[0].material.damping_mass = 0;
   Simulation simulation(scene, options());
   const double mass = simulation.soft(1).total_mass();
   Vec3 at = take(simulation);
@@ -144,8 +144,8 @@ void part_membranes(unsigned seed, int strokes) {
   for (int i = 0; i < strokes; ++i) {
     SceneDesc scene = membrane_and_scalpel(i % 2 == 0 ? "mass_spring" : "xpbd");
     SoftDesc& sheet = scene.soft[0];
-    sheet.toughness = i % 3 == 0 ? 0 : random.uniform(1, 10);
-    sheet.cell = random.uniform(0.008, 0.016);
+    sheet.material.toughness = i % 3 == 0 ? 0 : random.uniform(1, 10);
+    sheet.geometry.cell = random.uniform(0.008, 0.016);
     sheet.pose.q = Quat(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), Vec3::UnitY()));
     const auto angles = [&] { return std::array{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)}; };
     const auto first = angles(), last = angles();
@@ -178,10 +178,10 @@ TEST(SheetBlade, PartsMembranesOfAnySeed) {
 SceneDesc thick_membrane(const std::string& model) {
   SceneDesc scene = membrane_and_scalpel(model);
   SoftDesc& sheet = scene.soft[0];
-  sheet.size.y() = 0.004;
-  sheet.youngs_modulus = 3e4;
-  sheet.toughness = 0;
-  sheet.self_contact = true;
+  sheet.geometry.size.y() = 0.004;
+  sheet.material.youngs_modulus = 3e4;
+  sheet.material.toughness = 0;
+  sheet.contact.self_contact = true;
   return scene;
 }
 
@@ -277,7 +277,7 @@ TEST(SheetSeam, SidesPressedOntoEachOtherDontPass) {
     go({0, 0, 0}, 30);
     const Over now = over(simulation, upper, lower);
     EXPECT_GE(now.nodes, 5);
-    EXPECT_GT(now.lowest, 0.9 * scene.soft[0].size.y()) << (through ? "two pieces" : "a slit");
+    EXPECT_GT(now.lowest, 0.9 * scene.soft[0].geometry.size.y()) << (through ? "two pieces" : "a slit");
   }
 }
 
@@ -285,7 +285,7 @@ TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   const Simulation simulation(membrane_and_scalpel("xpbd"), options());
   const SoftBody& body = simulation.soft(1);
   const auto held = held_nodes(body.desc().attach, body.anatomy());
-  Organ organ(0, body.anatomy(), body.desc().density, held);
+  Organ organ(0, body.anatomy(), body.desc().material.density, held);
   const auto cut = [&](double z, ParticipantId author, std::uint64_t number) {
     std::vector<Vec3> x(organ.complex().node_end());
     for (NodeId n = 0; n < x.size(); ++n) x[n] = organ.complex().rest(n);
@@ -307,7 +307,7 @@ TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   EXPECT_NE(one, uncut);
   organ.regroup(organ.pieces().size());
 
-  Organ other(0, body.anatomy(), body.desc().density, held);
+  Organ other(0, body.anatomy(), body.desc().material.density, held);
   other.restore(organ.log(), organ.mark().pieces, organ.pieces().size());
   EXPECT_EQ(content_hash(other.complex()), uncut);
 }

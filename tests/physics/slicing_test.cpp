@@ -51,8 +51,8 @@ TEST_P(Slicing, PushesWithAsMuchLessForceAsTheClosedFormSays) {
   const double ratio = GetParam(), alone = toughness * height;
   SceneDesc scene = block_and_scalpel();
   scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.04 - long_edge, 0}}};
-  scene.soft[0].toughness = toughness;
-  scene.soft[0].youngs_modulus = 2e4;
+  scene.soft[0].material.toughness = toughness;
+  scene.soft[0].material.youngs_modulus = 2e4;
   const Forces forces = slice(scene, ratio);
   const double push = alone / (1 + ratio * ratio);
   RecordProperty("measured", std::to_string(forces.push) + " N, " + std::to_string(forces.draw) + " N, " +
@@ -67,15 +67,15 @@ constexpr double sheet_toughness = 20;  // J/m²: of what hardly gives
 SceneDesc membrane_to_slice() {
   SceneDesc scene = membrane_and_scalpel();
   scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.04 - long_edge, 0}}};
-  scene.soft[0].toughness = sheet_toughness;
-  scene.soft[0].youngs_modulus = 5e6;
+  scene.soft[0].material.toughness = sheet_toughness;
+  scene.soft[0].material.youngs_modulus = 5e6;
   return scene;
 }
 
 TEST_P(Slicing, PushesThroughASheetWithAsMuchLess) {
   const double ratio = GetParam();
   const SceneDesc scene = membrane_to_slice();
-  const double alone = sheet_toughness * scene.soft[0].size.y(), push = alone / (1 + ratio * ratio);
+  const double alone = sheet_toughness * scene.soft[0].geometry.size.y(), push = alone / (1 + ratio * ratio);
   const Forces forces = slice(scene, ratio);
   RecordProperty("measured", std::to_string(forces.push / push) + ", " + std::to_string(forces.draw / push) +
                                  " of the push, " + std::to_string(forces.work / (alone * forces.way)) +
@@ -90,7 +90,7 @@ TEST(SlicingSheets, LeaningDoesNotSlice) {
   SceneDesc scene = membrane_to_slice();
   const Vec3 top(-0.04, -0.04, 0);  // so far ahead that it goes through the sheet below the handle
   scene.rigid[0].edges = {{top, top + Vec3(0.2, -0.2, 0)}};
-  const double alone = sheet_toughness * scene.soft[0].size.y();
+  const double alone = sheet_toughness * scene.soft[0].geometry.size.y();
   const Forces forces = slice(scene, 0);
   RecordProperty("measured", std::to_string(forces.push / alone));
   EXPECT_NEAR(forces.push, alone, 0.05 * alone);

@@ -38,8 +38,9 @@ TEST(SoftPairs, BlockRestsOnABlock) {
   EXPECT_NEAR(before.x(), 0, 2e-3);
   // The tolerance that a scene states, as for rigid bodies on tissue; edges carry more than the middle.
   const SoftDesc& soft = scene.soft[0];
-  const double pressure = soft.density * 9.81 * soft.size.y();
-  const double yields = pressure / soft.youngs_modulus * soft.surface_cell / scene.contact_stiffness;
+  const double pressure = soft.material.density * 9.81 * soft.geometry.size.y();
+  const double yields =
+      pressure / soft.material.youngs_modulus * soft.geometry.surface_cell / scene.contact_stiffness;
   EXPECT_LT(overlap(simulation, 1, 2), 3 * yields + 1e-5);
   run(simulation, 600);
   EXPECT_EQ(simulation.asleep(1), simulation.asleep(2)) << "an island sleeps whole";
@@ -60,10 +61,10 @@ SceneDesc falling(const std::string& shape, const Vec3& size) {
   for (const char* name : {"floating", "falling"}) {
     SoftDesc& soft = scene.soft.emplace_back();
     soft.name = name;
-    soft.shape = shape;
-    soft.size = size;
-    soft.cell = soft.surface_cell = 0.03;
-    soft.damping_mass = 0;
+    soft.geometry.shape = shape;
+    soft.geometry.size = size;
+    soft.geometry.cell = soft.geometry.surface_cell = 0.03;
+    soft.material.damping_mass = 0;
   }
   scene.soft[0].gravity = false;
   return scene;
@@ -74,9 +75,9 @@ TEST(SoftPairs, BallsExchangeMomentumAndGainNoEnergy) {
   scene.gravity = {-2, 0, 0};
   scene.soft[1].pose.p = {0.2, 0.02, 0.01};
   for (SoftDesc& soft : scene.soft) {
-    soft.newton_iterations = 30;
-    soft.solver_iterations = 400;
-    soft.solver_tolerance = 1e-8;
+    soft.configuration.newton_iterations = 30;
+    soft.configuration.solver_iterations = 400;
+    soft.configuration.solver_tolerance = 1e-8;
   }
   Simulation simulation(scene, options());
   const double mass = simulation.soft(1).total_mass();
@@ -100,7 +101,7 @@ TEST(SoftPairs, LiversThrownAtEachOtherSeparateAndRecover) {
   SceneDesc scene = falling("liver", {0.2, 0.1, 0.15});
   scene.gravity = {0, -25, 0};
   scene.soft[0].attach = {{.center = Vec3::Zero(), .radius = 0.04, .stiffness = 2e7}};
-  scene.soft[0].damping_mass = 3;  // or it would swing on
+  scene.soft[0].material.damping_mass = 3;  // or it would swing on
   scene.soft[1].pose.p = {0.1, 0.6, 0.02};
   Simulation simulation(scene, options());
   double hit = 0;
@@ -128,8 +129,8 @@ TEST(SoftPairs, SameHashForAnyThreadCountAndAfterRestore) {
 
 TEST(SoftPairs, ObeyMasks) {
   SceneDesc scene = tower();
-  scene.soft[1].group = "ghosts";
-  scene.soft[1].touches = {"ghosts"};
+  scene.soft[1].contact.group = "ghosts";
+  scene.soft[1].contact.touches = {"ghosts"};
   Simulation simulation(scene, options());
   run(simulation, 60);
   EXPECT_LT(centre(simulation, 2).y(), -1);

@@ -88,7 +88,7 @@ TEST(Soft, EnergyGoesOnOverSleepAndWaking) {
 TEST(Soft, SleepsOnlyWhenItsStressHasRelaxed) {
   SceneDesc scene = block_on_table();
   scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};
-  scene.soft[0].relaxation = {{0.5, 3}};
+  scene.soft[0].material.relaxation = {{0.5, 3}};
   scene.rigid[0].friction = 0;
   Simulation simulation(scene, options());
   const double rest = height(simulation, 1);
@@ -136,10 +136,10 @@ TEST(Soft, MomentumIsExchangedEqualAndOpposite) {
   SceneDesc scene;
   scene.gravity.setZero();
   scene.soft = {block()};
-  scene.soft[0].damping_mass = 0;
-  scene.soft[0].solver_tolerance = 1e-8;
-  scene.soft[0].newton_iterations = 30;
-  scene.soft[0].solver_iterations = 400;
+  scene.soft[0].material.damping_mass = 0;
+  scene.soft[0].configuration.solver_tolerance = 1e-8;
+  scene.soft[0].configuration.newton_iterations = 30;
+  scene.soft[0].configuration.solver_iterations = 400;
   scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.5, 0}, 3000)};
   scene.gravity = {0, -1, 0};
   scene.soft[0].gravity = false;

@@ -17,7 +17,8 @@ struct Cube {
   double side = 0.1;            // m
   double youngs_modulus = 5e3;  // Pa
   const char* integrator = "implicit_euler";
-  int newton_iterations = SoftDesc{}.newton_iterations, solver_iterations = SoftDesc{}.solver_iterations;
+  int newton_iterations = SoftDesc{}.configuration.newton_iterations,
+      solver_iterations = SoftDesc{}.configuration.solver_iterations;
 };
 
 struct Spun {
@@ -41,11 +42,11 @@ Vec3 angular_momentum(const SoftBody& body, const SoftBodyState& state, const Ve
 Spun spin_cube(const Cube& cube, double spin, int ticks) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.integrator = cube.integrator;
-  desc.youngs_modulus = cube.youngs_modulus;
-  desc.newton_iterations = cube.newton_iterations;
-  desc.solver_iterations = cube.solver_iterations;
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.configuration.integrator = cube.integrator;
+  desc.material.youngs_modulus = cube.youngs_modulus;
+  desc.configuration.newton_iterations = cube.newton_iterations;
+  desc.configuration.solver_iterations = cube.solver_iterations;
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   Anatomy anatomy;
   anatomy.tets = kuhn_box(Vec3::Constant(cube.side), 3, 3, 3);
   SoftBody body(desc, std::move(anatomy));

@@ -98,14 +98,14 @@ TEST_F(Stations, SleepComesToWhatShiversInContactAndNothingElse) {
 
 TEST_F(Stations, WhatIsThinMayLingerInTheAirButLess) {
   SceneDesc scene = two_blocks_and_a_ball();
-  scene.soft[1].shape = "sheet";
-  scene.soft[1].model = "xpbd";
-  scene.soft[1].size.y() = 0.001;
+  scene.soft[1].geometry.shape = "sheet";
+  scene.soft[1].configuration.model = "xpbd";
+  scene.soft[1].geometry.size.y() = 0.001;
   const State& state = begin(scene);
   const SoftBody &block = *state.bodies.soft[0].solver, &sheet = *state.bodies.soft[1].solver;
   EXPECT_FALSE(lingering_bound(block, false));
-  EXPECT_NEAR(*lingering_bound(sheet, true), sheet.desc().cell, 1e-12);
-  EXPECT_NEAR(*lingering_bound(sheet, false), 0.1 * sheet.desc().cell, 1e-12);
+  EXPECT_NEAR(*lingering_bound(sheet, true), sheet.desc().geometry.cell, 1e-12);
+  EXPECT_NEAR(*lingering_bound(sheet, false), 0.1 * sheet.desc().geometry.cell, 1e-12);
 }
 
 TEST_F(Stations, CheckpointsHoldWhoLingers) {

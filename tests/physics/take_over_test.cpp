@@ -15,8 +15,8 @@ SceneDesc two_blocks(const std::string& element = "tet4", double cell = 0.03) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("ball", "sphere", {0.03, 0, 0}, {0.6, 0.1, 0})};
   scene.soft = {block("first"), block("second")};
-  scene.soft[0].element = element;
-  scene.soft[0].cell = cell;
+  scene.soft[0].configuration.element = element;
+  scene.soft[0].geometry.cell = cell;
   scene.soft[1].pose.p = {0.3, 0, 0};
   scene.soft[0].attach = {{{0, 0, 0}, 0.06, 1e7}};
   return scene;
@@ -121,7 +121,8 @@ TEST(TakeOver, OtherBodiesAreRefused) {
   another.soft[1].name = "third";
   Simulation from(two_blocks(), options()), to(another, options());
   const std::uint64_t before = to.state_hash();
-  EXPECT_EQ(to.take_over(from).why(), "the scenes have other bodies");
+  EXPECT_EQ(to.take_over(from).why(),
+            "the state cannot be transferred: the two scenes do not have the same bodies");
   EXPECT_EQ(to.state_hash(), before);
 }
 
@@ -131,8 +132,8 @@ SceneDesc cut_and_whole(const std::string& cut_element, const std::string& whole
   scene.soft.push_back(block("whole"));
   scene.soft[1].pose.p = {0.4, 0, 0};
   scene.soft[1].attach = {{{0.4, 0, 0}, 0.2, 1e7}};
-  scene.soft[0].element = cut_element;
-  scene.soft[1].element = whole_element;
+  scene.soft[0].configuration.element = cut_element;
+  scene.soft[1].configuration.element = whole_element;
   return scene;
 }
 

@@ -24,10 +24,10 @@ SoftDesc tense(double percent, const std::string& model = "fem_corotational",
                const std::string& element = "tet4") {
   SoftDesc desc;
   desc.name = "block";
-  desc.model = model;
-  desc.element = element;
-  desc.tension.value = percent;
-  desc.tension_depth = 0.01;
+  desc.configuration.model = model;
+  desc.configuration.element = element;
+  desc.material.tension.value = percent;
+  desc.material.tension_depth = 0.01;
   return desc;
 }
 
@@ -64,7 +64,7 @@ TEST(Tension, ItsLayerIsAsDeepAsAskedForAndAlongTheSurface) {
 double gape(const SoftDesc& desc, const std::array<int, 3>& cells) {
   Anatomy anatomy = make_block(size, cells);
   put_under_tension(desc, anatomy);
-  Organ organ(0, anatomy, desc.density);
+  Organ organ(0, anatomy, desc.material.density);
   const auto edge_at = [](double y) { return std::vector<Vec3>{{0.003, y, -0.03}, {0.003, y, 0.03}}; };
   BladeStroke stroke = begin_stroke(edge_at(0.04));
   for (int tick = 1; tick <= 6; ++tick) {
@@ -113,9 +113,9 @@ TEST(Tension, ASlitGapesUnderEveryModel) {
 
 SceneDesc tense_block_and_scalpel(double percent) {
   SceneDesc scene = block_and_scalpel();
-  scene.soft[0].cell = 0.01;
-  scene.soft[0].tension.value = percent;
-  scene.soft[0].tension_depth = 0.015;
+  scene.soft[0].geometry.cell = 0.01;
+  scene.soft[0].material.tension.value = percent;
+  scene.soft[0].material.tension_depth = 0.015;
   scene.soft[0].attach = {{{0, -0.19, 0}, 0.2, 1e7}};
   return scene;
 }
@@ -186,11 +186,11 @@ TEST(Tension, IsRefusedOfARope) {
   SceneDesc scene;
   SoftDesc& rope = scene.soft.emplace_back();
   rope.name = "thread";
-  rope.shape = "rope";
-  rope.model = "mass_spring";
-  rope.size = {0.1, 0.002, 0.002};
-  rope.cell = 0.01;
-  rope.tension.value = 5;
+  rope.geometry.shape = "rope";
+  rope.configuration.model = "mass_spring";
+  rope.geometry.size = {0.1, 0.002, 0.002};
+  rope.geometry.cell = 0.01;
+  rope.material.tension.value = 5;
   try {
     const Simulation simulation(scene, options());
     FAIL() << "was taken";

@@ -29,11 +29,11 @@ std::string name(const testing::TestParamInfo<Made>& info) {
 SoftDesc thin(const std::string& name, const std::string& shape, const Made& made) {
   SoftDesc soft;
   soft.name = name;
-  soft.shape = shape;
-  soft.model = made.model;
-  soft.size = shape == "sheet" ? Vec3(length, thickness, length) : Vec3(0.24, 0.01, 0.01);
-  soft.cell = 0.012;
-  soft.youngs_modulus = made.youngs_modulus;
+  soft.geometry.shape = shape;
+  soft.configuration.model = made.model;
+  soft.geometry.size = shape == "sheet" ? Vec3(length, thickness, length) : Vec3(0.24, 0.01, 0.01);
+  soft.geometry.cell = 0.012;
+  soft.material.youngs_modulus = made.youngs_modulus;
   return soft;
 }
 
@@ -67,7 +67,7 @@ Gain drop(const SceneDesc& scene) {
 
 /// J, of a body that has fallen so far.
 double fallen(const SoftDesc& soft, double height) {
-  return soft.density * soft.size.prod() * 9.81 * height;
+  return soft.material.density * soft.geometry.size.prod() * 9.81 * height;
 }
 
 constexpr double rounding = 1e-6;  // J
@@ -92,7 +92,7 @@ TEST_P(ThinEnergy, SheetOnASheet) {
 TEST_P(ThinEnergy, RopeOnASheetHeldAtItsEnds) {
   SceneDesc scene;
   scene.soft = {thin("sheet", "sheet", GetParam()), thin("rope", "rope", GetParam())};
-  scene.soft[0].size = {0.3, thickness, length};
+  scene.soft[0].geometry.size = {0.3, thickness, length};
   for (const double x : {-0.15, 0.15})
     scene.soft[0].attach.push_back({.center = {x, 0, 0}, .radius = 0.06, .stiffness = 1e8});
   scene.soft[1].pose.p = {0.01, 0.03, 0.004};
@@ -112,9 +112,9 @@ TEST_P(ThinEnergy, SheetOnAThinRod) {
   rod.pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
   scene.rigid = {rod};
   scene.soft = {thin("sheet", "sheet", GetParam())};
-  scene.soft[0].size = {0.3, thickness, 0.2};
-  scene.soft[0].cell = 0.02;
-  scene.soft[0].friction = 2;
+  scene.soft[0].geometry.size = {0.3, thickness, 0.2};
+  scene.soft[0].geometry.cell = 0.02;
+  scene.soft[0].contact.friction = 2;
   scene.soft[0].pose.p = {0.01 * std::cos(phase()), 0.1, 0};
   scene.soft[0].pose.q = turned(0.2 + phase());
   const Gain gain = drop(scene);

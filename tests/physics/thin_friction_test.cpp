@@ -21,13 +21,13 @@ const double friction_angle = std::atan(friction);
 SoftDesc sheet(const std::string& name, const std::string& model, double length, double width) {
   SoftDesc sheet;
   sheet.name = name;
-  sheet.shape = "sheet";
-  sheet.model = model;
-  sheet.size = {length, 0.006, width};
-  sheet.cell = 0.02;
-  sheet.youngs_modulus = 3e4;
-  sheet.friction = friction;
-  sheet.damping_mass = 0;
+  sheet.geometry.shape = "sheet";
+  sheet.configuration.model = model;
+  sheet.geometry.size = {length, 0.006, width};
+  sheet.geometry.cell = 0.02;
+  sheet.material.youngs_modulus = 3e4;
+  sheet.contact.friction = friction;
+  sheet.material.damping_mass = 0;
   return sheet;
 }
 

@@ -32,13 +32,13 @@ SceneDesc two_livers(const ThrownRung& left, const ThrownRung& right, double cel
   for (const ThrownRung* rung : {&left, &right}) {
     SoftDesc& soft = scene.soft.emplace_back();
     soft.name = scene.soft.size() == 1 ? "left" : "right";
-    soft.shape = "liver";
-    soft.size = {0.2, 0.1, 0.15};
-    soft.model = rung->model;
-    soft.integrator = rung->integrator;
-    soft.cell = cell;
-    soft.surface_cell = cell / 2;
-    soft.damping_mass = 0;
+    soft.geometry.shape = "liver";
+    soft.geometry.size = {0.2, 0.1, 0.15};
+    soft.configuration.model = rung->model;
+    soft.configuration.integrator = rung->integrator;
+    soft.geometry.cell = cell;
+    soft.geometry.surface_cell = cell / 2;
+    soft.material.damping_mass = 0;
   }
   scene.soft[0].pose.p = {-0.13, 0, 0};
   scene.soft[1].pose.p = {0.13, 0.02, 0.01};  // off its middle

@@ -22,10 +22,10 @@ Felt draw_right_through(const std::string& model, const std::string& element, do
   SceneDesc scene = block_and_scalpel();
   scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.2, 0}}};
   SoftDesc& body = scene.soft[0];
-  body.model = model;
-  body.element = element;
-  body.youngs_modulus = 2e4;
-  body.toughness = toughness;
+  body.configuration.model = model;
+  body.configuration.element = element;
+  body.material.youngs_modulus = 2e4;
+  body.material.toughness = toughness;
   Simulation simulation(scene, options());
   Vec3 at = take(simulation);
   Felt felt;

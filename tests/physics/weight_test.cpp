@@ -14,13 +14,13 @@ SceneDesc alone(const char* element, const char* integrator = "implicit_euler") 
   SceneDesc scene;
   scene.soft = {block()};
   SoftDesc& soft = scene.soft[0];
-  soft.element = element;
-  soft.integrator = integrator;
-  soft.collision = "none";
-  soft.damping_mass = soft.damping_stiffness = 0;
-  soft.newton_iterations = 20;
-  soft.solver_tolerance = 1e-10;
-  soft.solver_iterations = 1000;
+  soft.configuration.element = element;
+  soft.configuration.integrator = integrator;
+  soft.contact.collision = Fidelity::none;
+  soft.material.damping_mass = soft.material.damping_stiffness = 0;
+  soft.configuration.newton_iterations = 20;
+  soft.configuration.solver_tolerance = 1e-10;
+  soft.configuration.solver_iterations = 1000;
   return scene;
 }
 
@@ -57,18 +57,18 @@ TEST(Weight, IsBornByShapeFunctionsWhereABodyHangs) {
   SceneDesc scene = alone("tet10");
   SoftDesc& soft = scene.soft[0];
   constexpr double modulus = 2e5, flat = 1e4;
-  soft.model = "fem_linear";
-  soft.youngs_modulus = modulus;
-  soft.poisson_ratio = 0;
+  soft.configuration.model = "fem_linear";
+  soft.material.youngs_modulus = modulus;
+  soft.material.poisson_ratio = 0;
   soft.attach = {{Vec3(0, flat + tall, 0), flat + 1e-6, 1e13}};
   Simulation simulation(scene, options());
   for (int i = 0; i < 2; ++i) {  // at rest as compiled, then awake
     const VecX& x = simulation.soft_state(0).motion.x;
     const VecX& rest = simulation.soft(0).rest();
-    const double whole = soft.density * 9.81 * tall * tall / (2 * modulus);
+    const double whole = soft.material.density * 9.81 * tall * tall / (2 * modulus);
     for (Eigen::Index k = 0; k < x.size(); k += 3) {
       const double below = tall - rest[k + 1];
-      const double right = soft.density * 9.81 * (tall * below - below * below / 2) / modulus;
+      const double right = soft.material.density * 9.81 * (tall * below - below * below / 2) / modulus;
       EXPECT_NEAR(rest[k + 1] - x[k + 1], right, 1e-3 * whole) << "at " << below;
     }
     simulation.step({});

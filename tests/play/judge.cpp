@@ -20,14 +20,15 @@ bool is_solid(const Simulation& simulation, BodyId body) {
 }
 
 bool willing(const SoftDesc& a, const SoftDesc& b) {
-  return a.touches.empty() || std::ranges::find(a.touches, b.group) != a.touches.end();
+  return a.contact.touches.empty() ||
+         std::ranges::find(a.contact.touches, b.contact.group) != a.contact.touches.end();
 }
 
 /// Whether the bodies' surfaces keep each other out.
 bool may_touch(const Simulation& simulation, BodyId a, BodyId b) {
   const SoftDesc &first = simulation.soft(a).desc(), &second = simulation.soft(b).desc();
-  return first.collision == "mesh" && second.collision == "mesh" && willing(first, second) &&
-         willing(second, first);
+  return first.contact.collision == Fidelity::mesh && second.contact.collision == Fidelity::mesh &&
+         willing(first, second) && willing(second, first);
 }
 
 std::vector<Vec3> surface_positions(const Simulation& simulation, BodyId body) {

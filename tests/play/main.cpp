@@ -66,10 +66,10 @@ int watch(const Options& options) {
 
 void put_rung(const Options& options, SceneDesc& scene) {
   for (SoftDesc& soft : scene.soft) {
-    if (soft.shape == "sheet" || soft.shape == "rope") continue;  // few models are for these
-    if (!options.model.empty()) soft.model = options.model;
-    if (!options.element.empty()) soft.element = options.element;
-    if (!options.model.empty()) soft.accuracy = soft.budget = {};
+    if (!soft.geometry.is_solid()) continue;  // few models are for these
+    if (!options.model.empty()) soft.configuration.model = options.model;
+    if (!options.element.empty()) soft.configuration.element = options.element;
+    if (!options.model.empty()) soft.choice.accuracy = soft.choice.budget = {};
   }
 }
 

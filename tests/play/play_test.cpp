@@ -58,8 +58,8 @@ TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
   SceneDesc scene = load_scene(source_path("deploy/scenes/touch.toml"));
   for (SoftDesc& soft : scene.soft) {
-    soft.model = "fem_neo_hookean";
-    soft.tension = {};  // the scene had none when it was found
+    soft.configuration.model = "fem_neo_hookean";
+    soft.material.tension = {};  // the scene had none when it was found
   }
   CompileOptions compiled = alone();
   compiled.data_dirs = {default_data_dir()};
@@ -74,9 +74,9 @@ SceneDesc two_balls(double apart) {
   for (const double side : {-0.5, 0.5}) {
     SoftDesc& ball = scene.soft.emplace_back();
     ball.name = side < 0 ? "left" : "right";
-    ball.shape = "ball";
-    ball.size = Vec3::Constant(0.1);
-    ball.cell = ball.surface_cell = 0.025;
+    ball.geometry.shape = "ball";
+    ball.geometry.size = Vec3::Constant(0.1);
+    ball.geometry.cell = ball.geometry.surface_cell = 0.025;
     ball.gravity = false;
     ball.pose.p.x() = side * apart;
   }
@@ -101,8 +101,8 @@ TEST(Judge, BlamesAnOrganThatLostItsVolume) {
   SceneDesc hung = two_balls(0.3);
   for (SoftDesc& ball : hung.soft) {
     ball.gravity = true;
-    ball.youngs_modulus = 300;
-    ball.poisson_ratio = 0;
+    ball.material.youngs_modulus = 300;
+    ball.material.poisson_ratio = 0;
     ball.attach = {{ball.pose.p + Vec3(0, 10.04, 0), 10, 1e12}};
   }
   Simulation simulation(hung, alone());

@@ -70,7 +70,7 @@ TEST(LabelTable, SaysWhatIsWrongAndWhere) {
       {"name,\n", ":1:", "must be one of: id, name, ta, color, name.LANGUAGE"},
       {"name,name.d_e\n", ":1:", "is not a language tag"},
       {"name,name\n", ":1:", "duplicate column"},
-      {"name,id\nliver\n", ":2:", "1 cells; the header row has 2"},
+      {"name,id\nliver\n", ":2:", "this row has 1 cells, but the header row has 2"},
       {"id,name\n0,liver\n", ":2:", "in [1, 65535]"},
       {"id,name\n65536,liver\n", ":2:", "in [1, 65535]"},
       {"id,name\n1.5,liver\n", ":2:", "whole number"},

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/scene/hints.h"
+#include "common/scene/load_scene.h"
 #include "tests/scene/scene_texts.h"
 
 namespace prosector {
@@ -50,8 +50,9 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
        "test.toml:5: [[rigid]] \"a\": label needs a volume"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nrotation = [0, 0, 0, 0]\n", "not all zero"},
       {"name = \"s\"\n[patient]\nright = [1, 0, 0]\nhead = [0.5, 0, 0.5]\n",
-       "test.toml:4: [patient]: right and head must be perpendicular and non-zero"},
-      {"name = \"s\"\n[patient]\nright = [0, 0, 0]\n", "test.toml:2: [patient]: right and head"},
+       "test.toml:4: [patient]: the patient's directions right and head must be perpendicular and non-zero"},
+      {"name = \"s\"\n[patient]\nright = [0, 0, 0]\n",
+       "test.toml:2: [patient]: the patient's directions right and head"},
       {"name = \"s\"\n[[light]]\ndirection = [0, 0, 0]\n", "test.toml:3: [[light]] 1: direction is zero"},
       {"name = \"s\"\n[[light]]\nkind = \"laser\"\n", "must be one of: directional, point, spot"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nmodel = \"\"\n", "model = "},
@@ -82,25 +83,27 @@ TEST(SceneErrors, CurvesAndPatches) {
   const std::string curve = "[[rigid.curve]]\n", patch = "[[rigid.patch]]\n";
   const std::string line = "points = [[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 0, 0]]\n";
   const std::pair<std::string, const char*> cases[] = {
-      {rigid + curve, "test.toml:4: [[rigid]] \"a\": curve 1: 0 points are too few for degree 3: it needs 4"},
+      {rigid + curve,
+       "test.toml:4: [[rigid]] \"a\": curve 1: 0 control points are too few for degree 3: it needs 4"},
       {rigid + curve + line + curve + "kind = \"bezier\"\n",
-       "test.toml:6: [[rigid]] \"a\": curve 2: a bezier of 0"},
-      {rigid + curve + line + "knots = [0, 1]\n", "2 knots: 4 points of degree 3 need 8"},
+       "test.toml:6: [[rigid]] \"a\": curve 2: a bezier curve has 0"},
+      {rigid + curve + line + "knots = [0, 1]\n",
+       "2 knots are given, but a curve of 4 points and degree 3 needs 8"},
       {rigid + curve + line + "knots = [0, 0, 0, 0, 1, 1, 1, 0.5]\n",
-       "knot 8 is 0.5, below the one before, 1"},
+       "knot 8 is 0.5, which is below the knot before it, 1"},
       {rigid + curve + line + "knots = [0, 0, 0, 0, 0, 0, 0, 0]\n",
        "knots 2 to 5 are all 0: at most 3 within the curve may be equal"},
-      {rigid + curve + line + "weights = [1, 1]\n", "2 weights for 4 points"},
+      {rigid + curve + line + "weights = [1, 1]\n", "2 weights are given for 4 control points"},
       {rigid + curve + line + "weights = [1, 1, 0, 1]\n",
-       "weights = [ 1, 1, 0, 1 ]: must be a list of numbers in"},
+       "weights = [ 1, 1, 0, 1 ]: must be a list of at most 4096 numbers in"},
       {rigid + curve + "points = [[0, 0, 0], [1, 0]]\n",
-       "must be a list of [x, y, z] in [-1000, 1000], 4096 at most"},
-      {rigid + curve + "points = [[0, 0, nan]]\n", "must be a list of [x, y, z]"},
+       "must be a list of at most 4096 points [x, y, z] in [-1000, 1000]"},
+      {rigid + curve + "points = [[0, 0, nan]]\n", "must be a list of at most 4096 points [x, y, z]"},
       {rigid + curve + "kind = \"ellipse\"\nto = 7\n", "at most one full turn"},
       {rigid + curve + "kind = \"parabola\"\nto = 0\n", "must end after it begins"},
       {rigid + curve + line + "tolerance = 0\n", "tolerance = 0 m: must be in [1e-06, 1]"},
-      {rigid + patch + line + "columns = 3\n", "4 points do not fill rows of 3 columns"},
-      {rigid + patch + line, "along v: 1 points are too few for degree 3"},
+      {rigid + patch + line + "columns = 3\n", "4 control points do not fill whole rows of 3 columns"},
+      {rigid + patch + line, "along v: 1 control points are too few for degree 3"},
       {rigid + patch + "kind = \"coons\"\n", "0 sides: a Coons patch has 4"},
       {rigid + curve + line + "[[rigid.part]]\n", "has several of mesh"},
       {soft + "shape = \"ball\"\n[[soft.curve]]\n" + line, "[[soft.curve]] needs a rope"},
@@ -125,7 +128,8 @@ TEST(SceneErrors, CollisionOfBodies) {
       {"refine = \"touch\"\nelement = \"tet10\"\n",
        "test.toml:6: [[soft]] \"a\": refine = \"touch\" needs linear elements: element is \"tet10\""},
       {"[[soft]]\nname = \"b\"\nshape = \"rope\"\nrefine = \"touch\"\n", "a rope has no tetrahedra"},
-      {"refine = \"touch\"\ncell = 0.01\nrefine_cell = 0.01\n", "refine_cell is 0.01, not smaller than cell"},
+      {"refine = \"touch\"\ncell = 0.01\nrefine_cell = 0.01\n",
+       "refine_cell is 0.01 m; it must be smaller than cell"},
       {"grade = \"rim\"\n", "must be one of: none, rims"},
       {"[[soft]]\nname = \"b\"\nshape = \"sheet\"\ngrade = \"rims\"\n", "a sheet has no tetrahedra"},
       {"touches = \"organs\"\n", "must be a list of names"},
@@ -168,15 +172,15 @@ TEST(SceneErrors, MissingFileAndFolder) {
 TEST(SceneErrors, NeedsAreNumbersWithUnitsAndNoteWhatIsFixed) {
   for (const char* text : {"accuracy = \"1.5 %\"", "accuracy = \"1.5%\""}) {
     const SceneDesc scene = parse_scene(scene_with("[[soft]]", text), "test.toml");
-    EXPECT_EQ(scene.soft[0].accuracy.value, 1.5);
-    EXPECT_FALSE(scene.soft[0].fixed.model);
+    EXPECT_EQ(scene.soft[0].choice.accuracy.value, 1.5);
+    EXPECT_FALSE(scene.soft[0].choice.fixed.model);
   }
   const SceneDesc scene =
       parse_scene(scene_with("[[soft]]", "budget = \"4 ms\"\nmodel = \"fem_linear\"\ncell = 0.02"), "t.toml");
-  EXPECT_EQ(scene.soft[0].budget.value, 4);
-  EXPECT_TRUE(scene.soft[0].fixed.model);
-  EXPECT_TRUE(scene.soft[0].fixed.cell);
-  EXPECT_FALSE(scene.soft[0].fixed.solver);
+  EXPECT_EQ(scene.soft[0].choice.budget.value, 4);
+  EXPECT_TRUE(scene.soft[0].choice.fixed.model);
+  EXPECT_TRUE(scene.soft[0].choice.fixed.cell);
+  EXPECT_FALSE(scene.soft[0].choice.fixed.solver);
   for (const char* bad : {"\"ms\"", "\"-1 ms\"", "\"nan ms\"", "\"4 ms \"", "\"4 s\"", "\"0 ms\"", "\"\""})
     EXPECT_NE(complaint(scene_with("[[soft]]", std::string("budget = ") + bad)), "") << bad;
 }

@@ -141,7 +141,7 @@ TEST(SceneFields, AListTakesThePlaceOfItsDefault) {
     return parse_scene("name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"block\"\naccuracy = \"2 %\"\n" + text,
                        "s.toml")
         .soft[0]
-        .accuracy_of;
+        .choice.accuracy_of;
   };
   EXPECT_EQ(judged_by(""), (std::vector<std::string>{"shape", "touch"}));
   EXPECT_EQ(judged_by("accuracy_of = [\"shape\"]\n"), std::vector<std::string>{"shape"});

@@ -22,7 +22,7 @@ TEST(SceneNesting, KeysOfManyPartsAreRefused) {
   for (const std::string& text :
        {nested("name = 's'\n", "a.", deep, "a = 1\n"), nested("name = 's'\n[", "a.", deep, "a]\n"),
         nested("name = 's'\n[[", "\"a\" . ", deep, "a]]\n")})
-    EXPECT_EQ(complaint(text), "test.toml:2: a key has too many parts; allowed: at most 32");
+    EXPECT_EQ(complaint(text), "test.toml:2: a dotted key has too many parts; allowed: at most 32");
 }
 
 TEST(SceneNesting, DeepListsAndTablesAreRefused) {

@@ -15,7 +15,7 @@ namespace {
 
 SceneDesc scene_with_need() {
   SceneDesc scene = test::hosted_scene();
-  scene.soft[0].accuracy.value = 10;
+  scene.soft[0].choice.accuracy.value = 10;
   return scene;
 }
 

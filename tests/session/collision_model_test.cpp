@@ -38,13 +38,14 @@ double outside(const TriangleMesh& convex, const Vec3& point) {
 TEST(CollisionModel, OutlinesEncloseTheSurface) {
   RigidDesc body = bracket();
   const TriangleMesh mesh = surface();
-  for (const char* word : {"sphere", "aabb", "obb", "hull"}) {
-    body.collision = word;
+  for (const Fidelity fidelity : {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull}) {
+    const std::string_view word = fidelity_name(fidelity);
+    body.collision = fidelity;
     const auto outline = collision_outline(body, mesh);
     ASSERT_TRUE(outline) << word;
     for (const Vec3& x : mesh.positions) EXPECT_LT(outside(*outline, x), 5e-4) << word;
   }
-  body.collision = "aabb";
+  body.collision = Fidelity::aabb;
   const TriangleMesh box = collision_outline(body, mesh).value();
   for (const auto& t : box.triangles) {
     const auto& p = box.positions;
@@ -55,11 +56,11 @@ TEST(CollisionModel, OutlinesEncloseTheSurface) {
 
 TEST(CollisionModel, OthersCollideAsTheirSurfaceOrNotAtAll) {
   RigidDesc body = bracket();
-  body.collision = "mesh";
+  body.collision = Fidelity::mesh;
   EXPECT_FALSE(collision_outline(body, surface()));
-  body.collision = "none";
+  body.collision = Fidelity::none;
   EXPECT_FALSE(collision_outline(body, surface()));
-  body.collision = "hull";
+  body.collision = Fidelity::hull;
   body.parts.resize(1);
   EXPECT_FALSE(collision_outline(body, surface())) << "its parts are convex as they are";
 }

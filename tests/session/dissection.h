@@ -21,7 +21,7 @@ inline SceneDesc tender(Tissue tissue) {
                     : tissue == Tissue::mass_spring ? membrane_and_scalpel("mass_spring")
                                                     : membrane_and_scalpel("xpbd");
   scene.name = "rewound";
-  scene.soft[0].toughness = 0;
+  scene.soft[0].material.toughness = 0;
   scene.rigid[0].edges = {{{0, 0, 0}, {0, -0.2, 0}}};
   return scene;
 }

@@ -109,7 +109,7 @@ struct Governed {
 
   static SceneDesc scene() {
     SceneDesc scene = test::hosted_scene();
-    scene.soft[0].step_down = true;
+    scene.soft[0].choice.step_down = true;
     return scene;
   }
   LocalNetwork network{LocalNetworkConfig{}};

@@ -179,7 +179,7 @@ TEST(Journal, AnotherSceneIsRefused) {
   const TemporaryFile file("other");
   record(file.path, 5);
   SceneDesc other = test::hosted_scene();
-  other.soft[0].youngs_modulus *= 2;
+  other.soft[0].material.youngs_modulus *= 2;
   Simulation simulation(other, test::options());
   EXPECT_THROW(replay(JournalReader(file.path), simulation, {}), InputError);
 }
@@ -206,6 +206,36 @@ TEST(Journal, ResumeGoesOnAsIfNothingHadHappened) {
   const ReplayResult result = replay(JournalReader(file.path), again, {});
   EXPECT_TRUE(result);
   EXPECT_EQ(result.last_hash, end_hash);
+}
+
+TEST(Journal, ASessionThatEndsWhileTimeIsStoppedHasTheEventsOfThatTime) {
+  const TemporaryFile file("stopped");
+  {
+    const auto journal =
+        Journal::create(file.path, header_of(Simulation(test::hosted_scene(), test::options())), {});
+    Hosted hosted({}, journal.get());
+    Guest ada = hosted.guest(1, BusEnd::dissector), eve = hosted.guest(2, BusEnd::observer);
+    const auto turn = [&](int times) {
+      for (int i = 0; i < times; ++i) {
+        hosted.loop.turn();
+        hosted.loop.publisher().flush();
+        hosted.network.advance(std::chrono::microseconds(16667));
+        ada.take();
+      }
+    };
+    turn(1);
+    ada.greet("ada", Role::host);
+    turn(3);
+    ada.command(SetPace{0});
+    turn(5);
+    eve.greet("eve", Role::observer);
+    turn(5);
+    ASSERT_TRUE(ada.replica.roster().contains(2));
+    hosted.loop.finish();
+  }
+  const JournalReader journal(file.path);
+  const std::vector<SessionEvent> events = journal.tick(journal.last_tick()).events;
+  EXPECT_TRUE(std::ranges::any_of(events, [](const SessionEvent& event) { return event.name == "eve"; }));
 }
 
 TEST(Journal, AFullDiskStopsTheJournalNotTheSession) {

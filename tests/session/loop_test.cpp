@@ -302,10 +302,10 @@ TEST(ServerLoop, KeepsItsRate) {
 TEST(BodyMeter, SaysOfABodyThatNeverWokeHowItWillBeStepped) {
   const auto told = [](const char* model, const char* integrator, double damping = 0.01) {
     SceneDesc scene = test::hosted_scene();
-    scene.soft[0].model = model;
-    scene.soft[0].integrator = integrator;
-    scene.soft[0].substeps = 7;
-    scene.soft[0].damping_stiffness = damping;
+    scene.soft[0].configuration.model = model;
+    scene.soft[0].configuration.integrator = integrator;
+    scene.soft[0].configuration.substeps = 7;
+    scene.soft[0].material.damping_stiffness = damping;
     const Simulation simulation(scene, test::options());
     return BodyMeter(simulation, {}).newest().at(Hosted::liver);
   };

@@ -213,7 +213,8 @@ TEST_F(PlayedSession, IsWatchedOnlyAndTimeIsTheHostsWhereThereIsOne) {
   EXPECT_EQ(watched.eve.replica.roster().at(9).role, Role::observer);
   teacher.greet("teacher", Role::host);
   watched.turn(3);
-  EXPECT_EQ(watched.ask(watched.eve, Seek{5}).reason, "only the host can seek");
+  EXPECT_EQ(watched.ask(watched.eve, Seek{5}).reason,
+            "only the host can move to another position of the recording");
   EXPECT_NE(watched.ask(watched.eve, SetPace{0}).reason, "");
   EXPECT_TRUE(watched.ask(teacher, Seek{5}).accepted);
 }

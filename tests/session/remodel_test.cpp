@@ -107,7 +107,7 @@ TEST(Remodeller, AProofIsPutOff) {
   std::atomic<int> steps{0};
   const auto describe = [] {
     SceneDesc scene = described();
-    scene.soft.front().accuracy.value = 10;
+    scene.soft.front().choice.accuracy.value = 10;
     return scene;
   };
   Remodeller::Hooks hooks{.describe = describe,

@@ -422,7 +422,7 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   EXPECT_NE(answers.at(21).reason.find("no body 3"), std::string::npos);
   EXPECT_EQ(answers.at(22).reason, "only the host can rewind");
   EXPECT_EQ(answers.at(26).reason,
-            "the state of revision 9 is no longer stored; stored for this body: 6 to 7");
+            "the state of revision 9 is no longer stored; revisions stored for this body: 6 to 7");
   EXPECT_EQ(answers.at(23).reason, "a later cut depends on it");
   EXPECT_FALSE(answers.at(24).accepted);
 

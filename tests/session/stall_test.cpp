@@ -122,7 +122,7 @@ TEST(Stall, IsNotAHandThatItsClientNoLongerSees) {
   room.holds = true;
   for (std::uint64_t i = 0; i < tracked_for; ++i) EXPECT_TRUE(room.feed({room.hand(false)}).empty());
   EXPECT_EQ(kinds(room.feed({room.hand(false)})), Kinds{Kind::vanish});
-  EXPECT_EQ(room.told, Words{"your hand released the scalpel: it was no longer tracked"});
+  EXPECT_EQ(room.told, Words{"your hand released the scalpel: your hand was no longer tracked"});
   EXPECT_EQ(kinds(room.feed({room.hand()})), Kinds{Kind::appear}) << "it may be an open one";
 }
 
@@ -258,7 +258,7 @@ TEST(SequenceGate, StartsAnewBehindANumberThatRanAhead) {
     room.feed({room.hand()});
     ++ignored;
   }
-  EXPECT_EQ(ignored, SequenceGate::time_limit);
+  EXPECT_EQ(ignored, SequenceGate::max_overtaken);
   EXPECT_EQ(room.session().dropped().at("HandInput: numbering restarted"), 1U);
   EXPECT_LT(room.session().newest_input(ada)->sequence, 1000U);
 }

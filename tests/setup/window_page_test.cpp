@@ -45,11 +45,11 @@ bool is_seen(const PagesRoom& room) {
 TEST(EyesShown, AreSaidAsARulerTellsThem) {
   const ScreenGeometry screen = {0.3, {0, 0.2, 0}};
   EXPECT_EQ(distance_text({}, {0, -0.1, 0.4}, screen),
-            "500 mm from the camera, 412 mm from the image centre");
+            "500 mm from the camera and 412 mm from the screen centre to the eyes");
   EXPECT_EQ(direction_text({}, {0.05, -0.02, 0.5}),
-            "From the screen centre: 50 mm to the right (6°), 20 mm below (2°), 500 mm in front");
+            "Eyes, from the screen centre: 50 mm to the right (6°), 20 mm below (2°), 500 mm in front");
   EXPECT_EQ(direction_text({}, {-0.5, 0.5, 0.5}),
-            "From the screen centre: 500 mm to the left (45°), 500 mm above (45°), 500 mm in front");
+            "Eyes, from the screen centre: 500 mm to the left (45°), 500 mm above (45°), 500 mm in front");
 }
 
 TEST(WindowPage, SaysWhatIsWrongWithTheCameraAndAsksForItFirst) {

@@ -70,10 +70,10 @@ Specimen make_specimen(const std::string& model, const std::string& element, dou
                        TetMesh mesh) {
   SoftDesc desc;
   desc.name = "specimen";
-  desc.model = model;
-  desc.element = element;
-  desc.youngs_modulus = E;
-  desc.poisson_ratio = nu;
+  desc.configuration.model = model;
+  desc.configuration.element = element;
+  desc.material.youngs_modulus = E;
+  desc.material.poisson_ratio = nu;
   Anatomy anatomy = SoftBody(desc, {std::move(mesh), {}, {}}).anatomy();  // with its elements' nodes
   return {element, make_elastic_model(desc, anatomy), std::move(anatomy.tets)};
 }

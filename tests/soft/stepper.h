@@ -53,7 +53,7 @@ class Stepper {
         stepper_(body.stepper()),
         settings_(settings),
         H_(body),
-        solver_(make_solver(body.desc().solver)) {}
+        solver_(make_solver(body.desc().configuration.solver)) {}
 
   /// Newton iterations taken.
   int step(double h, const Vec3& gravity, SoftBodyState& state) {

@@ -39,7 +39,10 @@ namespace {
 class FixedStep {
  public:
   explicit FixedStep(SoftBody& body)
-      : body_(body), H_(body), solver_(make_solver(body.desc().solver)), state_(body.initial_state()) {
+      : body_(body),
+        H_(body),
+        solver_(make_solver(body.desc().configuration.solver)),
+        state_(body.initial_state()) {
     for (VecX* v : {&x_, &b_, &dx_}) *v = VecX::Zero(3 * body.nodes());
   }
   void operator()() {
@@ -87,9 +90,9 @@ TEST_P(LawAllocation, NoneWithinAStep) {
   for (const IntegratorRow& integrator : integrators()) {
     for (const char* solver : {"cg", "multigrid"}) {
       SoftDesc desc;
-      desc.model = GetParam().name;
-      desc.integrator = integrator.name;
-      desc.solver = solver;
+      desc.configuration.model = GetParam().name;
+      desc.configuration.integrator = integrator.name;
+      desc.configuration.solver = solver;
       desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
       const long before = allocations;
       SoftBody body(desc, kuhn_anatomy({7, 7, 7}, Vec3(0.1, 0.1, 0.1)));
@@ -160,9 +163,9 @@ std::vector<SoftDesc> ways_to_step() {
     for (const std::string& integrator : integrators_for(model))
       for (const char* solver : {"cg", "multigrid"}) {
         SoftDesc& desc = bodies.emplace_back();
-        desc.model = model.name;
-        desc.integrator = integrator;
-        desc.solver = solver;
+        desc.configuration.model = model.name;
+        desc.configuration.integrator = integrator;
+        desc.configuration.solver = solver;
       }
   }
   return bodies;
@@ -179,8 +182,9 @@ TEST(Allocation, NoneInTicksOfAnIsland) {
       for (int i = 0; i < 3; ++i) cube.tick();
       const long start = allocations;
       for (int i = 0; i < 5; ++i) cube.tick();
-      EXPECT_EQ(allocations - start, 0) << desc.model << " " << desc.integrator << " " << desc.solver
-                                        << (touched ? ", touched" : ", alone");
+      EXPECT_EQ(allocations - start, 0)
+          << desc.configuration.model << " " << desc.configuration.integrator << " "
+          << desc.configuration.solver << (touched ? ", touched" : ", alone");
       EXPECT_TRUE(cube.positions().allFinite());
       EXPECT_EQ(cube.pressed(), touched);
     }

@@ -15,12 +15,12 @@ const Vec3 beam_size(0.4, 0.1, 0.1);
 SoftBody beam(const char* model, double poisson_ratio, const char* solver = "direct") {
   SoftDesc desc;
   desc.name = "beam";
-  desc.model = model;
-  desc.solver = solver;
-  desc.youngs_modulus = 3e5;
-  desc.poisson_ratio = poisson_ratio;
-  desc.density = 1000;
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.configuration.model = model;
+  desc.configuration.solver = solver;
+  desc.material.youngs_modulus = 3e5;
+  desc.material.poisson_ratio = poisson_ratio;
+  desc.material.density = 1000;
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   // A sphere so large that its surface is the plane x = 0 to within a hair.
   desc.attach.push_back({Vec3(-1e4, 0.05, 0.05), 1e4 + 1e-6, 1e16});
   return {desc, kuhn_anatomy({8, 2, 2}, beam_size)};

@@ -20,16 +20,16 @@ const Vec3 size(0.2, 0.1, 0.1);
 SoftDesc layered(const std::string& model) {
   SoftDesc desc;
   desc.name = "stack";
-  desc.model = model;
-  desc.solver = "direct";
-  desc.youngs_modulus = 1e4;
-  desc.poisson_ratio = 0.3;
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.configuration.model = model;
+  desc.configuration.solver = "direct";
+  desc.material.youngs_modulus = 1e4;
+  desc.material.poisson_ratio = 0.3;
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   RegionDesc hard;
   hard.center = Vec3(0.15, 0.05, 0.05);
   hard.size = Vec3(0.1, 0.2, 0.2);
   hard.youngs_modulus = 4e4;
-  desc.regions.push_back(hard);
+  desc.material.regions.push_back(hard);
   return desc;
 }
 
@@ -51,10 +51,10 @@ TEST_P(Layers, StoreWhatEachOfThemWould) {
   const auto [model, element] = GetParam();
   if (element == "tet10" && model.rfind("fem_", 0) != 0) GTEST_SKIP() << "linear elements only";
   SoftDesc desc = layered(model), soft = desc, hard = desc;
-  for (SoftDesc* d : {&desc, &soft, &hard}) d->element = element;
-  soft.regions.clear();
-  hard.regions.clear();
-  hard.youngs_modulus = 4e4;
+  for (SoftDesc* d : {&desc, &soft, &hard}) d->configuration.element = element;
+  soft.material.regions.clear();
+  hard.material.regions.clear();
+  hard.material.youngs_modulus = 4e4;
   Mat3 F;
   F << 1.002, 0.001, -0.003, 0.002, 0.999, 0, 0.001, -0.002, 1.004;
   const auto energy = [&](const SoftDesc& d) {
@@ -73,9 +73,9 @@ TEST(Regions, ASphereTakesTheElementsWhoseMiddleIsInsideAndTheLastOneHolds) {
   ball.center = Vec3(0.2, 0.05, 0.05);
   ball.radius = 0.06;
   ball.poisson_ratio = 0.4;
-  desc.regions.push_back(ball);
+  desc.material.regions.push_back(ball);
   const TetMesh mesh = kuhn_box({8, 4, 4}, size);
-  const Materials materials = make_materials(desc, mesh);
+  const Materials materials = make_materials(desc.material, mesh);
   std::array<int, 3> count{};
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     Vec3 middle = Vec3::Zero();
@@ -91,7 +91,7 @@ TEST(Regions, ASphereTakesTheElementsWhoseMiddleIsInsideAndTheLastOneHolds) {
 
 TEST(Regions, RefuseWhatMakesNoSense) {
   SoftDesc desc = layered("fem_corotational");
-  desc.regions[0].poisson_ratio = 0.5;
+  desc.material.regions[0].poisson_ratio = 0.5;
   try {
     SoftBody body(desc, kuhn_anatomy({2, 1, 1}, size));
     FAIL();

@@ -25,11 +25,11 @@ VecX random_vector(Eigen::Index n, std::uint64_t seed) {
 SoftDesc beam(const std::string& model) {
   SoftDesc desc;
   desc.name = "beam";
-  desc.model = model;
-  desc.solver = "multigrid";
-  desc.youngs_modulus = 2e5;
-  desc.poisson_ratio = 0.4;
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.configuration.model = model;
+  desc.configuration.solver = "multigrid";
+  desc.material.youngs_modulus = 2e5;
+  desc.material.poisson_ratio = 0.4;
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   desc.attach.push_back({Vec3(-1e5, 0.05, 0.05), 1e5 + 1e-4, 1e13});
   return desc;
 }
@@ -109,8 +109,8 @@ TEST(Multigrid, NeedsFewIterationsHoweverFineTheMesh) {
 
 TEST(Multigrid, OfQuadraticElementsIsSymmetricAndPositiveWhateverTheShape) {
   SoftDesc desc = beam("fem_corotational");
-  desc.element = "tet10";
-  desc.poisson_ratio = 0.49;
+  desc.configuration.element = "tet10";
+  desc.material.poisson_ratio = 0.49;
   SoftBody body(desc, kuhn_anatomy({4, 2, 2}, size));
   BodyOperator H(body);
   SoftBodyState state = body.initial_state();
@@ -129,9 +129,9 @@ TEST(Multigrid, OfQuadraticElementsIsSymmetricAndPositiveWhateverTheShape) {
 // Smoothing node by node alone took 59 and 65 at 0.49, and 200 were too few at 0.499.
 TEST(Multigrid, OfQuadraticElementsNeedsFewerIterationsByTheStarsOfVertices) {
   SoftDesc desc = beam("fem_corotational");
-  desc.element = "tet10";
+  desc.configuration.element = "tet10";
   for (const auto& [poisson_ratio, most] : {std::pair(0.3, 20), std::pair(0.49, 55), std::pair(0.499, 180)}) {
-    desc.poisson_ratio = poisson_ratio;
+    desc.material.poisson_ratio = poisson_ratio;
     for (std::uint32_t n : {2u, 3u}) EXPECT_LE(iterations(desc, n, h), most) << poisson_ratio << " " << n;
   }
 }

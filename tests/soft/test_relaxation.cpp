@@ -24,11 +24,11 @@ const Vec3 size(0.1, 0.1, 0.1);
 SoftDesc description(const std::string& model, const std::string& element) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.model = model;
-  desc.element = element;
-  desc.solver = "direct";
-  desc.damping_mass = desc.damping_stiffness = 0;
-  desc.relaxation = {{0.45, 0.5}, {0.3, 0.02}};
+  desc.configuration.model = model;
+  desc.configuration.element = element;
+  desc.configuration.solver = "direct";
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
+  desc.material.relaxation = {{0.45, 0.5}, {0.3, 0.02}};
   return desc;
 }
 
@@ -74,7 +74,7 @@ VecX gradient(ElasticModel& model, const VecX& x) {
 TEST_P(Relaxation, OfAHeldStrainIsThePronySeries) {
   const SoftDesc soft = desc();
   SoftDesc elastic = soft;
-  elastic.relaxation.clear();
+  elastic.material.relaxation.clear();
   const Anatomy anatomy = cube(soft);
   const auto model = make_elastic_model(soft, anatomy), law = make_elastic_model(elastic, anatomy);
   const VecX held = mapped(some_gradient(), model->rest()), full = gradient(*law, held);
@@ -86,7 +86,8 @@ TEST_P(Relaxation, OfAHeldStrainIsThePronySeries) {
     model->begin_step(h, from->data(), history.data());
     double left = 1;
     t += h;
-    for (const RelaxationDesc& term : soft.relaxation) left -= term.share * -std::expm1(-t / term.time);
+    for (const RelaxationDesc& term : soft.material.relaxation)
+      left -= term.share * -std::expm1(-t / term.time);
     EXPECT_LT((gradient(*model, held) - left * full).norm(), 1e-9 * full.norm()) << t;
     model->end_step(held.data(), history.data());
     from = &held;
@@ -122,7 +123,7 @@ TEST_P(Relaxation, StepsDescendOnAPotential) {
 void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
   SoftBody body(soft, kuhn_anatomy({2, 2, 2}, size));
   const auto model = make_elastic_model(soft, body.anatomy());
-  const Lame c = lame(soft.youngs_modulus, soft.poisson_ratio);
+  const Lame c = lame(soft.material.youngs_modulus, soft.material.poisson_ratio);
   SoftBodyState state = body.initial_state();
   state.motion.x = mapped(Vec3(1 + strain, 1 - strain / 2, 1).asDiagonal(), state.motion.x);
   // Pulled there at once: the branches hold their shares of the stress.
@@ -138,7 +139,7 @@ void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
         const double trace = h[0] + h[3] + h[5];
         const double square =
             h[0] * h[0] + h[3] * h[3] + h[5] * h[5] + 2 * (h[1] * h[1] + h[2] * h[2] + h[4] * h[4]);
-        branches += volume / (4 * c.mu * soft.relaxation[i].share) *
+        branches += volume / (4 * c.mu * soft.material.relaxation[i].share) *
                     (square - c.lambda / (3 * c.lambda + 2 * c.mu) * trace * trace);
       }
     return branches + body.potential().elastic_energy(state.motion.x) +
@@ -150,7 +151,7 @@ void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
   for (int i = 0; i < 30; ++i) {
     stepper.step(0.002, Vec3::Zero(), state);
     const double now = energy();
-    EXPECT_LT(now, before + most_gain * start) << soft.integrator << " " << i;
+    EXPECT_LT(now, before + most_gain * start) << soft.configuration.integrator << " " << i;
     before = now;
   }
   EXPECT_LT(before, 0.5 * start);
@@ -167,9 +168,9 @@ TEST_P(Relaxation, LosesEnergyAtEveryStepOfAFreeBody) {
 // exact recurrence instead of the method's own: within a swing either may hand a little back.
 TEST_P(Relaxation, LosesEnergyUnderTheSecondOrderIntegrators) {
   SoftDesc soft = desc();
-  soft.integrator = "bdf2";
+  soft.configuration.integrator = "bdf2";
   expect_losing(soft, 2e-4, 3e-4);
-  soft.integrator = "tr_bdf2";
+  soft.configuration.integrator = "tr_bdf2";
   expect_losing(soft, 2e-4, 5e-3);
 }
 
@@ -202,12 +203,12 @@ TEST(RelaxationErrors, NameWhatIsAllowed) {
   };
   SoftDesc desc = description("fem_corotational", "tet4");
   EXPECT_EQ(complaint(desc), "");
-  desc.integrator = "verlet";
+  desc.configuration.integrator = "verlet";
   EXPECT_NE(complaint(desc).find("allowed with relaxation: implicit_euler"), std::string::npos);
   desc = description("mass_spring", "tet4");
   EXPECT_NE(complaint(desc).find("starts with fem_"), std::string::npos) << complaint(desc);
   desc = description("fem_corotational", "tet4");
-  desc.relaxation.push_back({0.25, 1});
+  desc.material.relaxation.push_back({0.25, 1});
   EXPECT_NE(complaint(desc).find("add up to 1"), std::string::npos);
 }
 

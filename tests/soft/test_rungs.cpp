@@ -71,12 +71,12 @@ std::vector<Rung> elastic_rungs() {
 SoftDesc describe(const Rung& rung) {
   SoftDesc desc;
   desc.name = "body";
-  desc.model = rung.model.name;
-  desc.integrator = rung.integrator;
-  desc.solver = "direct";
-  desc.youngs_modulus = 2e4;
-  desc.poisson_ratio = 0.4;
-  desc.density = 1000;
+  desc.configuration.model = rung.model.name;
+  desc.configuration.integrator = rung.integrator;
+  desc.configuration.solver = "direct";
+  desc.material.youngs_modulus = 2e4;
+  desc.material.poisson_ratio = 0.4;
+  desc.material.density = 1000;
   return desc;
 }
 
@@ -149,8 +149,8 @@ TEST_P(Elastic, ForcesAndStiffnessAreDerivativesOfTheEnergy) {
 TEST_P(Elastic, TraceAtRestIsThatOfTheStiffnessTurned) {
   const Rung& rung = GetParam();
   SoftDesc desc = describe(rung);
-  if (rung.model.name == "fem_fibers") desc.fiber_stiffness = 5e4;
-  desc.fiber_direction = {1, 2, -3};
+  if (rung.model.name == "fem_fibers") desc.material.fiber_stiffness = 5e4;
+  desc.material.fiber_direction = {1, 2, -3};
   const auto model = make_elastic_model(desc, anatomy_of(rung.mesh));
   const BlockPattern pattern(model->connectivity());
   std::vector<Mat3> K(pattern.blocks());
@@ -204,9 +204,10 @@ INSTANTIATE_TEST_SUITE_P(Ladder, Rungs, testing::ValuesIn(rungs()),
 
 TEST_P(Rungs, ConserveMomentum) {
   SoftDesc desc = describe(GetParam());
-  desc.damping_mass = 0;
+  desc.material.damping_mass = 0;
   const std::string& by = GetParam().integrator;
-  desc.damping_stiffness = by == "explicit_euler" || by == "rk2" ? 1e-4 : 0;  // else they are refused
+  desc.material.damping_stiffness =
+      by == "explicit_euler" || by == "rk2" ? 1e-4 : 0;  // else they are refused
   SoftBody body(desc, anatomy_of(GetParam().mesh));
   SoftBodyState state = body.initial_state();
   state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
@@ -234,15 +235,16 @@ TEST_P(Rungs, ConserveMomentum) {
 /// other.
 std::vector<SoftDesc> variants(const Rung& rung) {
   const bool is_law = !rung.model.position_based && !rung.model.fabric;
-  const bool with_all_solvers = rung.integrator == SoftDesc{}.integrator && !rung.model.position_based;
+  const bool with_all_solvers =
+      rung.integrator == SoftDesc{}.configuration.integrator && !rung.model.position_based;
   std::vector<SoftDesc> out;
   for (const char* element : {"tet4", "tet10"}) {
-    if (!is_law && element != SoftDesc{}.element) continue;
+    if (!is_law && element != SoftDesc{}.configuration.element) continue;
     for (const SolverRow& solver : solvers()) {
-      if (!with_all_solvers && SoftDesc{}.solver != solver.name) continue;
+      if (!with_all_solvers && SoftDesc{}.configuration.solver != solver.name) continue;
       out.push_back(describe(rung));
-      out.back().element = element;
-      out.back().solver = solver.name;
+      out.back().configuration.element = element;
+      out.back().configuration.solver = solver.name;
     }
   }
   return out;
@@ -261,7 +263,7 @@ TEST_P(Rungs, SameBitsForAnyNumberOfThreads) {
     std::vector<SoftBodyState> results;
     for (const std::size_t threads : {1u, 2u, 4u}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      SoftBody body(desc, large_anatomy(GetParam().mesh, desc.element));
+      SoftBody body(desc, large_anatomy(GetParam().mesh, desc.configuration.element));
       SoftBodyState state = body.initial_state();
       state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
       for (int i = 0; i < 2; ++i) tick(body, gravity, state);
@@ -323,15 +325,16 @@ double stored(const SoftDesc& desc, const Anatomy& anatomy, const Mat3& A) {
 SoftDesc springs() {
   SoftDesc desc;
   desc.name = "fabric";
-  desc.model = "mass_spring";
-  desc.youngs_modulus = 1e5;
-  desc.poisson_ratio = 0.3;
+  desc.configuration.model = "mass_spring";
+  desc.material.youngs_modulus = 1e5;
+  desc.material.poisson_ratio = 0.3;
   return desc;
 }
 
 TEST(Springs, AreTheContinuumInHomogeneousStrain) {
   const SoftDesc desc = springs();
-  const double E = desc.youngs_modulus, nu = desc.poisson_ratio, t = 0.002, area = 0.3 * 0.2, e = 1e-6;
+  const double E = desc.material.youngs_modulus, nu = desc.material.poisson_ratio, t = 0.002,
+               area = 0.3 * 0.2, e = 1e-6;
   for (const double cell : {0.1, 0.05, 0.03}) {  // the last one's cells are not square
     const Anatomy sheet = make_sheet({0.3, t, 0.2}, cell);
     Mat3 A = Mat3::Identity();
@@ -355,8 +358,8 @@ TEST(Springs, AndVolumeSpringsMeetPoissonsRatio) {
   // Of a cube's dilation the lattice stores exactly what a solid of those constants does.
   SoftDesc desc = springs();
   for (const double nu : {0.3, 0.45}) {
-    desc.poisson_ratio = nu;
-    const Lame c = lame(desc.youngs_modulus, nu);
+    desc.material.poisson_ratio = nu;
+    const Lame c = lame(desc.material.youngs_modulus, nu);
     const double e = 1e-6;
     const Mat3 A = (1 + e) * Mat3::Identity();
     const double expected = 0.5 * (9 * c.lambda + 6 * c.mu) * e * e * 1e-3;
@@ -366,11 +369,11 @@ TEST(Springs, AndVolumeSpringsMeetPoissonsRatio) {
 
 TEST(Springs, BendAsPlatesAndRodsDo) {
   const SoftDesc desc = springs();
-  const double E = desc.youngs_modulus, nu = desc.poisson_ratio, t = 0.002, radius = 0.5;
+  const double E = desc.material.youngs_modulus, nu = desc.material.poisson_ratio, t = 0.002, radius = 0.5;
   // On a wide arc: chords shorten, so only the bends are asked, at constant angle per piece.
   const auto bent = [&](const Anatomy& anatomy) {
     SoftDesc soft = desc;
-    soft.spring_stiffness = soft.shear_stiffness = 1e-9;
+    soft.material.spring_stiffness = soft.material.shear_stiffness = 1e-9;
     const auto model = make_elastic_model(soft, anatomy);
     VecX x = model->rest();
     for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
@@ -390,11 +393,11 @@ TEST(Springs, BendAsPlatesAndRodsDo) {
 /// A rope along x with its ends held, or only its first.
 SoftDesc hung(const std::string& model, double k) {
   SoftDesc desc = springs();
-  desc.model = model;
-  desc.spring_stiffness = k;
-  desc.bending_stiffness = 1e-12;
-  desc.solver = "direct";
-  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.configuration.model = model;
+  desc.material.spring_stiffness = k;
+  desc.material.bending_stiffness = 1e-12;
+  desc.configuration.solver = "direct";
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
   return desc;
 }
 
@@ -450,11 +453,11 @@ TEST(Explicit, KnowsItsLimit) {
   for (const Case& c : {Case{.3, 1.64856}, Case{.45, .94413}}) {
     SoftDesc desc;
     desc.name = "beam";
-    desc.model = "fem_linear";
-    desc.integrator = "verlet";
-    desc.youngs_modulus = 3e5;
-    desc.poisson_ratio = c.nu;
-    desc.density = 1000;
+    desc.configuration.model = "fem_linear";
+    desc.configuration.integrator = "verlet";
+    desc.material.youngs_modulus = 3e5;
+    desc.material.poisson_ratio = c.nu;
+    desc.material.density = 1000;
     SoftBody body(desc, kuhn_anatomy({8, 2, 2}, {0.4, 0.1, 0.1}));
     EXPECT_NEAR(2e3 / body.initial_state().omega, c.limit, 0.02 * c.limit);
   }
@@ -462,8 +465,8 @@ TEST(Explicit, KnowsItsLimit) {
 
 TEST(Explicit, NeedsMoreSubstepsWhenItGetsStiffer) {
   SoftDesc desc = springs();
-  desc.integrator = "symplectic_euler";
-  desc.model = "fem_neo_hookean";
+  desc.configuration.integrator = "symplectic_euler";
+  desc.configuration.model = "fem_neo_hookean";
   SoftBody body(desc, kuhn_anatomy({3, 3, 3}, {0.1, 0.1, 0.1}));
   SoftBodyState state = body.initial_state();
   const double at_rest = body.substepper()->needed(h, state);
@@ -474,11 +477,11 @@ TEST(Explicit, NeedsMoreSubstepsWhenItGetsStiffer) {
 
 TEST(Xpbd, ConvergesToTheSameRestingShapeAsTheMinimiser) {
   SoftDesc desc = springs();
-  desc.model = "xpbd";
-  desc.substeps = 60;
-  desc.damping_mass = 8;
-  desc.solver = "direct";
-  desc.youngs_modulus = 3e4;
+  desc.configuration.model = "xpbd";
+  desc.configuration.substeps = 60;
+  desc.material.damping_mass = 8;
+  desc.configuration.solver = "direct";
+  desc.material.youngs_modulus = 3e4;
   desc.attach.push_back({Vec3(0, 0.05, 0.05), 0.08, 1e8});
   SoftBody body(desc, kuhn_anatomy({4, 2, 2}, {0.2, 0.1, 0.1}));
   SoftBodyState still = body.initial_state(), moving = still;

@@ -27,8 +27,8 @@ constexpr double h = 1. / 60;
 SoftDesc description(const char* model) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.model = model;
-  desc.solver = "direct";
+  desc.configuration.model = model;
+  desc.configuration.solver = "direct";
   return desc;
 }
 
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Table, Bodies, testing::ValuesIn(laws()),
 TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
   SoftDesc desc = description(GetParam().name);
   desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
-  desc.damping_mass = 2;
+  desc.material.damping_mass = 2;
   SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
   SoftBodyState state = body.initial_state();
   const Eigen::Index n = state.motion.x.size();
@@ -59,7 +59,7 @@ TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
 TEST_P(Bodies, FirstMatrixIsTheHessianWhereNothingIsStretched) {
   for (double damping : {0.0, 0.01}) {
     SoftDesc desc = description(GetParam().name);
-    desc.damping_stiffness = damping;
+    desc.material.damping_stiffness = damping;
     SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
     SoftBodyState state = body.initial_state();
     const Eigen::Index n = state.motion.x.size();
@@ -108,9 +108,9 @@ TEST_P(Bodies, PassThePatchTest) {
 
 TEST_P(Bodies, ConserveMomentum) {
   SoftDesc desc = description(GetParam().name);
-  desc.damping_mass = 0;
+  desc.material.damping_mass = 0;
   for (const IntegratorRow& row : integrators()) {
-    desc.integrator = row.name;
+    desc.configuration.integrator = row.name;
     SoftBody body(desc, kuhn_anatomy({3, 2, 2}, cube_size));
     SoftBodyState state = body.initial_state();
     state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
@@ -129,7 +129,7 @@ TEST_P(Bodies, ConserveMomentum) {
 
 TEST_P(Bodies, RestStaysAtRestAndFallsAsOne) {
   SoftDesc desc = description(GetParam().name);
-  desc.damping_mass = 0;
+  desc.material.damping_mass = 0;
   SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
   SoftBodyState state = body.initial_state();
   Stepper stepper(body);
@@ -146,7 +146,7 @@ TEST_P(Bodies, SameBitsForAnyNumberOfThreads) {
     for (std::size_t threads : {1u, 2u, 4u}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       SoftDesc desc = description(GetParam().name);
-      desc.solver = solver;
+      desc.configuration.solver = solver;
       desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
       SoftBody body(desc, kuhn_anatomy({7, 7, 7}, cube_size));
       SoftBodyState& state = results.emplace_back(body.initial_state());
@@ -180,7 +180,7 @@ SoftBodyState recover(SoftBody& body, const VecX& from, int steps) {
 
 TEST_P(Bodies, SurviveRuinedShapes) {
   SoftDesc undamped = description(GetParam().name);
-  undamped.damping_stiffness = 0;
+  undamped.material.damping_stiffness = 0;
   SoftBody body(undamped, kuhn_anatomy({2, 2, 2}, cube_size));
   SoftBody damped(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
   const VecX rest = body.initial_state().motion.x;
@@ -263,7 +263,7 @@ TEST(SoftBody, ContentHashIsStableAndSensitive) {
   std::swap(renumbered.tets.tets[0], renumbered.tets.tets[1]);
   EXPECT_NE(hash(desc, renumbered), reference);
   SoftDesc heavier = desc;
-  heavier.density += 1;
+  heavier.material.density += 1;
   EXPECT_NE(hash(heavier, anatomy), reference);
 }
 
@@ -290,20 +290,20 @@ TEST(SoftBody, RefusesWhatItCannotModel) {
       EXPECT_NE(std::string(error.what()).find("\"cube\""), std::string::npos) << error.what();
     }
   };
-  refuse([](SoftDesc& d, Anatomy&) { d.model = "putty"; }, "model");
-  refuse([](SoftDesc& d, Anatomy&) { d.integrator = "leap"; }, "integrator");
-  refuse([](SoftDesc& d, Anatomy&) { d.solver = "magic"; }, "solver");
-  refuse([](SoftDesc& d, Anatomy&) { d.poisson_ratio = 0.5; }, "poisson_ratio");
-  refuse([](SoftDesc& d, Anatomy&) { d.youngs_modulus = -1; }, "youngs_modulus");
-  refuse([](SoftDesc& d, Anatomy&) { d.density = 0; }, "density");
-  refuse([](SoftDesc& d, Anatomy&) { d.damping_stiffness = NAN; }, "damping_stiffness");
-  refuse([](SoftDesc& d, Anatomy&) { d.damping_mass = -1; }, "damping_mass");
+  refuse([](SoftDesc& d, Anatomy&) { d.configuration.model = "putty"; }, "model");
+  refuse([](SoftDesc& d, Anatomy&) { d.configuration.integrator = "leap"; }, "integrator");
+  refuse([](SoftDesc& d, Anatomy&) { d.configuration.solver = "magic"; }, "solver");
+  refuse([](SoftDesc& d, Anatomy&) { d.material.poisson_ratio = 0.5; }, "poisson_ratio");
+  refuse([](SoftDesc& d, Anatomy&) { d.material.youngs_modulus = -1; }, "youngs_modulus");
+  refuse([](SoftDesc& d, Anatomy&) { d.material.density = 0; }, "density");
+  refuse([](SoftDesc& d, Anatomy&) { d.material.damping_stiffness = NAN; }, "damping_stiffness");
+  refuse([](SoftDesc& d, Anatomy&) { d.material.damping_mass = -1; }, "damping_mass");
   refuse([](SoftDesc& d, Anatomy&) { d.attach.push_back({Vec3::Zero(), 1, -1}); }, "attach");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.tets.clear(); }, "no tetrahedra");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.tets[0][0] = 99; }, "refers to node 99");
   refuse([](SoftDesc&, Anatomy& a) { a.tets.positions[0][0] = NAN; }, "not finite");
   refuse([](SoftDesc&, Anatomy& a) { a.surface.positions.resize(1); }, "surface");
-  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets = {{0, 1, 2, 2}}; }, "flat");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets = {{0, 1, 2, 2}}; }, "degenerate");
 }
 
 }  // namespace

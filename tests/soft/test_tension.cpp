@@ -147,10 +147,10 @@ TEST(Tension, IsInBalanceWithTheShapeThatIsGiven) {
   const auto balances = [&](const char* model, const char* element, double within) {
     SCOPED_TRACE(std::string(model) + " " + element);
     SoftDesc desc;
-    desc.model = model;
-    desc.element = element;
-    desc.poisson_ratio = 0.4;
-    if (desc.model == "fem_fibers") desc.fiber_stiffness = 1e4;
+    desc.configuration.model = model;
+    desc.configuration.element = element;
+    desc.material.poisson_ratio = 0.4;
+    if (desc.configuration.model == "fem_fibers") desc.material.fiber_stiffness = 1e4;
     Anatomy anatomy{mesh, {}, {}};
     const BalancedStretch found = balanced_stretch(desc, anatomy, wanted_of(mesh, size, 0.025, 0.1));
     anatomy.tets.stretch = found.stretch;
@@ -182,10 +182,10 @@ TEST(Tension, MovesWithoutGainingEnergyOrMomentum) {
   for_rungs([&](const char* law, const char* element) {
     if (std::string(law) == "fem_linear") return;  // which takes a rotation for a strain
     SoftDesc desc;
-    desc.model = law;
-    desc.element = element;
-    desc.damping_mass = 0;
-    desc.damping_stiffness = 0;
+    desc.configuration.model = law;
+    desc.configuration.element = element;
+    desc.material.damping_mass = 0;
+    desc.material.damping_stiffness = 0;
     Anatomy anatomy{mesh, {}, {}};
     anatomy.tets.stretch = std::make_shared<RestStretch>(mesh, wanted_of(mesh, 0.1, 0.04, 0.1));
     SoftBody body(desc, anatomy);

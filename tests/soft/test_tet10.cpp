@@ -23,11 +23,12 @@ constexpr double h = 1. / 60;
 SoftDesc description(const char* model) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.model = model;
-  desc.element = "tet10";
-  desc.solver = "direct";
-  desc.damping_mass = desc.damping_stiffness = 0;
-  if (desc.model == "fem_fibers") desc.fiber_stiffness = 2 * desc.youngs_modulus;
+  desc.configuration.model = model;
+  desc.configuration.element = "tet10";
+  desc.configuration.solver = "direct";
+  desc.material.damping_mass = desc.material.damping_stiffness = 0;
+  if (desc.configuration.model == "fem_fibers")
+    desc.material.fiber_stiffness = 2 * desc.material.youngs_modulus;
   return desc;
 }
 
@@ -73,12 +74,12 @@ TEST_P(Quadratic, PassThePatchTest) {
     const Vec3 p = rest.segment<3>(i);
     const bool inside = (p.array() > 1e-9).all() && (p.array() < cube_size.array() - 1e-9).all();
     if (inside) {
-      EXPECT_LT(g.segment<3>(i).norm(), 1e-12 * 0.1 * desc.youngs_modulus) << i;
+      EXPECT_LT(g.segment<3>(i).norm(), 1e-12 * 0.1 * desc.material.youngs_modulus) << i;
     } else {
       outside = std::max(outside, g.segment<3>(i).norm());
     }
   }
-  EXPECT_GT(outside, 1e-6 * desc.youngs_modulus * std::pow(volume, 2. / 3));
+  EXPECT_GT(outside, 1e-6 * desc.material.youngs_modulus * std::pow(volume, 2. / 3));
 }
 
 TEST_P(Quadratic, TurningStoresNothing) {
@@ -88,7 +89,8 @@ TEST_P(Quadratic, TurningStoresNothing) {
   VecX x = body.initial_state().motion.x;
   const Mat3 R = Eigen::AngleAxisd(2.5, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   for (Eigen::Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = R * x.segment<3>(i);
-  EXPECT_LT(body.potential().elastic_energy(x), 1e-12 * body.desc().youngs_modulus * cube_size.prod());
+  EXPECT_LT(body.potential().elastic_energy(x),
+            1e-12 * body.desc().material.youngs_modulus * cube_size.prod());
 }
 
 TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
@@ -96,7 +98,7 @@ TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
   for (std::size_t threads : {1u, 2u, 4u}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     SoftDesc desc = description(GetParam().name);
-    desc.solver = "multigrid";
+    desc.configuration.solver = "multigrid";
     desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
     SoftBody body(desc, kuhn_anatomy({4, 4, 4}, cube_size));
     SoftBodyState state = body.initial_state();
@@ -111,7 +113,7 @@ TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
 TEST(Tet10, MassIsPositiveAndThatOfTheVolume) {
   SoftBody body(description("fem_corotational"), kuhn_anatomy({3, 2, 1}, cube_size));
   EXPECT_GT(body.node_mass().minCoeff(), 0);
-  EXPECT_NEAR(body.total_mass(), body.desc().density * cube_size.prod(), 1e-12);
+  EXPECT_NEAR(body.total_mass(), body.desc().material.density * cube_size.prod(), 1e-12);
   // 4·3·2 vertices and, between them, the 3 axes', 3 faces' and the one space diagonal's edges.
   EXPECT_EQ(body.nodes(), 7 * 5 * 3);
 }
@@ -120,7 +122,7 @@ TEST(Tet10, MassIsPositiveAndThatOfTheVolume) {
 /// effect stores exactly what beam theory says of it under the linear law.
 TEST(Tet10, StoresTheEnergyOfAQuadraticFieldExactly) {
   SoftDesc desc = description("fem_linear");
-  desc.poisson_ratio = 0;
+  desc.material.poisson_ratio = 0;
   SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
   VecX x = body.initial_state().motion.x;
   const double k = 0.5;  // 1/m
@@ -128,7 +130,7 @@ TEST(Tet10, StoresTheEnergyOfAQuadraticFieldExactly) {
     const Vec3 p = x.segment<3>(i) - cube_size / 2;
     x.segment<3>(i) += Vec3(-k * p.x() * p.y(), k * p.x() * p.x() / 2, 0);
   }
-  const double exact = 0.5 * desc.youngs_modulus * k * k * std::pow(cube_size[0], 5) / 12;
+  const double exact = 0.5 * desc.material.youngs_modulus * k * k * std::pow(cube_size[0], 5) / 12;
   EXPECT_NEAR(body.potential().elastic_energy(x), exact, 1e-12 * exact);
 }
 
@@ -168,9 +170,9 @@ TEST(Tet10, EmbeddedPointsFollow) {
 
 SoftBody beam(const char* model, double poisson_ratio, std::uint32_t n) {
   SoftDesc desc = description(model);
-  desc.youngs_modulus = 3e5;
-  desc.poisson_ratio = poisson_ratio;
-  desc.density = 1000;
+  desc.material.youngs_modulus = 3e5;
+  desc.material.poisson_ratio = poisson_ratio;
+  desc.material.density = 1000;
   desc.attach.push_back({Vec3(-1e4, 0.05, 0.05), 1e4 + 1e-6, 1e16});
   return {desc, kuhn_anatomy({4 * n, n, n}, Vec3(0.4, 0.1, 0.1))};
 }

@@ -37,14 +37,14 @@ VecX random_vector(Eigen::Index n, std::uint64_t seed) {
 SoftDesc description(const Case& row) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.model = "fem_corotational";
-  desc.element = row.element;
-  desc.poisson_ratio = row.poisson_ratio;
+  desc.configuration.model = "fem_corotational";
+  desc.configuration.element = row.element;
+  desc.material.poisson_ratio = row.poisson_ratio;
   RegionDesc stiffer;
   stiffer.size = Vec3(0.1, 0.1, 0.08);
   stiffer.poisson_ratio = row.poisson_ratio / 2;  // λ/μ and the mean part differ within the body
-  stiffer.youngs_modulus = 10 * desc.youngs_modulus;
-  desc.regions.push_back(stiffer);
+  stiffer.youngs_modulus = 10 * desc.material.youngs_modulus;
+  desc.material.regions.push_back(stiffer);
   return desc;
 }
 
@@ -64,7 +64,7 @@ class Corotated : public testing::TestWithParam<Case> {
   }
 
   Anatomy with_nodes(Anatomy anatomy) const {
-    if (desc_.element == "tet10") add_edge_nodes(anatomy);
+    if (desc_.configuration.element == "tet10") add_edge_nodes(anatomy);
     return anatomy;
   }
   std::vector<Mat3> in_double(double tangent, double warped) {
@@ -147,8 +147,8 @@ TEST_P(Corotated, ProductLeavesTranslationsAndMomentumAlone) {
 
 TEST_P(Corotated, BodiesHaveTheHessianOfTheirEnergy) {
   SoftDesc desc = desc_;
-  desc.solver = "cg";
-  desc.damping_stiffness = 0.02;
+  desc.configuration.solver = "cg";
+  desc.material.damping_stiffness = 0.02;
   desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
   SoftBody body(desc, kuhn_anatomy({2, 2, 3}, cube_size));
   SoftBodyState state = body.initial_state();

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// Parameters of a PHANTOM Omni, from published measurements and its data sheet; the damping is fitted.
+/// Mechanical parameters of a simulated haptic arm. The defaults are those of a PHANTOM Omni, from published
+/// measurements and its data sheet; the damping is fitted.
 struct ArmMechanics {
   double mass = 0.045;      // kg, apparent at the tip
   double damping = 0.05;    // N·s/m
@@ -29,18 +30,19 @@ class ArmModel {
   ArmModel(const ArmMechanics& mechanics, const HandImpedance& hand, const Vec3& start)
       : mechanics_(mechanics), hand_(hand), position_(start) {}
 
-  /// Sets the motor force, N. A force above the peak is scaled down in its direction; a force that is not
-  /// finite becomes zero.
+  /// Sets the force of the arm's motors, N. A force above the peak is scaled down without changing its
+  /// direction; a force that is not finite becomes zero.
   void set_force(const Vec3& force);
-  /// Advances the model by dt s. The hand's target is at `intended` (m) and moves with `velocity` (m/s).
+  /// Advances the arm and the hand that holds it by dt s. The position that the hand aims at is `intended`
+  /// (m) at the end of this time and moves with `velocity` (m/s).
   void advance(double dt, const Vec3& intended, const Vec3& velocity);
 
   Vec3 measured() const;  // m: position quantised as by encoders
   const Vec3& position() const { return position_; }
   const Vec3& velocity() const { return velocity_; }
   const Vec3& force() const { return force_; }
-  /// Returns the energy that the motors have absorbed from the hand, J; negative if they delivered net
-  /// energy.
+  /// Returns the energy that the arm's motors have absorbed from the hand since the start, J. It is negative
+  /// if they delivered net energy.
   double energy() const { return energy_; }
 
  private:

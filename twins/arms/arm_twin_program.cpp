@@ -27,22 +27,27 @@ void stop_arm_twin(int) {
 }  // namespace
 
 void add_arm_options(CLI::App& app, ArmTwinSettings& settings, const char* garbage) {
-  app.add_option("--script", settings.script,
-                 "CSV of the hand's target poses for the stylus (docs/do/devices.md)")
+  app.add_option(
+         "--script", settings.script,
+         "CSV script of the target poses to which the simulated hand moves the stylus (docs/do/devices.md)")
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("--room-arm", settings.room, "x,y,z,qw,qx,qy,qz: pose of the arm's frame in the room")
       ->expected(7)
       ->delimiter(',');
-  app.add_option("--hand", settings.hand, "Hand model that holds it")
+  app.add_option("--hand", settings.hand,
+                 "Model of the simulated hand that holds the stylus: light or medium")
       ->check(CLI::IsMember({"light", "medium"}));
-  app.add_option("--log", settings.log, "CSV of its pose, motor forces and the hand's target");
-  app.add_option("--garbage", settings.garbage, fmt::format("Fraction of {} that are random bytes", garbage))
+  app.add_option("--log", settings.log,
+                 "Write the stylus pose, the motor forces and the hand's target to this CSV file");
+  app.add_option("--garbage", settings.garbage,
+                 fmt::format("Fraction of {} sent as random bytes, from 0 to 1", garbage))
       ->check(CLI::Range(0., 1.));
-  app.add_option("--seed", settings.seed, "Seed of its random numbers");
+  app.add_option("--seed", settings.seed, "Seed of the simulated arm's random numbers");
   app.add_flag("--wait-client", settings.timing.wait_client,
-               "The script starts when a client starts streaming");
-  app.add_option("--hold", settings.timing.holds, "Script times (s) at which it waits for a line of input");
+               "Start the script when a client starts streaming (default: immediately)");
+  app.add_option("--hold", settings.timing.holds,
+                 "Script times, s, at which the script pauses until a line is read from standard input");
   app.add_flag("--loop", settings.timing.loop, "Repeat the script");
 }
 

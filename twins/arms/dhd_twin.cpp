@@ -161,7 +161,7 @@ int dhdSetForceAndTorque(double x, double y, double z, double about_x, double ab
   return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}, {about_x, about_y, about_z}); });
 }
 const char* dhdErrorGetLastStr() {
-  return "an error of the simulated arm";
+  return "an error of the simulated Force Dimension arm";
 }
 prosector::LibraryTwin* prosector_twin() {
   return &twin().library;

@@ -220,7 +220,7 @@ ErrorInfo hdGetError() {
   return locked(twin(), [](auto& t) { return t.pop(); });
 }
 const char* hdGetErrorString(Enum) {
-  return "an error of the simulated arm";
+  return "an error of the simulated HDAPI arm";
 }
 const char* hdGetString(Enum) {
   return locked(twin(), [](auto& t) { return t.version(); });

@@ -21,18 +21,21 @@ struct HeldArmOptions {
 
 class HeldArm {
  public:
-  /// Creates an arm at rest at `rest` (m, arm frame) until the hand takes it.
+  /// Creates a simulated arm that rests at `rest` (m, arm frame) until take() makes the hand hold it.
   HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, const Vec3& rest, std::int64_t now_ns);
-  /// Creates an arm at rest at the first position of the script.
+  /// Creates a simulated arm that rests at the first position of its motion script until take() makes the
+  /// hand hold it.
   HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, std::int64_t now_ns);
 
-  /// Makes the hand take the arm at `time_ns`. After 0.8 s the arm is at the script's first position, and the
-  /// script starts.
+  /// Makes the simulated hand hold the arm from `time_ns` on and move it to the first position of the motion
+  /// script. After 0.8 s it has arrived there and the script starts.
   void take(std::int64_t time_ns);
-  /// Makes the hand release the arm immediately at its current position, with the motors off.
+  /// Makes the simulated hand release the arm immediately. The arm stays at its current position with the
+  /// motors off.
   void put_down();
   void go_on(std::int64_t now_ns) { clock_.go_on(now_ns); }
-  /// Sets the motors' force (N) and torque (N·m), arm frame. An arm that is not held gets zero.
+  /// Sets the motors' force (N) and torque (N·m) on the stylus, arm frame. While no hand holds the arm, both
+  /// are zero instead.
   void set_force(const Vec3& force, const Vec3& torque = Vec3::Zero());
   void advance(std::int64_t now_ns);
 
@@ -41,7 +44,8 @@ class HeldArm {
   const ArmModel& model() const { return model_; }    // in the arm frame
   Vec3 intended() const { return intended_; }         // m, arm frame: target position of the hand
   const WristModel& wrist() const { return wrist_; }  // used if motors actuate the stylus rotation
-  /// Returns the stylus orientation, arm frame.
+  /// Returns the stylus orientation in the arm frame: as measured if motors actuate the rotation, otherwise
+  /// as the motion script prescribes.
   Quat orientation() const { return options_.turns ? wrist_.measured() : intended_turn(); }
   const Pose& room_arm() const { return options_.room_arm; }
 

@@ -11,14 +11,16 @@ namespace prosector {
 
 class Inverse3Server {
  public:
-  /// Listens on this machine; port 0 selects a free port. Throws InputError on failure.
+  /// Starts a WebSocket server on this machine for the simulated Inverse3 `twin`; port 0 selects a free port.
+  /// Throws InputError on failure.
   Inverse3Server(Inverse3Twin& twin, std::uint16_t port);
   ~Inverse3Server();
 
   std::uint16_t port() const;
-  /// Processes pending events without waiting. A received text is answered in the next call.
+  /// Processes pending network events without waiting. A text received from the client is answered in the
+  /// next call.
   void serve();
-  /// Closes the client's connection.
+  /// Closes the connection to the client, to simulate a lost connection.
   void cut();
   bool has_client() const;
   bool mute = false;  // send no answers

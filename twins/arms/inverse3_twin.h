@@ -21,14 +21,14 @@ class Inverse3Twin {
  public:
   Inverse3Twin(Inverse3TwinOptions options, std::int64_t now_ns);
 
-  /// Starts a client's session. Returns the first state.
+  /// Starts the session of a client of the simulated service. Returns the first state message to send to it.
   std::string begin();
-  /// Processes a client's text. A text without a valid force sets a force of zero.
+  /// Processes a client's text, a force command in JSON. A text without a valid force sets a force of zero.
   void take(std::string_view text);
-  /// Ends the client's session, and its force.
+  /// Ends the client's session: the motors are switched off and the simulated hand releases the arm.
   void end() { arm_.put_down(); }
   void advance(std::int64_t now_ns);
-  /// Returns the state that answers a text.
+  /// Returns the state message with which the simulated service answers a client's text.
   std::string state() { return text(false); }
   void go_on(std::int64_t now_ns) { arm_.go_on(now_ns); }
 

@@ -14,12 +14,13 @@ namespace {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "A simulated Haply Inverse3 with its service's WebSocket on this machine. Prints a line when ready.",
+      "A simulated Haply Inverse3 arm and the WebSocket of Haply's service on this machine. Prints a line "
+      "when ready.",
       "prosector-inverse3-twin");
   app.set_version_flag("--version", version_line("prosector-inverse3-twin"));
   std::uint16_t port = 0;
   ArmTwinSettings settings;
-  app.add_option("port", port, "Port of the WebSocket (0 = a free one)")->required();
+  app.add_option("port", port, "TCP port of the WebSocket (0 = any free port)")->required();
   add_arm_options(app, settings, "texts");
   if (const auto status = parse(app, argc, argv)) return *status;
   ArmLog log(settings.log);

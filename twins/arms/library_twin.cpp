@@ -16,13 +16,16 @@ constexpr const char* words_variable = "PROSECTOR_TWIN";
 std::optional<ArmTwinSettings> settings_in_environment() {
   const char* words = std::getenv(words_variable);
   if (words == nullptr) {
-    std::cerr << "simulated arm: " << words_variable << " must contain the hand's script: --script FILE\n";
+    std::cerr
+        << "simulated arm: " << words_variable
+        << " must contain the options of the simulated arm, at least the hand's script: --script FILE\n";
     return std::nullopt;
   }
   CLI::App app("", words_variable);
   ArmTwinSettings settings;
   add_arm_options(app, settings, "numbers");
-  app.add_flag("--turns", settings.turns, "Motors also rotate the stylus (Force Dimension)");
+  app.add_flag("--turns", settings.turns,
+               "The motors also apply torques to the stylus, as in some arms of Force Dimension");
   try {
     app.parse(words, false);
   } catch (const CLI::ParseError& error) {

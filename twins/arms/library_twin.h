@@ -14,7 +14,7 @@
 
 namespace prosector {
 
-/// Simulated faults and state of the device.
+/// Faults and state of a simulated haptic device behind a vendor library, set by tests.
 struct LibraryFaults {
   bool away = false;               // no device is found; an open device returns errors
   int version = 3;                 // major version of the library
@@ -33,16 +33,20 @@ class LibraryTwin {
  public:
   explicit LibraryTwin(const ArmMechanics& mechanics) : mechanics_(mechanics) {}
 
-  /// Restarts the twin with simulated time, which the test advances with advance().
+  /// Restarts the simulated device with the given motion and with simulated time, which the test advances
+  /// with advance(). `seed` determines its random faults.
   void restart(HeldArmOptions options, std::int64_t now_ns, std::uint64_t seed);
-  /// Advances the arm to `now_ns`, then calls `on_tick`.
+  /// Advances the simulated arm to the time `now_ns`, then calls `on_tick`.
   void advance(std::int64_t now_ns);
   std::int64_t now_ns() const { return now_ns_; }
   bool has_own_clock() const { return !tested_; }
-  /// Returns the arm; nullptr if no script defines its hand's motion.
+  /// Returns the simulated arm. In a client, the first call creates it from the options in the environment
+  /// variable PROSECTOR_TWIN; the result is nullptr if they are missing or invalid. In a test, the result is
+  /// nullptr before restart().
   HeldArm* arm();
 
-  /// Returns a number as the library reports it, with the simulated faults.
+  /// Returns a number as the simulated library reports it: unchanged, or replaced by a fault that the test
+  /// has set, such as random bits.
   double reported(double value);
 
   LibraryFaults faults;
@@ -58,14 +62,16 @@ class LibraryTwin {
   std::mt19937_64 random_;
 };
 
-/// Executes a function of the library under its lock. `Twin` has a LibraryTwin `library`.
+/// Calls `does` with the simulated device `twin` while its lock is held, and returns the result. Each
+/// function of the simulated library does so. `Twin` has a LibraryTwin `library`.
 template <class Twin, class Does>
 auto locked(Twin& twin, Does does) {
   const std::lock_guard lock(twin.library.mutex);
   return does(twin);
 }
 
-/// Name of the function with which a test accesses the twin in a library: LibraryTwin* (*)().
+/// Name of the function in a simulated vendor library with which a test accesses the simulated device. Its
+/// type is LibraryTwin* (*)().
 inline constexpr const char* twin_function = "prosector_twin";
 
 }  // namespace prosector

@@ -22,11 +22,12 @@ class OmniTwin {
  public:
   explicit OmniTwin(OmniTwinOptions options, std::int64_t now_ns);
 
-  /// Returns four bytes at an address, in bus order.
+  /// Returns the four bytes of the simulated Omni's register at an address, in bus order.
   std::array<std::uint8_t, 4> read(std::uint64_t address) const { return omni_body::register_bytes(address); }
   void write(std::uint64_t address, std::span<const std::uint8_t> bytes, std::int64_t now_ns);
   void command(std::span<const std::uint8_t> packet);
-  /// Advances to `now_ns`. Returns the state packet to send; nothing if streaming is off.
+  /// Advances the simulated Omni to the time `now_ns`. Returns the state packet to send, or nothing if the
+  /// host has not enabled packets.
   std::optional<std::array<std::uint8_t, omni_body::state_size>> advance(std::int64_t now_ns);
   void go_on(std::int64_t now_ns) { arm_.go_on(now_ns); }
 

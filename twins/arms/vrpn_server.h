@@ -10,16 +10,17 @@ namespace prosector {
 
 class VrpnServer {
  public:
-  /// Listens on this machine; port 0 selects a free port. Throws InputError on failure.
+  /// Starts a TCP server on this machine for the simulated VRPN arm `twin`; port 0 selects a free port.
+  /// Throws InputError on failure.
   VrpnServer(VrpnTwin& twin, std::uint16_t port);
   ~VrpnServer();
   VrpnServer(const VrpnServer&) = delete;
   VrpnServer& operator=(const VrpnServer&) = delete;
 
   std::uint16_t port() const { return listener_.port(); }
-  /// Advances the twin to `now_ns` and exchanges data with the client, without waiting.
+  /// Advances the simulated arm to the time `now_ns` and exchanges data with the client, without waiting.
   void serve(std::int64_t now_ns);
-  /// Closes the client's connection.
+  /// Closes the connection to the client, to simulate a lost connection.
   void cut();
 
  private:

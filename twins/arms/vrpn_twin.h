@@ -23,15 +23,16 @@ class VrpnTwin {
  public:
   VrpnTwin(VrpnTwinOptions options, std::int64_t now_ns);
 
-  /// Processes a client's bytes.
+  /// Processes bytes that the client sent to the simulated VRPN server, such as force fields.
   void receive(std::span<const std::uint8_t> bytes);
-  /// Advances to `now_ns` and reports to a client that has sent its cookie. Returns the bytes to send.
+  /// Advances the simulated arm to the time `now_ns`. Returns the bytes to send: reports for a client that
+  /// has sent its cookie, otherwise none.
   vrpn::Bytes advance(std::int64_t now_ns);
-  /// Ends the client's session, and its force.
+  /// Ends the client's session: the motors are switched off and the simulated hand releases the arm.
   void hang_up();
-  /// Sends a code of Force_Error with the next report.
+  /// Sets an error code of the VRPN message Force_Error, which is sent with the next report.
   void queue_error_code(std::int32_t code) { queued_error_code_ = code; }
-  /// Changes a button; the next report contains the change.
+  /// Presses or releases the button of the simulated arm. The next report contains the change.
   void press(bool pressed) { button_ = pressed; }
   void go_on(std::int64_t now_ns) { arm_.go_on(now_ns); }
 

@@ -19,7 +19,7 @@ int run(int argc, char** argv) {
   std::uint16_t port = 0;
   std::string name = "Arm0";
   ArmTwinSettings settings;
-  app.add_option("port", port, "Port of the server (0 = a free one)")->required();
+  app.add_option("port", port, "TCP port of the VRPN server (0 = any free port)")->required();
   app.add_option("--name", name, "Name of the arm")->capture_default_str();
   add_arm_options(app, settings, "reports");
   if (const auto status = parse(app, argc, argv)) return *status;

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Parameters of the actuated rotation. Inertia, damping and friction are assumed; peak torque and quantum
-/// are from the sigma.7's data sheet.
+/// Mechanical parameters of a simulated stylus whose rotation motors actuate. Inertia, damping and friction
+/// are assumed; peak torque and quantum are from the sigma.7's data sheet.
 struct WristMechanics {
   double inertia = 1e-4;     // kg·m²
   double damping = 1e-4;     // N·m·s/rad
@@ -23,17 +23,18 @@ class WristModel {
   WristModel(const WristMechanics& mechanics, const HandImpedance& hand, const Quat& start)
       : mechanics_(mechanics), hand_(hand), orientation_(start) {}
 
-  /// Sets the motor torque, N·m. A torque above the peak is scaled down in its direction; a torque that is
-  /// not finite becomes zero.
+  /// Sets the torque of the stylus' motors, N·m. A torque above the peak is scaled down without changing its
+  /// direction; a torque that is not finite becomes zero.
   void set_torque(const Vec3& torque);
-  /// Advances the model by dt s. The hand's target orientation is `intended`.
+  /// Advances the stylus and the hand that holds it by dt s. `intended` is the orientation that the hand aims
+  /// at.
   void advance(double dt, const Quat& intended);
 
   Quat measured() const;  // orientation quantised as by encoders
   const Quat& orientation() const { return orientation_; }
   const Vec3& torque() const { return torque_; }
-  /// Returns the energy that the motors have absorbed from the hand, J; negative if they delivered net
-  /// energy.
+  /// Returns the energy that the stylus' motors have absorbed from the hand since the start, J. It is
+  /// negative if they delivered net energy.
   double energy() const { return energy_; }
 
  private:

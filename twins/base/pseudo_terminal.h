@@ -12,9 +12,11 @@ class PseudoTerminal {
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
-  /// Creates a raw terminal and, if `link` is not empty, a symbolic link to it. Throws InputError on failure.
+  /// Creates a pseudo-terminal in raw mode and, if `link` is not empty, a symbolic link of this name to it.
+  /// Throws InputError on failure.
   void open(const std::string& link);
-  /// Hangs up, as when the cable is unplugged, and removes the link.
+  /// Closes the pseudo-terminal, so that the client's side hangs up as when the cable is unplugged, and
+  /// removes the symbolic link.
   void close();
   bool is_open() const { return descriptor_ >= 0; }
   int descriptor() const { return descriptor_; }

@@ -20,33 +20,37 @@ struct TwinOutput {
 class Twin {
  public:
   virtual ~Twin() = default;
-  /// Processes bytes from the host and appends the answers to `out`.
+  /// Processes bytes that the host sent to the simulated device and appends the answers to `out`.
   virtual void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns,
                        std::vector<TwinOutput>& out) = 0;
-  /// Appends the records that are due.
+  /// Appends the data records that the simulated device sends up to the time `now_ns`.
   virtual void produce(std::int64_t now_ns, std::vector<TwinOutput>& out) = 0;
-  /// Returns the next time at which produce() has records.
+  /// Returns the next time (ns) at which produce() will have records to send.
   virtual std::int64_t due_ns(std::int64_t now_ns) const = 0;
-  /// Resets the conversation with the client: the next client at a socket starts a new one.
+  /// Resets the state of the conversation with the client, because a new client starts a new one. Does
+  /// nothing for devices without such state.
   virtual void reset_client() {}
-  /// Lets the script continue after its next hold.
+  /// Ends the current or the next hold of the motion script, a time at which the script pauses, so that the
+  /// motion continues.
   virtual void go_on(std::int64_t now_ns) = 0;
 };
 
-/// Time span of a fault, s.
+/// Time span of a simulated fault, s; `to` is excluded.
 struct FaultSpan {
   double from = 0, to = 0;
   bool contains(double t) const { return t >= from && t < to; }
 };
 
-/// Start, holds and looping of a twin's script.
+/// Settings of the motion script that moves a simulated device: when it starts, at which times it pauses
+/// (holds), and whether it repeats.
 struct TwinTiming {
   bool wait_client = false;  // script time 0 is the start of streaming, not the start of the twin
   bool loop = false;
   std::vector<double> holds = {};  // s, increasing: at each, script time pauses until go_on()
 };
 
-/// Clock of a twin's script.
+/// Clock that converts real time to the time of the motion script that moves a simulated device. It pauses at
+/// the script's holds.
 class ScriptClock {
  public:
   ScriptClock(const TwinTiming& timing, std::int64_t now_ns)
@@ -59,7 +63,8 @@ class ScriptClock {
     const double passed = running_ ? static_cast<double>(now_ns - start_ns_) * 1e-9 : 0.0;
     return next_ < holds_.size() ? std::min(passed, holds_[next_]) : passed;
   }
-  /// Releases the next hold. A hold that was not reached yet is skipped.
+  /// Ends the motion script's next hold, a time at which the clock pauses, and continues from the present
+  /// script time. A hold that was not reached yet is skipped.
   void go_on(std::int64_t now_ns) {
     if (next_ == holds_.size()) return;
     if (running_) start_ns_ = now_ns - static_cast<std::int64_t>(1e9 * seconds(now_ns));

@@ -36,21 +36,32 @@ std::optional<FaultSpan> at_for(const std::vector<double>& v) {
 
 void add_options(CLI::App& app, TwinProgramOptions& o) {
   app.set_version_flag("--version", version_line(app.get_name()));
-  app.add_option("--script", o.script, "CSV of keyframes: time,station,x,y,z,qw,qx,qy,qz,thumb,...,little");
-  app.add_flag("--wait-client", o.timing.wait_client, "start the script when a client starts streaming");
+  app.add_option("--script", o.script,
+                 "CSV script of the motion, with keyframes time,station,x,y,z,qw,qx,qy,qz,thumb,...,little");
+  app.add_flag("--wait-client", o.timing.wait_client,
+               "start the script when a client starts streaming (default: immediately)");
   app.add_flag("--loop", o.timing.loop, "repeat the script");
-  app.add_option("--hold", o.timing.holds,
-                 "T,T,...: script times at which it pauses until a line is read from standard input")
+  app.add_option(
+         "--hold", o.timing.holds,
+         "T,T,...: script times, s, at which the script pauses until a line is read from standard input")
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--link", o.server.link, "symbolic link to the terminal, kept up to date");
-  app.add_option("--log", o.server.log, "CSV of records sent: time_ns,station,record,values");
-  app.add_option("--seed", o.seed, "seed of noise and faults")->capture_default_str();
-  app.add_option("--garbage", o.server.garbage, "probability of random bytes before a record")
+  app.add_option(
+      "--link", o.server.link,
+      "path of a symbolic link to create to the pseudo-terminal; it is updated when the terminal changes");
+  app.add_option("--log", o.server.log,
+                 "write the sent records to this CSV file: time_ns,station,record,values");
+  app.add_option("--seed", o.seed, "seed of the random noise and faults")->capture_default_str();
+  app.add_option("--garbage", o.server.garbage,
+                 "probability that random bytes are sent before a record, from 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--silence", o.silence, "FROM,TO: send nothing, seconds")->expected(2)->delimiter(',');
-  app.add_option("--unplug", o.unplug, "AT,FOR: disconnect, seconds")->expected(2)->delimiter(',');
-  app.add_option("--babble", o.babble, "FROM,TO: send random bytes only, seconds")
+  app.add_option("--silence", o.silence, "FROM,TO: send nothing between these times, s")
+      ->expected(2)
+      ->delimiter(',');
+  app.add_option("--unplug", o.unplug, "AT,FOR: disconnect at this time for this duration, s")
+      ->expected(2)
+      ->delimiter(',');
+  app.add_option("--babble", o.babble, "FROM,TO: send only random bytes between these times, s")
       ->expected(2)
       ->delimiter(',');
 }

@@ -24,12 +24,13 @@ struct TwinServerOptions {
   bool reads_stdin_lines = false;  // each line on standard input calls Twin::go_on()
 };
 
-/// Serves the twin until `stop` becomes true. Calls `ready` with the address for clients, and again after
-/// each simulated unplugging. Throws InputError if a file or a terminal cannot be created.
+/// Connects the simulated device to clients until `stop` becomes true. Calls `ready` with the address for
+/// clients, and again after each simulated unplugging. Throws InputError if a file or a terminal cannot be
+/// created.
 ///
-/// A line of the log has time_ns (monotonic, just before the record's first byte is written), station (from
-/// 1) and record. The values follow exactly as sent, in the shortest decimal form that parses to the same
-/// float32.
+/// The log is the CSV file that `options` name. Each of its lines has time_ns (monotonic, just before the
+/// record's first byte is written), station (from 1) and record. The values follow exactly as sent, in the
+/// shortest decimal form that parses to the same float32.
 void serve_twin(Twin& twin, const TwinServerOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string& path)>& ready);
 

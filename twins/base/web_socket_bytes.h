@@ -9,11 +9,11 @@
 
 namespace prosector {
 
-/// Returns the response to a client's WebSocket handshake request. Returns nothing while the request is
-/// incomplete or invalid.
+/// Returns a WebSocket server's response to a client's handshake request. Returns nothing while the request
+/// is incomplete or invalid.
 std::optional<std::string> web_socket_answer(std::string_view request);
 
-/// Appends a text as one WebSocket frame.
+/// Appends a text, encoded as one unmasked WebSocket frame, to the bytes that a server sends.
 void put_web_socket_text(std::vector<std::uint8_t>& out, std::string_view text);
 
 }  // namespace prosector

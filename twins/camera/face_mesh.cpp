@@ -134,7 +134,8 @@ FaceMesh load_ct_face(const std::filesystem::path& file) {
   constexpr double apart = 0.060;               // m
   if (!std::filesystem::exists(file))
     throw InputError(
-        fmt::format("needs {}, which is missing: fetch it with deploy/fetch_anatomy.sh", file.string()));
+        fmt::format("the simulated face needs {}, which is missing: fetch it with deploy/fetch_anatomy.sh",
+                    file.string()));
   const Volume volume = load_volume(file);
   const Vec3 half = 0.5 * Vec3(static_cast<double>(volume.dims[0]), static_cast<double>(volume.dims[1]),
                                static_cast<double>(volume.dims[2]))

@@ -18,11 +18,12 @@ struct FaceMesh {
   ShadedMesh painted() const { return {positions, normals, triangles, paint}; }
 };
 
-/// Builds a painted head with neck and shoulders. It is rough, but networks detect it as a face.
+/// Builds a painted mesh of a head with neck and shoulders. `eye_distance` is the distance between the
+/// pupils, m. The head is rough, but networks detect it as a face.
 FaceMesh make_face(double eye_distance);
 
-/// Extracts the skin of the CT's head. Its eyes are shut, and it ends at the upper lip. Takes seconds. Throws
-/// InputError if the file is missing; deploy/fetch_anatomy.sh fetches it.
+/// Extracts the skin of a head as a mesh from a CT data set. Its eyes are shut, and it ends at the upper lip.
+/// Takes seconds. Throws InputError if the file is missing; deploy/fetch_anatomy.sh downloads it.
 FaceMesh load_ct_face(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Pose and shape of a hand in one image.
+/// A hand to be drawn in one image of a synthetic camera: side, wrist pose in the camera's frame, flexions,
+/// size and skin colour.
 struct PosedHand {
   std::size_t hand = right_hand;
   Pose camera_wrist;
@@ -18,9 +19,10 @@ struct PosedHand {
 
 class HandRenderer {
  public:
-  /// Builds the skins of both hands; takes some tenths of a second.
+  /// Builds the skins of the left and the right hand model, which takes some tenths of a second.
   HandRenderer();
-  /// Draws hands without motion blur over the layer's present content.
+  /// Draws hands without motion blur into the depth buffer, in front of its present content where they are
+  /// nearer.
   void draw(std::span<const PosedHand> hands, const Lamp& lamp, MeshDepthBuffer& layer) const;
 
  private:

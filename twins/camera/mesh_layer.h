@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// A surface with a reflectance per vertex.
+/// A triangle mesh to be drawn, with normals and a reflectance per vertex.
 struct ShadedMesh {
   std::span<const Eigen::Vector3f> positions, normals;
   std::span<const std::array<std::uint32_t, 3>> triangles;  // counter-clockwise as seen from outside
@@ -21,21 +21,23 @@ struct ShadedMesh {
 
 class MeshDepthBuffer {
  public:
-  /// Covers the directions (a, b) at distance 1 from `low` to `high` with width × height cells.
+  /// Creates a buffer of width × height cells for the rays with directions (x/z, y/z) from `low` to `high` in
+  /// the camera's frame.
   MeshDepthBuffer(int width, int height, const Eigen::Vector2d& low, const Eigen::Vector2d& high);
-  /// Covers the lens' whole field of view, with cells finer than its pixels.
+  /// Creates a buffer that covers the lens' whole field of view, with cells finer than its pixels.
   explicit MeshDepthBuffer(const Lens& lens);
 
   void clear();
-  /// Draws a surface over the layer's present content. The camera's frame is x right, y down, z forward.
-  /// Triangles nearer than 2 cm are left out.
+  /// Draws a mesh into the buffer, where it is nearer than the present content. `camera_mesh` is its pose in
+  /// the camera's frame (x right, y down, z forward). Triangles nearer than 2 cm are left out.
   void draw(const ShadedMesh& mesh, const Pose& camera_mesh, const Lamp& lamp);
 
   struct Hit {
     Rgb light{};
     float depth = 0;  // m along z; infinite: no surface
   };
-  /// Returns the light and depth of a ray's nearest cell.
+  /// Returns the light and depth in the cell that contains the ray with direction (x/z, y/z). The depth is
+  /// infinite if no surface is there.
   Hit at(const Eigen::Vector2f& direction) const;
 
  private:

@@ -13,12 +13,13 @@ namespace prosector {
 
 inline constexpr int clock_cells = 20, clock_bits = 16;
 
-/// Returns the side of a clock cell in images of a given width, pixels.
+/// Returns the side, in pixels, of one cell of the clock that is painted into images of this width.
 constexpr int clock_cell(int width) {
   return width / (2 * clock_cells);
 }
 
-/// Paints the time over an image.
+/// Paints the milliseconds of the time `time_ns`, coded as black and white cells, over the upper border of an
+/// image.
 void paint_clock(Image& picture, std::int64_t time_ns);
 
 }  // namespace prosector

@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// A rectangle in the plane z = 0 of its frame; its front faces +z.
+/// A textured rectangle of a synthetic scene in the plane z = 0 of its frame; its front faces +z. It moves
+/// with a carrier, a frame with a given or scripted motion.
 struct TexturedQuad {
   std::size_t carrier = 0;       // index of the carrier that moves the rectangle
   Pose pose;                     // in the carrier's frame
@@ -20,16 +21,18 @@ struct TexturedQuad {
   bool both_sides = false;  // false: invisible from behind
 };
 
-/// Returns the pose of each carrier in the camera's frame at a time, s.
+/// Function that returns the pose of each carrier (moving frame) of a synthetic scene in the camera's frame
+/// at a time, s.
 using CarrierPoses = std::function<std::vector<Pose>(double seconds)>;
 
-/// One row of pixels: light and depth (m along z) of each ray.
+/// One row of a synthetic image while it is drawn: light and depth (m along z) of each ray, with several rays
+/// per pixel.
 struct RayRow {
   std::vector<Rgb> light;
   std::vector<float> depth;
 };
 
-/// A distant lamp, and ambient light.
+/// Lighting of a synthetic scene: a distant lamp and ambient light.
 struct Lamp {
   Vec3 towards = Vec3(0, 0, -1);  // unit vector to the lamp, camera's frame
   double ambient = 0.5;           // ambient share of the light, 0 to 1
@@ -37,16 +40,17 @@ struct Lamp {
 
 class QuadRenderer {
  public:
-  /// Prepares an image. Among objects in one plane, a later one covers earlier ones. `things` and `grid` must
-  /// outlive the painter.
+  /// Prepares the drawing of rectangles into one image. `carriers` returns the poses of the frames that move
+  /// them. Among rectangles in one plane, a later one covers earlier ones. `things` and `grid` must outlive
+  /// the renderer.
   QuadRenderer(const RayGrid& grid, const std::vector<TexturedQuad>& things, CarrierPoses carriers,
                const Exposure& exposure, const Lamp& lamp);
 
-  /// Draws one row over its present content, where nearer.
+  /// Draws row `y` of the image into `row`, where the rectangles are nearer than the row's present content.
   void draw(int y, RayRow& row) const;
 
  private:
-  /// Homography from a ray's direction to the object's plane at one time.
+  /// Homography from a ray's direction (x/z, y/z) to coordinates in a rectangle's plane at one time.
   using Map = Eigen::Matrix3f;
   struct Shown {
     const TexturedQuad* thing;

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// Exposure of an image.
+/// Timing of the exposure of a synthetic camera's image, in scene time: middle, length, and readout time of a
+/// rolling shutter.
 struct Exposure {
   double middle = 0;   // s, mid-exposure of the middle row
   double length = 0;   // s
@@ -17,14 +18,16 @@ struct Exposure {
 
 class RayGrid {
  public:
-  /// Creates side × side rays per pixel.
+  /// Creates side × side rays for each pixel of a synthetic camera with this lens.
   RayGrid(const Lens& lens, int side);
 
   const Lens& lens() const { return lens_; }
   std::size_t rays() const { return offsets_.size(); }
-  /// Returns the direction (a, b) of a ray of a pixel, interpolated between the pixel's corners.
+  /// Returns the direction (x/z, y/z) in the camera's frame of ray number `ray` of pixel (x, y). It is
+  /// interpolated between the directions of the pixel's corners.
   Eigen::Vector2f direction(int x, int y, std::size_t ray) const;
-  /// Returns the time of a ray in a row, s. Neighbouring rays have distant times.
+  /// Returns the scene time, s, at which ray number `ray` of each pixel in row `y` samples the scene during
+  /// the exposure. Neighbouring rays have distant times.
   double moment(const Exposure& exposure, int y, std::size_t ray) const;
 
  private:

@@ -18,8 +18,9 @@ struct Sensor {
   unsigned seed = 1;
 };
 
-/// Computes the image that the sensor makes of `light` (`width` × `height`, rows from the top). The result is
-/// determined by the seed and the image number.
+/// Computes the image that a simulated camera sensor makes of `light` (`width` × `height` values, rows from
+/// the top), with blur, noise, response and compression. The result is determined by the sensor's seed and
+/// the image number.
 Image expose(const Sensor& sensor, int width, int height, std::vector<Rgb> light, std::uint64_t number);
 
 }  // namespace prosector

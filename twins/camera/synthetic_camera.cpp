@@ -33,7 +33,7 @@ std::optional<Frame> SyntheticCamera::next(std::chrono::milliseconds time_limit)
   const SyntheticScene& scene = painter_.scene();
   const double now = seconds(monotonic_ns());
   if (has_fault(CameraFault::unplugged, now))
-    throw InputError("synthetic camera: unplugged, as set in its scene");
+    throw InputError("synthetic camera: unplugged at this time, as its scene file specifies");
   // The newest image that is due by now, or the first one not yet delivered.
   const double shows = now - scene.delay - scene.exposure / 2;
   const auto newest = static_cast<std::int64_t>(std::floor(shows * scene.rate - 0.5));

@@ -8,10 +8,12 @@ namespace prosector {
 
 class SyntheticCamera final : public Camera {
  public:
-  /// Starts the scene's time at `start_ns` of monotonic_ns().
+  /// Creates a camera that shows a synthetic scene. The scene's time is 0 when monotonic_ns() is `start_ns`.
   SyntheticCamera(SyntheticScene scene, std::int64_t start_ns);
 
-  /// Waits for the next image, like a real camera. Images that take too long to draw are dropped.
+  /// Waits for the scene's next image, at most `time_limit`, like a real camera. Returns nothing on a
+  /// timeout. Skips images that take too long to draw. Throws InputError while the scene simulates an
+  /// unplugged camera.
   std::optional<Frame> next(std::chrono::milliseconds time_limit) override;
   std::optional<Lens> lens() const override { return painter_.scene().lens; }
   double response() const override { return painter_.scene().sensor.response; }

@@ -70,7 +70,7 @@ void read_camera(const TomlFields& fields, SyntheticScene& scene) {
   scene.rays = fields.whole("rays", 1, 8, scene.rays);
   scene.clock = fields.flag("clock", scene.clock);
   if (scene.clock && clock_cell(scene.lens.width) == 0)
-    fields.fail("clock", "needs images at least 40 pixels wide");
+    fields.fail("clock", "the clock needs images at least 40 pixels wide");
   scene.sensor.light = fields.number("light", 0, 4, scene.sensor.light);
   scene.sensor.blur = fields.number("blur", 0, 10, scene.sensor.blur);
   scene.sensor.noise = fields.number("noise", 0, 100, scene.sensor.noise);

@@ -21,7 +21,8 @@
 
 namespace prosector {
 
-/// A frame that is fixed, or that follows a station of a motion script.
+/// A frame to which objects of a synthetic scene are attached. It is fixed in the room, or follows a station
+/// (tracked object) of a motion script.
 struct Carrier {
   std::string name;
   Pose pose;  // in the room, used without a motion
@@ -33,27 +34,30 @@ struct Carrier {
   Pose at(double seconds) const { return motion ? motion->pose(station, seconds, loop) * offset : pose; }
 };
 
-/// A hand model whose carrier is the wrist; bends come from the carrier's motion.
+/// A hand in a synthetic scene. Its wrist is the frame `carrier` (index), whose motion also gives its
+/// flexions.
 struct SyntheticHand {
   std::size_t carrier = 0;
   std::size_t hand = right_hand;
   double size = 1;  // scale of the hand model
 };
 
-/// A face whose carrier is the point between the eyes: x to the user's right, y up, −z forward.
+/// A face in a synthetic scene. The frame `carrier` (index) is at the point between its eyes: x to the user's
+/// right, y up, −z forward.
 struct SyntheticFace {
   std::size_t carrier = 0;
   std::shared_ptr<const FaceMesh> mesh;
 };
 
-/// Simulated faults of a camera.
+/// Simulated faults of a synthetic camera: torn, black, resized or upside-down images, a slow image rate, or
+/// an unplugged camera.
 enum class CameraFault : std::uint8_t { torn, black, resized, upside_down, slow, unplugged };
 struct CameraFaultSpan {
   CameraFault fault;
   double from = 0, to = 0;  // s
 };
 
-/// True poses for an image.
+/// True poses of the camera and of all moving frames at an image of a synthetic scene.
 struct SyntheticTruth {
   double seconds = 0;             // s, mid-exposure in scene time
   Pose room_camera;               // pose of OpenCV's camera frame in the room
@@ -79,22 +83,25 @@ struct SyntheticScene {
   std::vector<std::size_t> board_carriers;  // carrier of each board
   std::vector<CameraFaultSpan> faults;
 
-  /// Reads a scene file. Throws InputError with file, line, key and the allowed values.
+  /// Reads a synthetic camera's scene from a TOML file. Throws InputError with file, line, key and the
+  /// allowed values.
   static SyntheticScene load(const std::filesystem::path& file);
 
-  /// Adds a board and its paper. Returns the board's carrier.
+  /// Adds a printed board, with its paper if it is a flat board of tags, to the scene. It moves with the
+  /// frame `carrier`. Returns the index of this frame in `carriers`.
   std::size_t add_board(const Board& board, Carrier carrier);
 
   double seconds_of(std::uint64_t number) const { return (static_cast<double>(number) + 0.5) / rate; }
   SyntheticTruth truth(double seconds) const;
 };
 
-/// Draws a scene's images. An image is determined by its scene, time and number.
+/// Renderer of a synthetic scene's images. An image is determined by its scene, time and number.
 class SceneRenderer {
  public:
   explicit SceneRenderer(SyntheticScene scene);
   const SyntheticScene& scene() const { return scene_; }
-  /// Draws the image with this number, with the scene's faults; mid-exposure is at seconds_of(number).
+  /// Draws the image with this number, including the faults that the scene simulates at its time,
+  /// seconds_of(number) at mid-exposure.
   Image paint(std::uint64_t number) const;
   Image paint_at(double seconds, std::uint64_t number) const;
 

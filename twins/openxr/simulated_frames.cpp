@@ -59,15 +59,17 @@ XrResult XRAPI_CALL acquire_image(XrSwapchain, const XrSwapchainImageAcquireInfo
 XrResult XRAPI_CALL wait_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     return r.pictures->acquired() ? XR_SUCCESS
-                                  : SimulatedRuntime::wrong("a picture waited for that isn't acquired",
-                                                            XR_ERROR_CALL_ORDER_INVALID);
+                                  : SimulatedRuntime::wrong(
+                                        "xrWaitSwapchainImage was called without an acquired swapchain image",
+                                        XR_ERROR_CALL_ORDER_INVALID);
   });
 }
 
 XrResult XRAPI_CALL release_image(XrSwapchain, const XrSwapchainImageReleaseInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (!r.pictures->acquired())
-      return SimulatedRuntime::wrong("a picture released that isn't acquired", XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::wrong("xrReleaseSwapchainImage was called without an acquired swapchain image",
+                                     XR_ERROR_CALL_ORDER_INVALID);
     r.pictures->release();
     return XR_SUCCESS;
   });
@@ -95,7 +97,8 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
   std::this_thread::sleep_for(std::chrono::nanoseconds(next - period / 2 - monotonic_ns()));
   return with_session([&](SimulatedRuntime& r) {
     if (!r.running)
-      return SimulatedRuntime::wrong("a frame of a session that doesn't run", XR_ERROR_SESSION_NOT_RUNNING);
+      return SimulatedRuntime::wrong("xrWaitFrame was called although the session is not running",
+                                     XR_ERROR_SESSION_NOT_RUNNING);
     if (r.phase == FramePhase::waited)
       return SimulatedRuntime::wrong("two frames waited for", XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::waited;
@@ -110,7 +113,8 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
 XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.phase != FramePhase::waited)
-      return SimulatedRuntime::wrong("a frame begun that wasn't waited for", XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::wrong("xrBeginFrame was called without xrWaitFrame before",
+                                     XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::begun;
     return XR_SUCCESS;
   });
@@ -118,18 +122,22 @@ XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
 
 XrResult show(SimulatedRuntime& r, const XrCompositionLayerProjection& layer) {
   if (layer.type != XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer.viewCount != 2)
-    return SimulatedRuntime::wrong("no layer of two views", XR_ERROR_LAYER_INVALID);
+    return SimulatedRuntime::wrong("the composition layer is not a projection layer of two views",
+                                   XR_ERROR_LAYER_INVALID);
   if (r.pictures->acquired())
-    return SimulatedRuntime::wrong("a picture not released", XR_ERROR_LAYER_INVALID);
+    return SimulatedRuntime::wrong("the frame ends before its swapchain image was released",
+                                   XR_ERROR_LAYER_INVALID);
   for (std::uint32_t eye = 0; eye < 2; ++eye) {
     const XrCompositionLayerProjectionView& view = layer.views[eye];
     const auto& [x, y, z, w] = view.pose.orientation;
     if (!(std::abs(std::hypot(std::hypot(x, y), std::hypot(z, w)) - 1) < 0.01F))
-      return SimulatedRuntime::wrong("an eye that isn't turned by a unit quaternion", XR_ERROR_POSE_INVALID);
+      return SimulatedRuntime::wrong("the orientation of an eye's view is not a unit quaternion",
+                                     XR_ERROR_POSE_INVALID);
     const auto& [offset, size] = view.subImage.imageRect;
     const ImageRect part{offset.x, offset.y, size.width, size.height};
     if (!r.pictures->holds(part))
-      return SimulatedRuntime::wrong("a part beyond the picture", XR_ERROR_SWAPCHAIN_RECT_INVALID);
+      return SimulatedRuntime::wrong("the image rectangle of a view exceeds the swapchain image",
+                                     XR_ERROR_SWAPCHAIN_RECT_INVALID);
     if (!r.settings.pictures.empty()) r.pictures->write(part, r.settings.pictures + "/" + picture_names[eye]);
   }
   return XR_SUCCESS;
@@ -138,11 +146,13 @@ XrResult show(SimulatedRuntime& r, const XrCompositionLayerProjection& layer) {
 XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.phase != FramePhase::begun)
-      return SimulatedRuntime::wrong("a frame ended that wasn't begun", XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::wrong("xrEndFrame was called without xrBeginFrame before",
+                                     XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::none;
     if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
-      return SimulatedRuntime::wrong("a blend mode that isn't offered",
-                                     XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
+      return SimulatedRuntime::wrong(
+          "the frame has a blend mode that the runtime does not offer; only opaque is allowed",
+          XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
     rise(r);
     if (r.seconds_now() >= r.settings.frame_refused) {
       r.settings.frame_refused = Span().begin;

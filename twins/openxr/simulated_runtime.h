@@ -37,14 +37,15 @@ using GLXDrawable = unsigned long;
 
 namespace prosector {
 
-/// A reference or action space that a client can locate.
+/// An OpenXR space that a client of the simulated runtime can locate: a reference space (head, stage, local),
+/// or a hand's grip.
 struct SimulatedSpace {
   enum class Kind : std::uint8_t { head, stage, local, grip } kind = Kind::stage;
   std::size_t hand = right_hand;
   Pose offset;
 };
 
-/// Progress of the client's current frame.
+/// Progress of the client's current frame: none, after xrWaitFrame, or after xrBeginFrame.
 enum class FramePhase : std::uint8_t { none, waited, begun };
 
 class SimulatedRuntime {
@@ -72,24 +73,28 @@ class SimulatedRuntime {
   FramePhase phase = FramePhase::none;
   XrTime shown_ns = 0;
 
-  /// Returns the time since the wearer's motion began, s; −1 if it has not begun.
+  /// Returns the time in s from the start of the simulated wearer's motion to `time`; −1 if the motion has
+  /// not started.
   double seconds(XrTime time) const {
     return begun_ns_ == 0 ? -1 : 1e-9 * static_cast<double>(time - begun_ns_);
   }
   double seconds_now() const;
-  /// Starts the wearer's motion, unless it waits for a file that does not exist yet.
+  /// Starts the simulated wearer's motion if it has not started yet, unless the settings name a file to wait
+  /// for that does not exist yet.
   void begin_time();
-  /// Applies the faults and state changes that are due.
+  /// Applies the simulated faults and the session's state changes that are due now.
   void go_on();
   void enter(XrSessionState next);
   void send(const void* event, std::size_t size);
   void end_session();
   bool in_garbage() const { return settings.garbage.holds(seconds_now()); }
-  /// Returns the pose of a space in the world frame, or nothing if it is unknown.
+  /// Returns the pose of an OpenXR space in the world frame at `time`. Returns nothing for the grip of a
+  /// controller that is not tracked.
   std::optional<Pose> world(const SimulatedSpace& space, XrTime time) const;
-  /// Returns a pose as reported to the client, which may be garbage.
+  /// Converts a pose to the one that the client receives, with NaN numbers while the simulated fault
+  /// `garbage` lasts.
   XrPosef told(const Pose& pose) const;
-  /// Reports a client error on standard error and returns `result`.
+  /// Prints the client's error `what` on standard error and returns `result`, the error code for the client.
   static XrResult wrong(const char* what, XrResult result);
   bool takes_focus() const { return state == XR_SESSION_STATE_FOCUSED; }
 
@@ -98,16 +103,18 @@ class SimulatedRuntime {
   Pose stage_;
 };
 
-/// Returns the library's only runtime.
+/// Returns the only simulated OpenXR runtime of this library; the first call creates it.
 SimulatedRuntime& simulated_runtime();
 
-/// Returns the function of that name, or null. There is one look-up per group of functions.
+/// Returns the OpenXR function of that name among those that concern instances, or null. Separate functions
+/// look up those that concern sessions, frames and input.
 PFN_xrVoidFunction instance_function(const std::string& name);
 PFN_xrVoidFunction session_function(const std::string& name);
 PFN_xrVoidFunction frame_function(const std::string& name);
 PFN_xrVoidFunction input_function(const std::string& name);
 
-/// Calls `does` with the locked runtime and returns its result.
+/// Calls `does` with the locked simulated runtime, after applying the faults that are due, and returns its
+/// result. Returns XR_ERROR_INSTANCE_LOST instead if the simulated instance is lost.
 template <class Does>
 XrResult with_runtime(Does does) {
   SimulatedRuntime& runtime = simulated_runtime();
@@ -116,13 +123,14 @@ XrResult with_runtime(Does does) {
   if (runtime.instance_lost) return XR_ERROR_INSTANCE_LOST;
   return does(runtime);
 }
-/// Calls `does` like with_runtime(), unless the session is lost.
+/// Calls `does` with the locked simulated runtime and returns its result. Returns XR_ERROR_SESSION_LOST
+/// instead if the simulated session is lost.
 template <class Does>
 XrResult with_session(Does does) {
   return with_runtime([&](SimulatedRuntime& r) { return r.session_lost ? XR_ERROR_SESSION_LOST : does(r); });
 }
 
-/// Returns a zero-initialised structure with its `type` set.
+/// Returns a zero-initialised OpenXR structure with its `type` set.
 template <class T>
 T typed(XrStructureType type) {
   T out{};
@@ -130,7 +138,9 @@ T typed(XrStructureType type) {
   return out;
 }
 
-/// Fills a list in the way of OpenXR's enumeration functions.
+/// Implements the two-call convention of OpenXR's enumeration functions. Stores the number of items, `size`,
+/// in `count`. If `capacity` is not 0, it also fills `out` by fill(index, item), or returns
+/// XR_ERROR_SIZE_INSUFFICIENT if `capacity` is too small.
 template <class T, class Fill>
 XrResult enumerate(std::uint32_t capacity, std::uint32_t* count, T* out, std::uint32_t size, Fill fill) {
   *count = size;

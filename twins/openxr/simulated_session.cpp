@@ -33,13 +33,17 @@ PFNEGLGETPROCADDRESSPROC proc_of_glx(const void* binding) {
 
 XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
   return with_runtime([&](SimulatedRuntime& r) {
-    if (r.has_session) return SimulatedRuntime::wrong("a second session", XR_ERROR_LIMIT_REACHED);
+    if (r.has_session)
+      return SimulatedRuntime::wrong("xrCreateSession was called while a session exists",
+                                     XR_ERROR_LIMIT_REACHED);
     // A session without graphics has no images: XR_MND_headless.
     r.get_proc = nullptr;
     if (info->next != nullptr) {
       r.get_proc = r.settings.glx ? proc_of_glx(info->next) : proc_of_egl(info->next);
       if (r.get_proc == nullptr)
-        return SimulatedRuntime::wrong("no context that can be drawn with", XR_ERROR_GRAPHICS_DEVICE_INVALID);
+        return SimulatedRuntime::wrong(
+            "xrCreateSession was called without an OpenGL context that the runtime can use",
+            XR_ERROR_GRAPHICS_DEVICE_INVALID);
     }
     r.has_session = true;
     r.enter(XR_SESSION_STATE_IDLE);
@@ -59,7 +63,8 @@ XrResult XRAPI_CALL destroy_session(XrSession) {
 XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.state != XR_SESSION_STATE_READY)
-      return SimulatedRuntime::wrong("a session begun that isn't ready", XR_ERROR_SESSION_NOT_READY);
+      return SimulatedRuntime::wrong("xrBeginSession was called although the session is not ready",
+                                     XR_ERROR_SESSION_NOT_READY);
     r.running = true;
     return XR_SUCCESS;
   });
@@ -68,7 +73,8 @@ XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo*) {
 XrResult XRAPI_CALL end_session(XrSession) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.state != XR_SESSION_STATE_STOPPING)
-      return SimulatedRuntime::wrong("a session ended that isn't stopping", XR_ERROR_SESSION_NOT_STOPPING);
+      return SimulatedRuntime::wrong("xrEndSession was called although the session is not stopping",
+                                     XR_ERROR_SESSION_NOT_STOPPING);
     r.running = false;
     r.enter(XR_SESSION_STATE_IDLE);
     r.enter(XR_SESSION_STATE_EXITING);
@@ -93,7 +99,8 @@ Pose pose_told(const XrPosef& pose) {
 
 XrResult add_space(SimulatedRuntime& r, const SimulatedSpace& space, XrSpace* out) {
   if (std::abs(space.offset.q.norm() - 1) > 0.01)
-    return SimulatedRuntime::wrong("a space that isn't turned by a unit quaternion", XR_ERROR_POSE_INVALID);
+    return SimulatedRuntime::wrong("the orientation of a new space is not a unit quaternion",
+                                   XR_ERROR_POSE_INVALID);
   *out = reinterpret_cast<XrSpace>(r.spaces.size());
   r.spaces.push_back(space);
   return XR_SUCCESS;
@@ -105,7 +112,9 @@ XrResult XRAPI_CALL create_reference_space(XrSession, const XrReferenceSpaceCrea
     if (info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW) space.kind = SimulatedSpace::Kind::head;
     if (info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) space.kind = SimulatedSpace::Kind::local;
     if (space.kind == SimulatedSpace::Kind::stage && r.settings.no_stage)
-      return SimulatedRuntime::wrong("a stage that isn't offered", XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
+      return SimulatedRuntime::wrong(
+          "a stage reference space was requested, but the runtime does not offer one",
+          XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
     return add_space(r, space, out);
   });
 }
@@ -127,7 +136,8 @@ SimulatedSpace& space_of(SimulatedRuntime& r, XrSpace space) {
 
 XrResult XRAPI_CALL locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* out) {
   return with_session([&](SimulatedRuntime& r) {
-    if (time <= 0) return SimulatedRuntime::wrong("no time", XR_ERROR_TIME_INVALID);
+    if (time <= 0)
+      return SimulatedRuntime::wrong("xrLocateSpace was called with an invalid time", XR_ERROR_TIME_INVALID);
     const auto what = r.world(space_of(r, space), time), in = r.world(space_of(r, base), time);
     out->locationFlags = 0;
     if (!what || !in) return XR_SUCCESS;
@@ -142,9 +152,12 @@ XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info, XrView
                                  std::uint32_t capacity, std::uint32_t* count, XrView* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (!r.running)
-      return SimulatedRuntime::wrong("views of a session that doesn't run", XR_ERROR_SESSION_NOT_RUNNING);
+      return SimulatedRuntime::wrong("xrLocateViews was called although the session is not running",
+                                     XR_ERROR_SESSION_NOT_RUNNING);
     const auto in = r.world(space_of(r, info->space), info->displayTime);
-    if (!in) return SimulatedRuntime::wrong("views in no place", XR_ERROR_HANDLE_INVALID);
+    if (!in)
+      return SimulatedRuntime::wrong("xrLocateViews was called with a space that cannot be located",
+                                     XR_ERROR_HANDLE_INVALID);
     const Pose head = in->inverse() * r.wearer.head(r.seconds(info->displayTime));
     state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     return enumerate(capacity, count, out, 2, [&](std::uint32_t eye, XrView& view) {
@@ -164,7 +177,8 @@ XrResult XRAPI_CALL destroy_tracker(XrHandTrackerEXT) {
   return with_runtime([&](SimulatedRuntime& r) {
     return r.has_session
                ? XR_SUCCESS
-               : SimulatedRuntime::wrong("a tracker that went with its session", XR_ERROR_HANDLE_INVALID);
+               : SimulatedRuntime::wrong("xrDestroyHandTrackerEXT was called after its session was destroyed",
+                                         XR_ERROR_HANDLE_INVALID);
   });
 }
 
@@ -172,7 +186,9 @@ XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLo
                                   XrHandJointLocationsEXT* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (out->jointCount != joints_per_hand)
-      return SimulatedRuntime::wrong("not the joints of a hand", XR_ERROR_VALIDATION_FAILURE);
+      return SimulatedRuntime::wrong(
+          "xrLocateHandJointsEXT was called with an array that does not have the number of joints of a hand",
+          XR_ERROR_VALIDATION_FAILURE);
     out->isActive = !r.settings.controllers && r.takes_focus() ? XR_TRUE : XR_FALSE;
     const auto in = r.world(space_of(r, info->baseSpace), info->time);
     if (out->isActive == XR_FALSE || !in) return XR_SUCCESS;

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Time span, s since the wearer's motion began: at the first instance, or when the file of `waits_for`
-/// exists.
+/// Time span of a simulated fault, s since the wearer's motion began. The motion begins with the first OpenXR
+/// instance, or when the file named by `waits_for` exists.
 struct Span {
   double begin = std::numeric_limits<double>::infinity(), end = begin;
   bool holds(double time) const { return time >= begin && time < end; }
@@ -29,7 +29,8 @@ struct SimulatedRuntimeSettings {
          recentre_time = unfocused.begin, left = unfocused.begin;  // s
 };
 
-/// Reads the settings. Errors are reported on standard error; the defaults are then used.
+/// Reads the simulated runtime's settings from the environment variable PROSECTOR_OPENXR. Errors are reported
+/// on standard error; the defaults are then used.
 SimulatedRuntimeSettings simulated_runtime_settings();
 
 }  // namespace prosector

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Rectangle of an image, pixels from the lower left.
+/// Rectangle of an image: lower left corner, width and height, in pixels counted from the image's lower left.
 struct ImageRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -17,19 +17,20 @@ class SimulatedSwapchain {
  public:
   using FindFunction = void (*(*)(const char* name))();
 
-  /// Creates textures in the current OpenGL context.
+  /// Creates three textures of this size and OpenGL format in the current OpenGL context. `find` looks up
+  /// OpenGL functions by name.
   SimulatedSwapchain(FindFunction find, int width, int height, std::int64_t format);
   ~SimulatedSwapchain();
   SimulatedSwapchain(const SimulatedSwapchain&) = delete;
   SimulatedSwapchain& operator=(const SimulatedSwapchain&) = delete;
 
   const std::array<unsigned, 3>& textures() const { return textures_; }
-  /// Acquires the next texture and returns its index.
+  /// Acquires the next texture for the client to render into, and returns the texture's index.
   std::uint32_t acquire();
   void release();
   bool acquired() const { return acquired_; }
   bool holds(const ImageRect& part) const;
-  /// Writes a part of the last released texture to a file.
+  /// Writes a part of the texture that the client released last to an image file (PPM).
   void write(const ImageRect& part, const std::string& file) const;
 
  private:

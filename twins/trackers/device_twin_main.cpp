@@ -54,8 +54,13 @@ int run_device_twin(int argc, char** argv) {
   std::vector<double> room = {0, 0, 0, 1, 0, 0, 0}, wrong_version;
   std::set<std::string> names;
   for (const Kind& row : kinds) names.emplace(row.name);
-  app.add_option("DRIVER", kind, "driver, as in a device's address")->required()->check(CLI::IsMember(names));
-  app.add_option("WHERE", where, "a TCP port on this machine (0 = a free one), or a socket path")->required();
+  app.add_option("DRIVER", kind, "driver of the device to simulate, as in its address DRIVER:PATH")
+      ->required()
+      ->check(CLI::IsMember(names));
+  app.add_option(
+         "WHERE", where,
+         "where to listen: a TCP port on this machine (0 = any free port), or the path of a Unix socket")
+      ->required();
   add_options(app, options);
   app.remove_option(app.get_option("--link"));
   app.add_option("--room-device", room, "x,y,z,qw,qx,qy,qz: pose of the device's frame in the room")
@@ -64,13 +69,14 @@ int run_device_twin(int argc, char** argv) {
   app.add_option("--stations", tracker.stations, "number of stations")
       ->check(CLI::Range(std::size_t{1}, max_stations))
       ->capture_default_str();
-  app.add_option("--rate", tracker.rate, "records per second and station")
+  app.add_option("--rate", tracker.rate, "records per second of each station")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   app.add_option("--bad-crc", tracker.bad_checksum_fraction,
-                 "igtl: fraction of messages with a wrong checksum")
+                 "with DRIVER igtl: fraction of messages with a wrong checksum, from 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--wrong-version", wrong_version, "FROM,TO: greet as another version, seconds")
+  app.add_option("--wrong-version", wrong_version,
+                 "FROM,TO: greet clients with another protocol version between these times, s")
       ->expected(2)
       ->delimiter(',');
   if (const auto status = parse(app, argc, argv)) return *status;
@@ -79,7 +85,7 @@ int run_device_twin(int argc, char** argv) {
   else if (where.size() <= 5 && std::stoul(where) <= 65535)
     options.server.port = static_cast<std::uint16_t>(std::stoul(where));
   else
-    return std::cerr << where << ": must be a port from 0 to 65535, or a path\n", 2;
+    return std::cerr << where << ": must be a TCP port from 0 to 65535, or the path of a Unix socket\n", 2;
   const Kind& row = *find_kind(kind);
   options.address = row.address;
   return run_twin(options, [&](MotionScript script, std::int64_t now_ns) {

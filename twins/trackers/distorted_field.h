@@ -16,7 +16,8 @@ struct DistortedField {
   double shift = 0;  // m
   double turn = 0;   // rad
 
-  /// Returns the reported pose for the true pose, device frame.
+  /// Returns the pose that a receiver at the pose `truth` reports, with the error that the metal causes. Both
+  /// are in the tracker's frame, m.
   Pose report(const Pose& truth) const;
 };
 

@@ -15,20 +15,22 @@ int main(int argc, char** argv) {
       ->expected(7)
       ->delimiter(',');
   std::vector<double> tip = {0, 0, 0}, metal = {0, 0, 0, 0, 0};
-  app.add_option("--tip", tip,
-                 "x,y,z: point of an instrument that the script moves, in its receiver's frame, m")
+  app.add_option(
+         "--tip", tip,
+         "x,y,z: tip of an instrument in its receiver's frame, m; the script's poses are those of this point")
       ->expected(3)
       ->delimiter(',');
   app.add_option("--distortion", metal,
-                 "x,y,z,mm,deg: metal at this point in the transmitter's frame (x right, y up, m); the shift "
-                 "and rotation it causes at half a metre distance")
+                 "x,y,z,mm,deg: position of a piece of metal in the transmitter's frame (x right, y up, m), "
+                 "and the shift and rotation that it causes at a distance of 0.5 m")
       ->expected(5)
       ->delimiter(',');
   app.add_option("--noise-cm", fastrak.noise_cm, "standard deviation of positions")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--noise-deg", fastrak.noise_deg, "standard deviation of orientations")
       ->check(CLI::Range(0.0, 90.0));
-  app.add_option("--baud", fastrak.baud, "limits the rate of wide records")
+  app.add_option("--baud", fastrak.baud,
+                 "baud rate of the simulated serial line, which limits the rate of long records")
       ->check(CLI::Range(1200u, 921600u))
       ->capture_default_str();
   if (const auto status = parse(app, argc, argv)) return *status;

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   app.add_flag("--hid", glove.hid, "send the Ultra's 64-byte USB reports instead of serial packets");
   app.add_flag("--wireless", glove.wireless, "send a wireless glove's 10-byte packets")->excludes("--hid");
   app.add_flag("--left", glove.left, "a left glove");
-  app.add_option("--station", station, "station of the script whose flexions are used")
+  app.add_option("--station", station, "number of the script's station whose flexions are used, from 1")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
   app.add_option("--noise-counts", glove.noise_counts, "standard deviation of counts")

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Returns the hand model as the cameras detect it. The wrist is in the device frame.
+/// Returns the hand of a simulated Ultraleap frame: the joints of the hand model at this wrist pose and these
+/// flexions (0 open … 1 closed). The wrist is in the device frame, m.
 leap::Hand simulated_hand(bool left, const Pose& wrist, const std::array<double, fingers>& flexion);
 
 class LeapTwin final : public Twin {

@@ -8,7 +8,8 @@ namespace prosector {
 
 inline constexpr std::size_t joints_per_hand = 26;  // joints per hand, in the order of XrHandJointEXT
 
-/// Returns the joints of the hand model that a headset detects, in the wrist's frame.
+/// Returns the 26 joint poses that OpenXR defines for a hand, for the hand model at these flexions (0 open …
+/// 1 closed). They are in the wrist's frame, m.
 std::array<Pose, joints_per_hand> hand_model_joints(std::size_t hand,
                                                     const std::array<double, fingers>& flexion);
 
@@ -21,7 +22,8 @@ class SimulatedWearer {
   std::array<double, fingers> flexion(std::size_t hand, double time) const {
     return script_.flexion(1 + hand, time, false);
   }
-  /// Returns the grip pose of a controller in the hand, as OpenXR defines it.
+  /// Returns the pose that OpenXR's grip space has for a controller in the wearer's hand at `time`, s; room
+  /// frame.
   Pose grip(std::size_t hand, double time) const;
 
  private:

@@ -21,7 +21,7 @@ struct TrackerTwinOptions {
   std::optional<FaultSpan> wrong_version;  // period in which the twin announces a wrong protocol version, s
 };
 
-/// Schedules records and evaluates the script at their times.
+/// Clock of a simulated tracker: schedules its records and evaluates the motion script at their times.
 class TrackerClock {
  public:
   TrackerClock(const TrackerTwinOptions& options, std::int64_t now_ns)
@@ -35,7 +35,8 @@ class TrackerClock {
     return options_.wrong_version &&
            options_.wrong_version->contains(1e-9 * static_cast<double>(now_ns - start_ns_));
   }
-  /// Returns whether a record is due, and then schedules the next one a period later.
+  /// Returns whether a record is due at `now_ns`. If so, schedules the next record one period later, and
+  /// starts the motion script if it waits for the first record.
   bool due(std::int64_t now_ns) {
     if (now_ns < next_ns_) return false;
     next_ns_ += (1 + (now_ns - next_ns_) / period_ns_) * period_ns_;
@@ -45,7 +46,8 @@ class TrackerClock {
   std::int64_t next_ns() const { return next_ns_; }
   void go_on(std::int64_t now_ns) { script_.go_on(now_ns); }
 
-  /// Returns a station's pose in the device frame. flexion() returns its finger flexions.
+  /// Returns the pose (m, device frame) that the script prescribes at `now_ns` for a station, a tracked
+  /// object with index from 0.
   Pose pose(std::size_t station, std::int64_t now_ns) const {
     return options_.room_device.inverse() *
            options_.script.pose(station, script_.seconds(now_ns), options_.timing.loop);
@@ -60,7 +62,8 @@ class TrackerClock {
   std::int64_t start_ns_, next_ns_, period_ns_;
 };
 
-/// Converts a record's position (m or mm, as sent) and orientation to the layout of the log.
+/// Returns a record's values in the order of the log: position x y z (m or mm, as sent), then quaternion w x
+/// y z.
 inline std::vector<float> record_values(const Vec3& place, const Quat& turn) {
   return {static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z()),
           static_cast<float>(turn.w()),  static_cast<float>(turn.x()),  static_cast<float>(turn.y()),

@@ -135,7 +135,8 @@ void take_log(const std::filesystem::path& file, std::size_t station, DelayGuide
     if (number == 1) continue;
     const std::vector<double> v = parse_numbers(line, ',');
     if (v.size() < 6)
-      throw InputError(fmt::format("{}:{}: must be time_ns,station,record,x,y,z", file.string(), number));
+      throw InputError(fmt::format("{}:{}: the row must start with the columns time_ns,station,record,x,y,z",
+                                   file.string(), number));
     if (v[1] == static_cast<double>(station + 1))
       guide.add_other_position(static_cast<std::int64_t>(v[0]), Vec3(v[3], v[4], v[5]));
   }
@@ -214,56 +215,83 @@ void print_outcome(const GuideOutcome& outcome, const CalibrateOptions& o) {
   fmt::print("wrote {}\n", o.config.string());
 }
 
+void add_field(CLI::App& app, CalibrateOptions& o) {
+  app.add_option("--low", o.low,
+                 "For field: position x,y,z of the grid's corner with the lowest coordinates, m")
+      ->delimiter(',');
+  app.add_option("--high", o.high,
+                 "For field: position x,y,z of the grid's corner with the highest coordinates, m")
+      ->delimiter(',');
+  app.add_option("--grid", o.grid, "For field: number of grid points along x,y,z (default 5,5,5)")
+      ->delimiter(',');
+  app.add_option("--orientation", o.orientation,
+                 "For field: the receiver's orientation in the room, quaternion w,x,y,z (default: as "
+                 "measured nearest to the transmitter)")
+      ->expected(4)
+      ->delimiter(',');
+  app.add_option(
+         "--map", o.map,
+         "For field: name of the file for the distortion map, in the folder of the configuration file")
+      ->capture_default_str();
+}
+
+void add_eyes(CLI::App& app, CalibrateOptions& o) {
+  app.add_option("--marks", o.marks,
+                 "For eyes: distance between the two marks on the screen that the left and the right eye see "
+                 "behind the rod, m");
+  app.add_option("--screen", o.screen, "For eyes: distance from the eyes to the screen, m");
+  app.add_option("--rod", o.rod,
+                 "For eyes: distance from the eyes to the rod that is held before the screen, m");
+  app.add_option("--seen", o.seen,
+                 "For eyes: two CSV files, of the left and the right eye, with rows x,y,z,u,v: a point in "
+                 "the head receiver's frame, m, and the pixel at which the eye sees it")
+      ->expected(2)
+      ->check(CLI::ExistingFile);
+  app.add_option("--size", o.size,
+                 "For eyes: image size for each eye in pixels, WIDTH,HEIGHT (default 800,600)")
+      ->delimiter(',');
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app, CalibrateOptions& o) {
   std::vector<std::string> names;
   for (const Procedure& p : procedures) names.emplace_back(p.name);
   app.add_option("WHAT", o.what,
-                 "room: pose of the tracker; tip: tip of an instrument; field: distortion by metal; glove: "
-                 "sensor range; noise: of a receiver at rest; latency: relative to another device; eyes: "
-                 "distance and display; phantom: pose of a real body that occludes others")
+                 "What to calibrate. room: pose of the tracker in the room; tip: position of an instrument's "
+                 "tip; field: distortion of positions by metal; glove: range of its sensors; noise: noise of "
+                 "a receiver at rest; latency: delay relative to another device; eyes: distance between the "
+                 "eyes and size of the display; phantom: pose of a real body that occludes others")
       ->check(CLI::IsMember(names))
       ->required();
-  app.add_option("--config", o.config, "Client configuration with the devices")
+  app.add_option("--config", o.config, "Client configuration file (TOML) that defines the devices")
       ->check(CLI::ExistingFile)
       ->required();
-  app.add_flag("--write", o.write, "Write the results to the configuration; the rest is unchanged");
+  app.add_flag(
+      "--write", o.write,
+      "Write the results to the configuration file, which is otherwise unchanged (default: only print them)");
   app.add_option("--station", o.station,
-                 "Role of the receiver (default: instrument where there is one, else right)");
+                 "Role of the receiver to calibrate: head, right, left or instrument (default: instrument if "
+                 "a receiver has this role, else right)");
   app.add_option("--point", o.points,
-                 "room, phantom: x,y,z of a known point, m (repeatable; in the order of touching)");
-  app.add_option(
-      "--target", o.targets,
-      "phantom: x,y,z at which the error is reported, m (repeatable; default: the centre of the points)");
-  app.add_option("--low", o.low, "field: x,y,z of the grid's lower corner, m")->delimiter(',');
-  app.add_option("--high", o.high, "field: x,y,z of its upper corner, m")->delimiter(',');
-  app.add_option("--grid", o.grid, "field: points along x,y,z (default 5,5,5)")->delimiter(',');
-  app.add_option(
-         "--orientation", o.orientation,
-         "field: w,x,y,z of the receiver in the room (default: its orientation nearest to the transmitter)")
-      ->expected(4)
-      ->delimiter(',');
-  app.add_option("--map", o.map, "field: file for the map, beside the configuration")->capture_default_str();
+                 "For room and phantom: position x,y,z of a known point, m (repeatable, in the order in "
+                 "which you touch the points)");
+  app.add_option("--target", o.targets,
+                 "For phantom: position x,y,z at which the expected error is reported, m (repeatable; "
+                 "default: the centre of the points)");
+  add_field(app, o);
   app.add_option("--hand", o.hand, "glove: left or right")
       ->check(CLI::IsMember({"left", "right"}))
       ->capture_default_str();
-  app.add_option("--seconds", o.seconds, "noise, latency: duration of the measurement")
+  app.add_option("--seconds", o.seconds, "For noise and latency: duration of the measurement, s")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   app.add_option("--against", o.against,
-                 "latency: a twin's log, or DRIVER:PATH of a second device that moves together with it");
-  app.add_option("--marks", o.marks, "eyes: distance between both marks on the screen, m");
-  app.add_option("--screen", o.screen, "eyes: distance from the eyes to the screen, m");
-  app.add_option("--rod", o.rod, "eyes: distance from the eyes to the rod, m");
-  app.add_option(
-         "--seen", o.seen,
-         "eyes: CSV of pairs x,y,z,u,v (m in the head receiver's frame, pixels): left eye's, right eye's")
-      ->expected(2)
-      ->check(CLI::ExistingFile);
-  app.add_option("--size", o.size, "eyes: image size for each eye in pixels, WIDTH,HEIGHT (default 800,600)")
-      ->delimiter(',');
-  app.add_option("--patience", o.time_limit, "Give up after this many seconds")
+                 "For latency: log file of a simulated device, or DRIVER:PATH of a second device that moves "
+                 "together with the receiver");
+  add_eyes(app, o);
+  app.add_option("--patience", o.time_limit,
+                 "Time limit, s: stop with an error if the calibration takes longer")
       ->check(CLI::Range(1.0, 86400.0))
       ->capture_default_str();
 }

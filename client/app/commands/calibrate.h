@@ -34,11 +34,12 @@ struct CalibrateOptions {
   double time_limit = 600;                  // timeout of the whole procedure, s
 };
 
-/// Adds the options of the command.
+/// Adds the command-line options of `prosector-client calibrate` to `command`. Parsing stores their values in
+/// `options`, which must outlive it.
 void add_calibrate(CLI::App& command, CalibrateOptions& options);
 
-/// Runs the calibration. Returns the exit code. Throws InputError for bad input, or if the procedure gives no
-/// valid result.
+/// Runs the guided calibration that `options.what` names in the terminal. Returns the program's exit code.
+/// Throws InputError for bad input, or if the calibration gives no valid result.
 int calibrate(const CalibrateOptions& options);
 
 }  // namespace prosector

@@ -114,11 +114,14 @@ class CameraPairReader {
 /// Prints the result of a lens fit.
 void print_lens_fit(const LensFit& fit) {
   const Lens& lens = fit.calibration.lens;
-  say(fmt::format("focal lengths {:.2f} and {:.2f} px, centre {:.2f}, {:.2f}; response {:.2f}", lens.fx,
-                  lens.fy, lens.cx, lens.cy, fit.calibration.response));
-  say(fmt::format(
-      "error {:.3f} px in views not used for the fit ({:.3f} in the others); {:.0f} % of the image covered",
-      fit.held_out, fit.rms, 100 * fit.covered));
+  say(
+      fmt::format("lens: focal lengths {:.2f} and {:.2f} px, centre {:.2f}, {:.2f} px; exponent from light "
+                  "to brightness {:.2f}",
+                  lens.fx, lens.fy, lens.cx, lens.cy, fit.calibration.response));
+  say(
+      fmt::format("lens fit: error {:.3f} px in views not used for the fit ({:.3f} px in the others); the "
+                  "views cover {:.0f} % of the image",
+                  fit.held_out, fit.rms, 100 * fit.covered));
   if (!fit.by_edges) say(coarse_lens_warning);
 }
 
@@ -146,7 +149,9 @@ class BoardDetector {
       reader_.begin(*camera_);
       if (reader_.is_guessed())
         throw InputError(
-            fmt::format("{}: not calibrated: use --lens FILE (see `camera calibrate`)", address_));
+            fmt::format("camera {}: not calibrated: give the file written by `prosector-client camera "
+                        "calibrate` with --lens FILE",
+                        address_));
     }
     const auto frame = camera_->next(picture_wait);
     if (!frame) return;
@@ -163,6 +168,15 @@ class BoardDetector {
   BoardTracker tracker_;
 };
 
+/// Returns the text of the configuration to which the lens `lens` will be written. Throws InputError if it
+/// can't be written there, for example because no tracker is configured, before the user spends time on a
+/// calibration.
+std::string writable_config_text(const std::filesystem::path& file, const std::filesystem::path& lens) {
+  std::string text = read_config_text(file);
+  (void)write_client_config(text, {{"tracker.lens", lens.filename().string()}}, file.string());
+  return text;
+}
+
 }  // namespace
 
 int align_camera(const CameraCommandOptions& options) {
@@ -171,8 +185,8 @@ int align_camera(const CameraCommandOptions& options) {
   const auto device = open_device(known.address, known.device);
   BoardDetector watch(options);
   AlignGuide guide(options.station - 1, options.poses);
-  say(fmt::format("fix the board \"{}\" to receiver {} and show it to {}", options.board, options.station,
-                  options.camera));
+  say(fmt::format("fix the board \"{}\" to receiver {} and show the board to camera {}", options.board,
+                  options.station, options.camera));
   run_guide(guide, *device, options.time_limit, [&] {
     if (guide.has_tracker_pose()) watch.look(guide);
   });
@@ -190,17 +204,19 @@ int calibrate_camera(const CameraCommandOptions& options) {
   const std::unique_ptr<Camera> camera = open_camera(options.camera);
   LensGuide guide(find_board(options.board));
   say(
-      fmt::format("{}: show it the board \"{}\" (prosector-board {} --out board.pdf): close up, in all parts "
-                  "of the image, tilted in all directions",
+      fmt::format("camera {}: show it the board \"{}\" (print it with prosector-board {} --out board.pdf) "
+                  "close up, in all parts of the image and tilted in all directions",
                   options.camera, guide.board().name, options.board));
   StepPrinter teller;
   const std::int64_t begin_ns = monotonic_ns();
   for (LensGuideStep step; !step.done;) {
     if (is_over(begin_ns, options.time_limit)) {
       if (guide.views().size() < min_views)
-        throw InputError(fmt::format("timed out after {:.0f} s: {} of {} views taken", options.time_limit,
-                                     guide.views().size(), recommended_views));
-      say("timed out: using the views taken so far");
+        throw InputError(
+            fmt::format("timed out after {:.0f} s: {} of {} views of the board were taken; allow more time "
+                        "with --patience",
+                        options.time_limit, guide.views().size(), recommended_views));
+      say("timed out: the calibration uses the views of the board taken so far");
       break;
     }
     if (const auto frame = camera->next(image_timeout)) guide.take(frame->image);
@@ -213,27 +229,30 @@ int calibrate_camera(const CameraCommandOptions& options) {
   const LensFit fit = fit_lens(guide.board(), guide.views(), camera->identity());
   print_lens_fit(fit);
   write_file(options.out, write_calibration(fit.calibration));
-  say(fmt::format("{}: written; use it in the configuration: tracker.lens = \"{}\"", options.out.string(),
-                  options.out.filename().string()));
+  say(fmt::format("{}: written; to use this lens, set tracker.lens = \"{}\" in the client configuration",
+                  options.out.string(), options.out.filename().string()));
   return 0;
 }
 
 int calibrate_pair(const CameraCommandOptions& options) {
-  const std::string before = options.out_config.empty() ? "" : read_config_text(options.out_config);
+  const std::string before =
+      options.out_config.empty() ? "" : writable_config_text(options.out_config, options.out);
   CameraPairReader watch(options);
-  say(fmt::format(
-      "{} and {}: show both the board \"{}\" close up and tilted in all directions; hold it still",
-      options.camera, options.second, options.board));
+  say(
+      fmt::format("cameras {} and {}: show the board \"{}\" to both, close up and tilted in all directions, "
+                  "and hold it still each time",
+                  options.camera, options.second, options.board));
   StepPrinter teller;
   const std::int64_t begin_ns = monotonic_ns();
   for (StereoGuideStep step = watch.step(); !step.done; step = watch.step()) {
     if (is_over(begin_ns, options.time_limit)) {
-      say("timed out: using the views taken so far");
+      say("timed out: the calibration uses the views of the board taken so far");
       break;
     }
-    teller.tell(step.instruction, step.views[0] + step.views[1] + step.pairs,
-                fmt::format("views {} and {} of {}, {} of {} in both", step.views[0], step.views[1],
-                            recommended_views, step.pairs, recommended_stereo_pairs));
+    teller.tell(
+        step.instruction, step.views[0] + step.views[1] + step.pairs,
+        fmt::format("views of the board: {} and {} of {} by each camera, {} of {} by both", step.views[0],
+                    step.views[1], recommended_views, step.pairs, recommended_stereo_pairs));
     std::this_thread::sleep_for(pair_poll_interval);
   }
   const StereoGuide& guide = watch.end();
@@ -248,8 +267,8 @@ int calibrate_pair(const CameraCommandOptions& options) {
   print_lens_fit(first);
   print_lens_fit(second);
   say(
-      fmt::format("{} views of both, {} of them rejected; error {:.3f} px in views not used for the fit; "
-                  "expected error amid the boards: {:.2f} mm RMS",
+      fmt::format("{} views by both cameras, {} of them rejected; error {:.3f} px in views not used for the "
+                  "fit; expected position error between the shown boards: {:.2f} mm RMS",
                   guide.pairs().size(), pair.first_second.left_out.size(), pair.held_out, 1e3 * pair.told));
   const std::filesystem::path second_out = second_file(options.out);
   write_file(options.out, write_calibration(first.calibration));
@@ -272,8 +291,8 @@ int test_camera(const CameraCommandOptions& options) {
   std::optional<CameraCalibration> calibration;
   if (!options.lens.empty()) calibration = load_calibration(options.lens);
   CameraReport report(calibration);
-  say(fmt::format("{} ({}): measuring for {:g} s; keep a board at rest in view", options.camera,
-                  camera->identity(), options.seconds));
+  say(fmt::format("camera {} ({}): measuring its image quality for {:g} s; keep a board at rest in view",
+                  options.camera, camera->identity(), options.seconds));
   const std::int64_t begin_ns = monotonic_ns();
   while (static_cast<double>(monotonic_ns() - begin_ns) * 1e-9 < options.seconds)
     if (const auto frame = camera->next(image_timeout)) report.take(*frame, monotonic_ns());

@@ -3,9 +3,14 @@
 // tracker, tests a camera, and records its images.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "drivers/camera/calibration/tracker_fit.h"
+
+namespace CLI {
+class App;
+}
 
 namespace prosector {
 
@@ -25,17 +30,25 @@ struct CameraCommandOptions {
       out_config;  // configuration to which the camera poses are written; may be empty for a calibration
 };
 
-/// Guides the user through a lens calibration in the terminal and writes its file. Returns the exit code.
-/// Throws InputError if the camera can't be opened or the calibration fails.
+/// Guides the user through the calibration of a camera's lens in the terminal, and writes the result to
+/// `options.out`. Returns the program's exit code. Throws InputError if the camera can't be opened or the
+/// calibration fails.
 int calibrate_camera(const CameraCommandOptions& options);
-/// Guides the user through a simultaneous calibration of two cameras. Writes both lens files and, if a
-/// configuration is named, the relative pose of the cameras into it. Returns and throws like
-/// calibrate_camera().
+/// Guides the user through a simultaneous calibration of two cameras in the terminal. Writes both lens files
+/// and, if `options.out_config` is named, the cameras' relative pose into that configuration. Returns the
+/// program's exit code. Throws InputError if a camera can't be opened or the calibration fails.
 int calibrate_pair(const CameraCommandOptions& options);
-/// Guides the user through showing a camera a board on a tracker's receiver, and writes the camera's pose
-/// into a configuration. Returns the exit code. Throws InputError if there is no valid result.
+/// Determines a camera's pose in the tracker's frame: guides the user through showing it a board that is
+/// fixed to a tracker's receiver. Writes the pose into the configuration `options.out_config`. Returns the
+/// program's exit code. Throws InputError if there is no valid result.
 int align_camera(const CameraCommandOptions& options);
-/// Analyses a camera's images for a while and prints a report. Returns 0 if the camera is good, else 1.
+/// Analyses a camera's images for `options.seconds` and prints a report on their quality. Returns 0 if the
+/// camera is good, else 1.
 int test_camera(const CameraCommandOptions& options);
+
+/// Adds the subcommands of `prosector-client camera` (calibrate, selftest, align, record) with their options.
+/// Parsing the command line stores the values in `o`, and stores a function in `task` that runs the given
+/// subcommand.
+void add_camera(CLI::App& camera, CameraCommandOptions& o, std::function<int()>& task);
 
 }  // namespace prosector

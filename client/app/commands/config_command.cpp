@@ -10,12 +10,12 @@
 namespace prosector {
 
 void add_config(CLI::App& app, ConfigOptions& o) {
-  app.add_option("FILE", o.file, "Client configuration; checked if no other option is given")
+  app.add_option("FILE", o.file, "Client configuration file; without other options it is only checked")
       ->check(CLI::ExistingFile);
-  app.add_option("--set", o.changes, "KEY=VALUE to change or add, e.g. eyes.distance=0.062 (repeatable)");
-  app.add_flag("--write", o.write, "Write the file (default: print the result)");
+  app.add_option("--set", o.changes, "Change or add a key, KEY=VALUE, e.g. eyes.distance=0.062 (repeatable)");
+  app.add_flag("--write", o.write, "Write the changes to the file (default: only print the changed file)");
   app.add_flag("--manual", o.manual,
-               "Print the reference of all keys (docs/look-up/client-configuration.md)");
+               "Print the reference of all configuration keys, as in docs/look-up/client-configuration.md");
 }
 
 int run_config(const ConfigOptions& o) {
@@ -23,12 +23,14 @@ int run_config(const ConfigOptions& o) {
     fmt::print("{}", client_config_page());
     return 0;
   }
-  if (o.file.empty()) throw InputError("config: give a file, or --manual");
+  if (o.file.empty())
+    throw InputError("config: give a file to check or change, or --manual for the reference of all keys");
   const std::string before = read_config_text(o.file);
   (void)parse_client_config(before, o.file.string());
   const std::vector<std::string> notes = migrate_client_config(before).notes;
   for (const std::string& note : notes)
-    fmt::print(stderr, "{}: written by an older version: {}\n", o.file.string(), note);
+    fmt::print(stderr, "{}: written by an older version of Prosector; converted: {}\n", o.file.string(),
+               note);
   std::vector<ConfigChange> changes;
   for (const std::string& text : o.changes) {
     const auto equals = text.find('=');

@@ -18,10 +18,12 @@ struct ConfigOptions {
   bool manual = false;               // print the reference page of all keys
 };
 
-/// Adds the options of the command.
+/// Adds the command-line options of `prosector-client config` to `command`. Parsing stores their values in
+/// `options`, which must outlive it.
 void add_config(CLI::App& command, ConfigOptions& options);
 
-/// Runs the command. Returns the exit code. Throws InputError for an invalid file or change.
+/// Checks a configuration file, applies the changes, and prints or writes the result. Returns the program's
+/// exit code. Throws InputError for an invalid file or change.
 int run_config(const ConfigOptions& options);
 
 }  // namespace prosector

@@ -30,7 +30,9 @@ ConfiguredDevice configured_device(const std::string& wanted, const std::filesys
   if (config.empty()) {
     if (!is_address)
       throw InputError(
-          fmt::format("\"{}\" is not a device: give DRIVER:PATH, or a configuration with --config", wanted));
+          fmt::format("\"{}\" is not a device: give DRIVER:PATH, e.g. fastrak:/dev/ttyS0, or a configuration "
+                      "that names the device with --config FILE",
+                      wanted));
     return {wanted, {}};
   }
   const std::array<NamedDevice, 3> devices = devices_of(load_client_config(config));
@@ -40,8 +42,9 @@ ConfiguredDevice configured_device(const std::string& wanted, const std::filesys
   }
   // For an address that is not in the configuration, use the settings of the configured tracker.
   if (is_address) return {wanted, devices.front().device.device};
-  throw InputError(fmt::format("{}: configures no {}", config.string(),
-                               wanted.empty() ? "device: tracker, glove.right or glove.left" : wanted));
+  throw InputError(
+      fmt::format("{}: configures no {}", config.string(),
+                  wanted.empty() ? "device: add the table tracker, glove.right or glove.left" : wanted));
 }
 
 }  // namespace prosector

@@ -13,9 +13,9 @@ struct ConfiguredDevice {
   DeviceConfig device;  // settings from the configuration, else the defaults
 };
 
-/// Returns the device given by `wanted`: an address, or "tracker", "glove.right" or "glove.left" of the
-/// configuration. If `wanted` is empty: the first of these in the configuration. `config` is empty for none.
-/// Throws InputError if the configuration can't be read or has no such device.
+/// Returns address and settings of the device that a command uses. `wanted` is an address, or "tracker",
+/// "glove.right" or "glove.left" of the configuration file `config`; empty: the first of these in the file.
+/// `config` is empty if there is no file. Throws InputError if the file can't be read or has no such device.
 ConfiguredDevice configured_device(const std::string& wanted, const std::filesystem::path& config);
 
 }  // namespace prosector

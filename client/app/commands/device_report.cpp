@@ -128,8 +128,8 @@ void DeviceReport::judge(std::uint32_t number, const Station& station, std::vect
   const IntervalStatistics rhythm = interval_statistics(station.times_ns);
   const std::size_t count = station.times_ns.size();
   say(count < min_rate_samples ? unseen_word : fits_word,
-      fmt::format("{:.1f} records per second; interval {:.2f} ms (median), {:.2f} (p99), {:.1f} (max); "
-                  "timestamp jitter {:.2f} ms",
+      fmt::format("{:.1f} records per second; interval between records {:.2f} ms (median), {:.2f} ms (p99), "
+                  "{:.1f} ms (max); timestamp jitter {:.2f} ms",
                   rhythm.rate, rhythm.usual_ms, rhythm.p99_ms, rhythm.longest_ms, rhythm.jitter_ms));
   const Line missed = missing(rhythm.dropped, count);
   say(missed.verdict, missed.what);
@@ -139,18 +139,19 @@ void DeviceReport::judge(std::uint32_t number, const Station& station, std::vect
   if (station.poses > 0) {
     const Vec3 size = 1e3 * (station.high - station.low);
     say(size.norm() > 1 ? fits_word : unseen_word,
-        fmt::format("moved within {:.0f} x {:.0f} x {:.0f} mm (x, y, z of the room)", size.x(), size.y(),
-                    size.z()));
-    say(judged(station.jumps == 0), fmt::format("{} jumps faster than {} m/s; longest step {:.1f} mm",
-                                                station.jumps, fastest, 1e3 * station.longest_step));
+        fmt::format("moved within a box of {:.0f} x {:.0f} x {:.0f} mm (x, y, z of the room)", size.x(),
+                    size.y(), size.z()));
+    say(judged(station.jumps == 0),
+        fmt::format("{} jumps of the position faster than {} m/s; longest step between two records {:.1f} mm",
+                    station.jumps, fastest, 1e3 * station.longest_step));
     say(judged(station.odd_quaternions == 0),
         fmt::format("{} quaternions deviate from unit length by more than {} %", station.odd_quaternions,
                     100 * off_unit));
   }
   for (std::size_t f = 0; f < fingers && station.bent > 0; ++f)
     say(station.most[f] - station.least[f] >= least_span ? fits_word : unseen_word,
-        fmt::format("finger {}: flexion {:.2f} to {:.2f}, counts {} to {}", f + 1, station.least[f],
-                    station.most[f], station.least_raw[f], station.most_raw[f]));
+        fmt::format("finger {} (1 is the thumb): measured flexion {:.2f} to {:.2f}, sensor counts {} to {}",
+                    f + 1, station.least[f], station.most[f], station.least_raw[f], station.most_raw[f]));
   std::string seen;
   for (const auto& [gesture, times] : station.gestures) seen += fmt::format(" {}", gesture_name(gesture));
   if (station.bent > 0) say(seen.empty() ? unseen_word : fits_word, "gestures:" + seen);

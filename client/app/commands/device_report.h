@@ -13,15 +13,18 @@ namespace prosector {
 
 class DeviceReport {
  public:
-  /// Creates a report without records. If `is_camera`, records come from images: an image without detections,
-  /// or one skipped for lack of time, gives no record and is not an error.
+  /// Creates a report on a device without records. `is_camera`: the records come from a camera's images. An
+  /// image without detections, or one skipped for lack of time, then gives no record and is not an error.
   DeviceReport(std::string address, bool is_camera) : address_(std::move(address)), is_camera_(is_camera) {}
 
-  /// Adds the samples of one poll and the device's status after it, `seconds` after the start.
+  /// Adds the samples that one poll of the device returned, and the device's status after it. `seconds`: time
+  /// since the start.
   void take(const std::vector<DeviceSample>& samples, const DeviceStatus& status, double seconds);
-  /// Returns the report. Each line about the protocol begins with "fits", "DOES NOT FIT" or "not seen".
+  /// Returns the report on the device as text. Each line that compares its records with its protocol begins
+  /// with "fits", "DOES NOT FIT" or "not seen".
   std::string text() const;
-  /// Reports whether records arrived and no line says "DOES NOT FIT".
+  /// Returns whether records arrived and none of them contradicts the device's protocol, so that text() has
+  /// no line with "DOES NOT FIT".
   bool fits() const;
 
  private:
@@ -43,7 +46,8 @@ class DeviceReport {
   void take(const DeviceSample& sample);
   std::vector<Line> lines() const;
   void judge(std::uint32_t number, const Station& station, std::vector<Line>& out) const;
-  /// Returns the line on missing records: `dropped` are missing, `count` arrived.
+  /// Returns the report's line on missing records: `dropped` are missing according to the device, `count`
+  /// arrived.
   Line missing(std::uint64_t dropped, std::size_t count) const;
 
   std::string address_;

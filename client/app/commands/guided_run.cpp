@@ -52,8 +52,9 @@ void run_guide(Guide& guide, Device& device, double time_limit, const std::funct
   std::vector<DeviceSample> samples;
   for (GuideStep step = guide.step(); !step.done; step = guide.step()) {
     if (seconds_since(begin_ns) > time_limit)
-      throw InputError(fmt::format("timed out after {:.0f} s in step {} of {}: \"{}\"", time_limit,
-                                   step.index + 1, step.count, step.instruction));
+      throw InputError(fmt::format(
+          "calibration timed out after {:.0f} s in step {} of {}, \"{}\"; allow more time with --patience",
+          time_limit, step.index + 1, step.count, step.instruction));
     pollfd descriptor{device.descriptor(), POLLIN, 0};
     ::poll(&descriptor, descriptor.fd >= 0 ? 1 : 0, longest_wait_ms);
     samples.clear();

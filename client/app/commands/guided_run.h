@@ -7,8 +7,9 @@
 
 namespace prosector {
 
-/// Feeds a device's samples to the guide until it is done, and prints its instructions. `also` is called
-/// after each poll. Throws InputError after `patience` seconds.
+/// Passes a device's samples to a calibration guide until it is done, and prints its instructions and
+/// progress in the terminal. `also` is called after each poll of the device. Throws InputError after
+/// `time_limit` seconds.
 void run_guide(Guide& guide, Device& device, double time_limit, const std::function<void()>& also = {});
 
 }  // namespace prosector

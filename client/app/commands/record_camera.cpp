@@ -80,8 +80,12 @@ int record_camera(const CameraCommandOptions& options) {
     record_synthetic(SyntheticScene::load(options.camera.substr(synthetic_prefix.size())), options);
   else
     record_live(options);
-  fmt::print("{}: {:g} s; use it as a camera with --tracker, --camera etc.{}\n", options.out.string(),
-             options.seconds, is_synthetic ? "; beside it: lens (.toml) and ground truth (.csv)" : "");
+  fmt::print(
+      "{}: recorded {:g} s of video; the file can be used as a camera, e.g. with --camera or --tracker "
+      "tags:FILE{}\n",
+      options.out.string(), options.seconds,
+      is_synthetic ? "; the lens calibration (.toml) and the true poses (.csv) are in files of the same name"
+                   : "");
   return 0;
 }
 

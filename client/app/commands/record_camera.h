@@ -5,9 +5,10 @@
 
 namespace prosector {
 
-/// Writes a camera's images to `out` (.avi) for options.seconds in real time. A synthetic camera's images are
-/// rendered one by one without a time limit. Files of the same name hold its lens (.toml) and the true poses
-/// in each image (.csv). Returns the exit code. Throws InputError if something can't be opened or written.
+/// Writes a camera's images to the video `options.out` (.avi) for `options.seconds` in real time. A synthetic
+/// camera's images are rendered one by one without a time limit. Files of the same name hold its lens (.toml)
+/// and the true poses in each image (.csv). Returns the program's exit code. Throws InputError if something
+/// can't be opened or written.
 int record_camera(const CameraCommandOptions& options);
 
 }  // namespace prosector

@@ -22,14 +22,17 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 }  // namespace
 
 void add_record(CLI::App& app, RecordOptions& o) {
-  app.add_option(
-         "ADDRESS", o.address,
-         "Device, DRIVER:PATH, e.g. fastrak:/dev/ttyS0; with --config also tracker, glove.right, glove.left")
+  app.add_option("ADDRESS", o.address,
+                 "Device to record, DRIVER:PATH, e.g. fastrak:/dev/ttyS0; with --config also its name there: "
+                 "tracker, glove.right or glove.left")
       ->required();
-  app.add_option("--out", o.out, "CSV file for recorded:FILE")->required();
-  app.add_option("--config", o.config, "Client configuration: receivers, pose, counts")
+  app.add_option("--out", o.out,
+                 "CSV file to write the samples to; it can be replayed as the device recorded:FILE")
+      ->required();
+  app.add_option("--config", o.config,
+                 "Client configuration file with the device's settings (receivers, pose, glove counts)")
       ->check(CLI::ExistingFile);
-  app.add_option("--seconds", o.seconds, "Stop after this time (default: at Ctrl-C)")
+  app.add_option("--seconds", o.seconds, "Stop recording after this many seconds (default: at Ctrl-C)")
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -50,7 +53,8 @@ int record_device(const RecordOptions& o) {
     samples.clear();
     device->poll(samples);
     if (!recorder.write(samples))
-      throw InputError(fmt::format("{}: can no longer be written", o.out.string()));
+      throw InputError(fmt::format(
+          "{}: the recording can no longer be written: check that the disk has free space", o.out.string()));
     count += samples.size();
     const DeviceStatus status = device->status();
     if (status.message != told && !status.message.empty()) fmt::print(stderr, "{}\n", status.message);

@@ -18,10 +18,12 @@ struct RecordOptions {
   double seconds = 0;            // 0: until interrupted
 };
 
-/// Adds the options of the command.
+/// Adds the command-line options of `prosector-client record` to `command`. Parsing stores their values in
+/// `options`, which must outlive it.
 void add_record(CLI::App& command, RecordOptions& options);
 
-/// Records until the time is over or a SIGINT or SIGTERM arrives. Returns the exit code.
+/// Records a device's samples to a CSV file until the time is over or SIGINT or SIGTERM arrives. Returns the
+/// program's exit code.
 int record_device(const RecordOptions& options);
 
 }  // namespace prosector

@@ -50,7 +50,7 @@ class Pictures {
   void write_sheet() const {
     if (all_.empty()) return;
     write_png(contact_sheet(all_, sheet_columns, sheet_tile_width), file("sheet.png"));
-    tell(file("sheet.png").string() + ": contact sheet, row by row");
+    tell(fmt::format("{}: contact sheet of all frames, row by row", file("sheet.png").string()));
   }
 
  private:
@@ -112,7 +112,7 @@ int render_scene(const RenderOptions& o) {
   for (const TourStop& stop : tour) names += " " + stop.name;
   std::erase_if(tour, is_left_out);
   if (tour.empty())
-    throw InputError(fmt::format("--view {}: unknown; views of this scene:{}", o.view, names));
+    throw InputError(fmt::format("--view {}: unknown view; views of this scene:{}", o.view, names));
 
   for (TourStop& stop : tour) LevelOfDetail().choose(stop.list, o.quality.detail);
 

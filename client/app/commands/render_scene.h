@@ -19,8 +19,9 @@ struct RenderOptions {
   double turntable = 0;  // s, duration of a video of one turn around the scene, SCENE-turn.avi; 0: none
 };
 
-/// Writes OUT/SCENE-VIEW.png, and with `compare` OUT/SCENE-without-EFFECT.png (or -with-). Returns the exit
-/// code. Throws InputError for an invalid scene, like the server, and if a folder or file cannot be written.
+/// Renders images of a scene file without a session, and writes them as OUT/SCENE-VIEW.png. With `compare`,
+/// also writes OUT/SCENE-without-EFFECT.png (or -with-). Returns the program's exit code. Throws InputError
+/// for scenes that the server rejects, and if a folder or file cannot be written.
 int render_scene(const RenderOptions& options);
 
 }  // namespace prosector

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -33,8 +35,8 @@ int self_test(const SelfTestOptions& options) {
   std::ofstream report_file(options.out);
   if (!report_file) throw InputError(fmt::format("{}: cannot be written", options.out.string()));
   fmt::print(
-      "{}: for {:g} s, move it through its whole range, rotate it, open and close all fingers, press its "
-      "buttons\n",
+      "device {}: for the next {:g} s, move it through its whole range, rotate it, open and close all "
+      "fingers, and press its buttons\n",
       address, options.seconds);
   std::fflush(stdout);
   std::signal(SIGINT, [](int) { ended = true; });
@@ -57,12 +59,29 @@ int self_test(const SelfTestOptions& options) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const std::string text = report.text();
-  fmt::print("\n{}\nReport: {}, samples: {}. Replay them with `recorded:{}`.\n", text, options.out.string(),
-             samples_file.string(), samples_file.string());
+  fmt::print(
+      "\n{}\nThe report was written to {}, the samples to {}. Replay the samples with `recorded:{}`.\n", text,
+      options.out.string(), samples_file.string(), samples_file.string());
   report_file << text;
   if (!kept || !report_file.flush())
     throw InputError(fmt::format("{}: cannot be written", samples_file.string()));
   return report.fits() ? 0 : 1;
+}
+
+void add_self_test(CLI::App& app, SelfTestOptions& o) {
+  app.add_option("ADDRESS", o.address,
+                 "Device to test, DRIVER:PATH, e.g. 5dt-usb:/dev/hidraw0; with --config also its name there: "
+                 "tracker, glove.right or glove.left (default: the first one configured)");
+  app.add_option(
+         "--config", o.config,
+         "Client configuration file with the device's settings (address, receivers, pose, glove counts)")
+      ->check(CLI::ExistingFile);
+  app.add_option("--seconds", o.seconds, "Duration of the recording")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--out", o.out,
+                 "File to write the report to; the samples are written to a .csv file of the same name")
+      ->capture_default_str();
 }
 
 }  // namespace prosector

@@ -4,6 +4,10 @@
 #include <filesystem>
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace prosector {
 
 struct SelfTestOptions {
@@ -13,8 +17,13 @@ struct SelfTestOptions {
   std::filesystem::path out = "selftest.txt";  // report; the samples are written to the same name with .csv
 };
 
-/// Runs the self-test. Returns 0 if everything fits, else another exit code. Throws InputError for an invalid
-/// address or if a file can't be written.
+/// Records a device for a while and writes a report on how its records fit its protocol. Returns 0 if
+/// everything fits, else another exit code. Throws InputError for an invalid address or if a file can't be
+/// written.
 int self_test(const SelfTestOptions& options);
+
+/// Adds the options of `prosector-client selftest` to its command. Parsing the command line stores their
+/// values in `o`.
+void add_self_test(CLI::App& app, SelfTestOptions& o);
 
 }  // namespace prosector

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Input of the cut drawing in each frame.
+/// Input of a cut that a desk user (mouse and keyboard) draws over tissue, in each frame: blade, tissue under
+/// the pointer, and simulated hand.
 struct CutGuide {
   BladeFrame blade;                   // in the wrist frame
   std::optional<Picked> tissue;       // point under the pointer, if that tissue can be cut
@@ -21,46 +22,54 @@ struct CutGuide {
 
 inline constexpr double first_cut_depth = 0.01;   // m
 inline constexpr double least_cut_depth = 0.001;  // m
-/// s: longest time step by which a late frame advances the blade. Physics moves the wrist in a straight line
+/// Longest time step, s, by which a late frame advances the blade. Physics moves the wrist in a straight line
 /// to its next pose: over a longer path and rotation the tip would leave tissue, or nick it.
 inline constexpr double longest_step = 0.1;
 inline constexpr double over_cut = 0.03;  // m, height of the tip over the surface before and after a cut
 
-/// Returns the wrist rotation at which the blade is perpendicular to the surface with its edge ahead. The tip
-/// trails as far as needed, within bounds, to keep the blade upright in its plane. `normal`: surface normal;
-/// `way`: direction of the cut, perpendicular to it; both unit vectors.
+/// Returns the wrist rotation, world frame, at which the blade is perpendicular to the surface with its edge
+/// facing the direction of the cut. The tip trails as far as needed, within bounds, to keep the blade upright
+/// in its plane. `blade`: in the wrist frame; `normal`: surface normal; `way`: direction of the cut,
+/// perpendicular to it; both unit vectors.
 Quat blade_rotation(const BladeFrame& blade, const Vec3& normal, const Vec3& way);
-/// Returns `from` rotated towards `to` by at most `most`, rad.
+/// Returns the rotation `from`, rotated towards `to` by at most `most` rad.
 Quat rotated_towards(const Quat& from, const Quat& to, double most);
 
 class CutDrawing {
  public:
-  /// Begins a cut at the pointer as soon as it is on tissue.
+  /// Handles the press of the mouse button. A cut begins as soon as the pointer is on tissue; if one is still
+  /// in progress, after its end.
   void press();
-  /// Adds the tissue under the pointer between two frames, so that the path follows the pointer at low frame
-  /// rates.
+  /// Adds a point of tissue that was under the pointer between two frames to the path of the cut, so that the
+  /// path follows the pointer at low frame rates. `find`: finds the tissue's surface.
   void trace(const Picked& tissue, const FindSurface& find);
-  /// Ends the path. The rest of the path that is not cut yet will still be cut.
+  /// Handles the release of the mouse button: the path no longer follows the pointer. The blade still cuts
+  /// the rest of the path.
   void release();
-  /// Ends the cut at its present position.
+  /// Ends the cut immediately. The wrist is no longer driven, so the blade stays at its present position.
   void stop();
-  /// Ends the cut at its present position and withdraws a blade in tissue along its path of entry.
+  /// Ends the cut at the blade's present position. If the blade is in tissue, it is lifted out along the
+  /// surface normal.
   void withdraw_blade();
-  /// Changes the depth by wheel notches: 1 mm each, 5 mm at large depths.
+  /// Changes the cutting depth by wheel notches, positive for deeper: 1 mm each up to 20 mm depth, 5 mm
+  /// above.
   void deepen(double notches);
   double depth() const { return depth_; }
   bool is_pressed() const { return pressed_; }
-  /// Reports whether the wrist is driven: towards a cut, along it, or out of it.
+  /// Returns whether the cut drives the user's wrist: towards its beginning, along the path, or out of the
+  /// tissue.
   bool leads() const { return phase_ != Phase::rests && phase_ != Phase::waits; }
-  /// Reports whether a cut is in progress: from pressing the button until the blade is out of the tissue.
+  /// Returns whether a cut is in progress, from pressing the button until the blade is out of the tissue.
   bool is_under_way() const { return phase_ != Phase::rests; }
-  /// Reports whether the path has begun since the button was pressed.
+  /// Returns whether the pointer has reached tissue since the button was pressed, so that the path of the cut
+  /// has begun.
   bool is_on_tissue() const { return !way_.empty(); }
 
-  /// Advances by a frame. `wrist`: the hand's present wrist pose. Returns the target wrist pose; nullopt: the
-  /// cut does not control the hand.
+  /// Advances the cut by a frame of `seconds`. `wrist`: the present target pose of the hand's wrist, world
+  /// frame. Returns the next target pose; nullopt if the cut does not drive the hand.
   std::optional<Pose> advance(const CutGuide& guide, const Pose& wrist, double seconds);
-  /// Returns the line on the tissue that will be cut, or would be; m, world frame.
+  /// Returns the line on the tissue (points in m, world frame) that is still to be cut. Before a cut begins,
+  /// returns the line that a cut at the pointer would begin with; empty if there is no tissue.
   std::vector<Vec3> line(const CutGuide& guide) const;
 
  private:

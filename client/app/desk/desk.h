@@ -23,7 +23,7 @@
 
 namespace prosector {
 
-/// Session state that the desk needs in each frame.
+/// Session state that the desk (control of view and hand by mouse, keyboard or gamepad) needs in each frame.
 struct DeskSession {
   DeskRoom room;
   std::optional<Panel> own_panel = {};  // the panel that the user has open
@@ -42,7 +42,8 @@ struct DeskSession {
   double scale = 1;                           // pixels per point, the unit of overlays
 };
 
-/// Display options that a desk user has chosen.
+/// Display options that a desk user has chosen with keys: coloured quantity, section plane, wireframes,
+/// statistics, help, and full screen.
 struct DeskChoices {
   Shown shown = Shown::none;
   std::optional<SectionPlane> section = {};  // clipping plane
@@ -51,33 +52,40 @@ struct DeskChoices {
 
 class Desk {
  public:
-  /// Sets the initial display options.
+  /// Creates the desk for a window with these initial display options. begin() must follow.
   Desk(WindowContext& window, const DeskChoices& choices) : window_(window), choices_(choices) {}
 
-  /// Reports whether the user has a camera pose.
+  /// Returns whether begin() has set the user's initial view.
   bool has_begun() const { return last_update_.has_value(); }
   void begin(const DeskStart& start,
              std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
-  /// Processes the window's events and advances by a frame, which is drawn at `now`.
+  /// Processes the window's input events, and advances view and hand to `now`, the time at which the frame is
+  /// drawn.
   void update(const DeskSession& session,
               std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
-  /// Processes the window's events while there is no session to display. Only close requests have an effect.
+  /// Processes the window's input events while there is no session to display. Only requests to close the
+  /// window have an effect.
   void wait();
   bool closed() const { return closed_; }
   Pose eye() const { return view_.place().pose(); }
-  /// Sets how the user looks at a screen that acts as a window into the room; nullopt: it does not.
+  /// Sets the position of the user's eyes in front of a screen that acts as a window into the room; nullopt:
+  /// the screen shows a normal view.
   void set_window_look(const std::optional<WindowLook>& look) { view_.set_window_look(look); }
   /// Returns the camera with which the frame is rendered.
   DrawCamera camera() const { return view_.camera(); }
-  /// Makes the view follow this camera; nullopt: mouse and keyboard control it.
+  /// Makes the view follow this camera, for instance that of an augmented image; nullopt: mouse and keyboard
+  /// control the view.
   void follow_camera(const std::optional<DrawCamera>& camera) { view_.follow_camera(camera); }
-  /// Returns the user's input as set with mouse and keyboard.
+  /// Returns the target poses of head and hand that the user sets with mouse, keyboard or gamepad, to be sent
+  /// to the server.
   HandInput input() const;
-  /// Returns the commands requested since the last call: grasp, release, set a control.
+  /// Returns and removes the commands to the server that the user has requested since the last call, such as
+  /// grasp, release, or setting a panel's control.
   std::vector<CommandBody> take_commands();
-  /// Returns the ray at which the user requested a panel since the last call.
+  /// Returns the ray (world frame) of the pointer at the user's last request for the panel of the part under
+  /// it. Returns nullopt if there was no request since the last call.
   std::optional<Ray> take_panel_request();
-  /// Notes that the server was asked to open a panel.
+  /// Notes that the server was asked to open a panel, so that the view makes room for it when it opens.
   void expect_panel() { awaits_panel_ = true; }
   bool has_gamepad() const { return pad_.is_there(); }
   const DeskChoices& choices() const { return choices_; }
@@ -86,19 +94,23 @@ class Desk {
   std::optional<BodyId> pointed() const { return pointed_; }
   PartsDesk& parts() { return parts_; }
   const PartsDesk& parts() const { return parts_; }
-  /// Returns the position and scroll state that the user gave the panel.
+  /// Returns the pose to which the user drags their panel, if any, and the scroll position of its text.
   PanelLook panel_look() const { return panel_.look(); }
-  /// Returns the pointer position, pixels from the top left.
+  /// Returns the position of the pointer, pixels from the frame's top left.
   const Eigen::Vector2d& pointer_pixel() const { return view_.pointer_pixel(); }
-  /// Returns the line (m, world frame) and depth (m) of the cut that the blade in the hand would make.
+  /// Returns the line (points in m, world frame) that the blade in the hand will or would cut; empty without
+  /// a blade on tissue. The function cut_depth() returns the cutting depth set for the blade, m; nullopt
+  /// without a blade.
   const std::vector<Vec3>& cut_line() const { return hand_.cut_line(); }
   std::optional<double> cut_depth() const { return hand_.cut_depth(); }
-  /// Returns the requested tick of a recording that is not displayed yet.
+  /// Returns the tick of a recording to which the user has requested to jump and that is not displayed yet;
+  /// nullopt if there is none.
   std::optional<std::uint64_t> wished_tick() const { return time_.wish(); }
-  /// Returns how often the user asked to follow the next participant's eyes since the last call.
+  /// Returns how often, since the last call, the user has pressed the key that shows the view of the next
+  /// participant.
   std::size_t take_follow_requests();
-  /// Returns the scale of the screenshot requested since the last call, relative to the window: 1 or 2; 0:
-  /// none.
+  /// Returns the size of the screenshot that the user requested since the last call, as a multiple of the
+  /// window's size: 1 or 2; 0 if none was requested.
   int take_picture_request() { return std::exchange(picture_request_, 0); }
 
  private:
@@ -154,7 +166,7 @@ class Desk {
   void frame_parts(const DeskRoom& room);
   void move_hand(const DeskSession& session, double seconds);
   bool at_panel() const { return panel_.covers(view_.pointer()); }
-  /// Reports whether the pointer is on the panel or the list of parts rather than in the room.
+  /// Returns whether the pointer operates a panel or the list of parts rather than the room.
   bool points_over_room() const { return at_panel() || parts_.has_pointer(); }
 };
 

@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// Input of the hand in each frame.
+/// Input of a desk user's hand (driven by the mouse) in each frame: pointer, surface below it, simulated
+/// hand, and held instrument.
 struct HandGuide {
   Ray pointer;
   Vec3 back = Vec3::UnitZ();      // unit vector, out of the image towards the viewer
@@ -21,8 +22,9 @@ struct HandGuide {
   std::optional<double> surface;  // m along the pointer's ray; nullopt: the ray hits nothing
   bool soft = false;              // the surface belongs to a soft body
   double level = 0;               // y component of the surface normal: 1 for a surface facing up
-  /// Returns the distance, m, from a point (m, world frame) to the next surface along the eye's ray through
-  /// it. Negative if the surface is in front of the point; nullopt if there is none. Empty: no surfaces near.
+  /// Function that returns the distance, m, from a point (m, world frame) to the next surface along the eye's
+  /// ray through it. It is negative if the surface is in front of the point; nullopt if there is none. An
+  /// empty function means that no surfaces are near.
   std::function<std::optional<double>(const Vec3&)> gap;
   bool still = false;            // the fingertips keep their position
   std::optional<Pose> physical;  // pose of the simulated wrist
@@ -36,7 +38,7 @@ struct HandGuide {
   Vec3 right = Vec3::UnitX();       // unit vector, the image's right, world frame
 };
 
-/// Command that the desk hand requests from the server.
+/// Command that the hand of a desk user (mouse and keyboard) requests from the server.
 enum class HandRequest { grasp, release };
 
 inline constexpr double fastest_hand = 2;            // m/s, maximum speed of the fingertips
@@ -45,56 +47,69 @@ inline constexpr double wrist_to_fingertips = 0.18;  // m, with stretched finger
 
 class DeskHand {
  public:
-  /// Opens the hand flat, with the fingertips at `reach` (m) along the pointer's ray.
+  /// Sets the initial state: the hand is open and flat, with the fingertips at the distance `reach` (m) along
+  /// the pointer's ray.
   void begin(const Ray& pointer, double reach);
-  /// Moves the fingertips away from the eye by `by`, m: nearer to the surface, or into it.
+  /// Handles the wheel: moves the hand by `by` m away from the eye. This lowers it onto the surface under the
+  /// pointer, moves a held part, or, while a cut is being drawn, increases the cutting depth.
   void reach(double by);
-  /// Rotates the wrist, rad. `bend` raises the direction straight ahead, independently of the roll. `roll` is
-  /// about that direction, clockwise as the user sees it, so an instrument grasped in a lying position stays
-  /// level.
+  /// Rotates the wrist by two angles, rad. `bend` raises the direction in which the hand points,
+  /// independently of the roll. `roll` is about that direction, clockwise as the user sees it, so an
+  /// instrument grasped in a lying position stays level.
   void turn(double roll, double bend);
-  /// Handles the button press: starts a cut if a blade is in the hand, else grasps.
+  /// Handles the press of the mouse button: starts a cut if the hand holds a blade; otherwise the hand moves
+  /// to the surface and grasps.
   void press();
-  /// Adds the tissue under the pointer between two frames to the path of the cut.
+  /// Adds a point of tissue that was under the pointer between two frames to the path of the cut. `find`:
+  /// finds the tissue's surface.
   void trace(const Picked& tissue, const FindSurface& find) { drawing_.trace(tissue, find); }
-  /// Handles the button release. A blade stays in the hand; a click off the tissue puts it down.
+  /// Handles the release of the mouse button: the hand opens and releases the held body. A blade stays in the
+  /// hand; a click off the tissue puts it down.
   void let_go();
-  /// Advances by a frame.
+  /// Advances the hand by a frame of `seconds`: moves it after the pointer, and grasps when it has reached
+  /// the body.
   void advance(const HandGuide& guide, double seconds);
   /// Ends the current cut at its present position and lifts the blade out of the tissue.
   void lift_blade() { drawing_.withdraw_blade(); }
-  /// Reports whether a cut drives the blade.
+  /// Returns whether the hand with the blade moves along the cut that the user has drawn, rather than after
+  /// the pointer.
   bool draws() const { return drawing_.leads(); }
-  /// Reports whether a cut is in progress, from pressing the button: all of it is one stroke.
+  /// Returns whether a cut is in progress, from pressing the button until the blade is out of the tissue. All
+  /// cuts in this time are one stroke for undo.
   bool is_drawing() const { return drawing_.is_under_way(); }
-  /// Returns the commands requested since the last call.
+  /// Returns and removes the commands to the server (grasp, release) that the hand has requested since the
+  /// last call.
   std::vector<HandRequest> take_wishes();
 
   bool is_pressed() const { return button_; }
-  /// Reports whether the hand is open above a surface and neither the button nor the wheel brings it in.
+  /// Returns whether the hand is open above a surface, and neither the mouse button nor the wheel brings it
+  /// into contact.
   bool hovers() const;
   bool is_closed() const { return phase_ == Phase::grips; }
-  /// Reports whether the server should treat the hand as untracked. This frees a hovering hand that tissue
-  /// blocks from its target: the simulated hand reappears at the target.
+  /// Returns whether the server should treat the hand as untracked for the moment. This frees a hovering hand
+  /// that tissue blocks from its target: the simulated hand then reappears at the target.
   bool is_withdrawn() const { return withdrawn_; }
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
-  /// Returns the pose of the wrist in the world frame.
+  /// Returns the target pose of the wrist, world frame, which is sent to the server.
   Pose pose() const;
   Vec3 fingertips() const;
-  /// Returns the line on tissue that the blade in the hand will or would cut, m, world frame; empty: none.
+  /// Returns the line on tissue (points in m, world frame) that the blade in the hand will or would cut;
+  /// empty if there is none.
   const std::vector<Vec3>& cut_line() const { return cut_line_; }
-  /// Returns the cutting depth (m) set for the blade in the hand; nullopt: no blade.
+  /// Returns the cutting depth, m, that the user has set for the blade in the hand; nullopt if the hand holds
+  /// no blade.
   std::optional<double> cut_depth() const;
 
  private:
-  /// Time since the simulated hand last moved nearer to the point where it should grasp.
+  /// Timer of an attempt to grasp: time since the simulated hand last came nearer to the point where it
+  /// should grasp.
   struct Waiting {
     double seconds = 0;
     double nearest = std::numeric_limits<double>::infinity();  // m, smallest distance so far
     void count(double distance, double passed);
   };
 
-  /// Time since the simulated hand last moved.
+  /// Timer that detects a blocked hand: time since the simulated hand last moved.
   struct Staying {
     double seconds = 0;
     Vec3 at = Vec3::Constant(std::numeric_limits<double>::infinity());  // m, world frame

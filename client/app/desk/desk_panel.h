@@ -16,44 +16,53 @@ namespace prosector {
 
 class DeskPanel {
  public:
-  /// Updates the panel to the server's state. Returns true if it belongs to another part than before.
-  /// `hidden_lines`: lines of its description that do not fit. `effort`: solver effort shown on the strips
-  /// below the panel; nullopt: no strips. A panel that isn't dragged has the server's pose after at most 1 s.
+  /// Updates the user's own panel to the server's state. Returns true if it has just opened, or belongs to
+  /// another part than before. `hidden_lines`: lines of its description that do not fit. `effort`: solver
+  /// effort shown on the strips below the panel; nullopt: no strips. A panel that isn't dragged has the
+  /// server's pose after at most 1 s.
   bool follow(const std::optional<Panel>& panel, const std::optional<ShownEffort>& effort,
               std::size_t hidden_lines);
-  /// Returns the panel with the pose that the user gave it; nullopt: there is none.
+  /// Returns the user's own panel, at the pose to which the user has dragged it, if any; nullopt if no panel
+  /// is open.
   const std::optional<Panel>& shown() const { return shown_; }
-  /// Returns the point of the panel under the pointer.
+  /// Returns the point of the user's own panel under the pointer, and the control there; nullopt if the
+  /// pointer is not on it.
   std::optional<PanelPoint> at(const Ray& pointer) const {
     return shown_ ? meet(pointer, *shown_) : std::nullopt;
   }
-  /// Returns the effort level under the pointer on the panel's effort strip, in steps below exact.
+  /// Returns the solver effort under the pointer on the effort strip below the panel, as the number of steps
+  /// by which it is reduced. Returns nullopt if the pointer is not on the strip.
   std::optional<std::uint32_t> effort_at(const Ray& pointer) const {
     return shown_ && effort_ ? picked_effort(pointer, *shown_) : std::nullopt;
   }
-  /// Returns the accuracy under the pointer on the panel's price strip, %; 0: the request for the prices.
+  /// Returns the accuracy (permitted error, %) of the model configuration under the pointer on the price
+  /// strip below the panel. Returns 0 if the strip is empty and a click requests its values, and nullopt if
+  /// the pointer is not on it.
   std::optional<double> accuracy_at(const Ray& pointer) const;
-  /// Reports whether the pointer is on the panel or its strips.
+  /// Returns whether the pointer is on the user's own panel or on the strips below it.
   bool covers(const Ray& pointer) const { return at(pointer) || effort_at(pointer) || accuracy_at(pointer); }
-  /// Returns the lower end of panel and strips, m, relative to the panel's centre.
+  /// Returns the height of the lower end of the panel and the strips below it, m, relative to the panel's
+  /// centre; negative.
   double bottom() const;
-  /// Returns the position and scroll state that the user gave the panel, for rendering.
+  /// Returns the pose to which the user drags the panel, if any, and the scroll position of its text, for
+  /// rendering.
   PanelLook look() const { return {.place = place_, .first_line = scroll_.line()}; }
 
-  /// Grasps the panel at this point, which drag() keeps under the pointer without rotating the panel. Its
-  /// distance along `back` (unit vector, out of the image) stays constant.
+  /// Grasps the panel at this point. drag() then keeps the point under the pointer without rotating the
+  /// panel. The point's distance along `back` (unit vector, out of the image) stays constant.
   void take_hold(const Ray& pointer, const PanelPoint& at, const Vec3& back);
   void drag(const Ray& pointer);
   void let_go();
-  /// Returns the panel to the pose at which it opened.
+  /// Requests that the panel returns to the pose at which it opened, and ends dragging.
   void put_back();
-  /// Returns the next command that sets the panel's pose on the server, limited to the rate that the server
-  /// accepts; nullopt: none now.
+  /// Returns the next command that sets the panel's pose on the server after dragging; nullopt if there is
+  /// none now. The rate is limited to that which the server accepts.
   std::optional<CommandBody> take_placing();
 
-  /// Scrolls by lines of its description.
+  /// Scrolls the description on the panel by this number of lines; negative: towards the beginning.
   void scroll(double lines) { scroll_.move(lines); }
-  /// Reports, about once a second while the pointer is on the panel, that the server must keep it open.
+  /// Returns true about once a second while the pointer is on the panel. Then the server must be asked to
+  /// keep the panel open.
   bool should_keep_open(const Ray& pointer);
 
  private:
@@ -72,7 +81,8 @@ class DeskPanel {
   std::chrono::steady_clock::time_point last_asked_{};
 };
 
-/// Reports whether the point is on the panel's header with the part's name, by which the panel is dragged.
+/// Returns whether the point is on the header of the panel, with the part's name, by which the panel is
+/// dragged.
 bool is_panel_head(const PanelPoint& point);
 
 }  // namespace prosector

@@ -10,11 +10,14 @@
 namespace prosector {
 
 struct DeskRoom {
-  /// Returns the first body that a ray hits, except bodies held by the user's own hand.
+  /// Function that returns the first point at which a ray (world frame) meets a body, ignoring bodies that
+  /// the user's own hand holds.
   std::function<std::optional<Picked>(const Ray&)> surface;
-  /// Returns a body's bounding box, m, world frame.
+  /// Function that returns the bounding box of a body as drawn, m, world frame; an empty box if it is not
+  /// drawn.
   std::function<Eigen::AlignedBox3d(BodyId)> box;
-  /// Reports whether the clipping plane opens the body; empty: it opens all.
+  /// Function that returns whether the section plane opens the body. An empty function means that it opens
+  /// all bodies.
   std::function<bool(BodyId)> opens = {};
 };
 

@@ -10,8 +10,9 @@ namespace prosector {
 
 class DeskSection {
  public:
-  /// Opens the plane through `middle`, facing the eye; `back` points to the eye. If the plane is open
-  /// already, the key's release will close it unless the plane is moved.
+  /// Handles the press of the key: opens the section plane through `middle` (m), facing the eye. `back`: unit
+  /// vector towards the eye. If the plane is open already, the key's release will close it unless the plane
+  /// is moved.
   void press(const Vec3& back, const Vec3& middle) {
     closes_ = plane_.has_value();
     if (!closes_) plane_ = section_facing(back, middle);
@@ -20,7 +21,8 @@ class DeskSection {
     if (closes_) plane_.reset();
     closes_ = false;
   }
-  /// Moves the plane by 3 mm a notch: away from the eye for positive values, else towards it.
+  /// Moves the section plane by 3 mm per wheel notch: away from the eye for positive values, towards it for
+  /// negative ones.
   void move(double notches) {
     closes_ = false;
     if (plane_) plane_->offset -= meters_per_notch * notches;

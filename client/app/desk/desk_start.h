@@ -19,13 +19,14 @@ struct DeskStart {
   std::array<std::optional<ViewPlace>, saved_views> views{};  // nullopt: not saved
 };
 
-/// Returns the rotation of a seat about +y relative to the scene's camera, rad: the first free one of 0,
-/// +20°, −20°, +40° …. `taken`: rotations of the occupied seats.
+/// Returns the direction of a user's initial view, as an angle about +y from the scene's camera, rad: the
+/// first free one of 0, +20°, −20°, +40° …. `taken`: angles of the other users' views.
 double free_seat_angle(const std::vector<double>& taken);
 
-/// Returns the start for a frame of this aspect ratio (width over height). The points of the anatomy (m,
-/// world frame) fill most of it, seen from the direction of the scene's camera; without points: the camera's
-/// own view. `heads`: eye positions of the other users.
+/// Returns a user's initial view and the views on the number keys, for a frame of this aspect ratio (width
+/// over height). The points of the anatomy (m, world frame) fill most of the frame, seen from the height of
+/// the scene's camera. Without points, the distance is that of the scene's camera. `heads`: eye positions of
+/// the other users (m, world frame), whose directions are avoided.
 DeskStart desk_start(const CameraInfo& camera, std::span<const Vec3> anatomy, std::span<const Vec3> heads,
                      double aspect);
 

@@ -13,34 +13,37 @@ namespace prosector {
 
 class DeskView {
  public:
-  /// Begins at the start view, with the pointer at the lower right of a frame of this size (pixels), where it
-  /// does not cover the framed anatomy.
+  /// Sets the initial view, with the pointer at the lower right of a frame of `width` × `height` pixels,
+  /// where it does not cover the anatomy.
   void begin(const DeskStart& start, int width, int height);
-  /// Processes an event. Events without effect on the view are ignored.
+  /// Updates view and pointer by an input event of the window. Events without effect on the view are ignored.
   void take(const WindowEvent& event, const DeskRoom& room);
   void advance(double seconds, const GamepadUser& pad);
 
-  /// Frames the body under the pointer; large bodies are approached instead. Without a body the view stays.
+  /// Moves the view so that the body under the pointer fills most of the frame; large bodies are only
+  /// approached. If no body is under the pointer, the view stays.
   void frame_pointed(const DeskRoom& room);
 
-  /// Frames a box (m, world frame); an empty one leaves the view as it is.
+  /// Moves the view so that a box (m, world frame) fills most of the frame. An empty box leaves the view as
+  /// it is.
   void frame(const Eigen::AlignedBox3d& box);
 
-  /// Returns the view selected by a key; nullopt: the key selects none.
+  /// Returns the saved view that a key selects: Home or a number key; nullopt if the key selects none.
   std::optional<ViewPlace> view_of(Key key) const;
-  /// Moves the eye back until the whole box is in the frame, unless it is already.
+  /// Moves the eye back until the whole box (m, world frame) is in the frame, unless it is already.
   void make_room_for(const Eigen::AlignedBox3d& box);
 
-  /// Sets how the user looks at a screen that acts as a window into the room; nullopt: it does not.
+  /// Sets the position of the user's eyes in front of a screen that acts as a window into the room; nullopt:
+  /// the screen shows a normal view.
   void set_window_look(const std::optional<WindowLook>& look) { look_ = look; }
   /// Makes the view follow this camera independently of mouse and keyboard; nullopt: mouse and keyboard
-  /// control it.
+  /// control the view.
   void follow_camera(const std::optional<DrawCamera>& camera);
 
-  /// Reports whether a transition to another view is in progress.
+  /// Returns whether an animated transition to another view is in progress.
   bool is_under_way() const { return orbit_.is_under_way(); }
   const ViewPlace& place() const { return leading_ ? leading_place_ : orbit_.place(); }
-  /// Returns the camera with which the frame is rendered; pointer() is in this camera's image.
+  /// Returns the camera with which the frame is rendered. The ray of pointer() starts at this camera.
   DrawCamera camera() const;
   Ray pointer() const;
   const Eigen::Vector2d& pointer_pixel() const { return pointer_; }

@@ -13,13 +13,15 @@ namespace prosector {
 
 class EyeWindow {
  public:
-  /// Opens the eye-tracking device. Throws InputError if its settings are unusable.
+  /// Opens the device that tracks the user's eyes. Throws InputError if its settings are unusable.
   explicit EyeWindow(const WindowSettings& settings);
 
-  /// Reads the device. Returns the user's eye position and the screen size. `fov`: vertical field of view of
-  /// the view without a window, rad.
+  /// Reads the eye-tracking device. Returns the position of the user's eyes in front of the screen and the
+  /// view's size. `now_ns`: monotonic time. `fov`: vertical field of view, rad, of the plain camera whose
+  /// view is shown while no eyes are tracked.
   WindowLook look(std::int64_t now_ns, double fov);
-  /// Returns the device's status line if it changed since the last call; else an empty string.
+  /// Returns the status line of the eye-tracking device for the user, if it changed since the last call; else
+  /// an empty string.
   std::string take_news();
 
  private:

@@ -16,9 +16,10 @@ class Figures {
  public:
   explicit Figures(Catalogue words = {}) : words_(std::move(words)) {}
 
-  /// Adds a frame that took `seconds` to draw, and the present counters and server status (null: none yet).
+  /// Adds a frame that took `seconds` to render, with the network's present message counters and the server's
+  /// status (null: none yet). `now_ns`: monotonic time.
   void take(std::int64_t now_ns, double seconds, const BusCounters& counters, const ServerStatus* status);
-  /// Returns the text for the last complete half second; empty before that.
+  /// Returns the statistics of the last complete half second as text for the user; empty before that.
   const std::string& text() const { return text_; }
 
  private:

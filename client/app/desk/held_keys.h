@@ -18,7 +18,8 @@ class HeldKeys {
     }
   }
   bool is_held(Key key) const { return held_.contains(key); }
-  /// Reports whether the key was down at any time since the last forget_taps().
+  /// Returns whether the key was down at any time since the last forget_taps(), also if only between two
+  /// frames.
   bool was_down(Key key) const { return is_held(key) || tapped_.contains(key); }
   void forget_taps() { tapped_.clear(); }
 

@@ -11,9 +11,11 @@ namespace prosector {
 
 class PanelFinger {
  public:
-  /// Updates from the user's own panel and hands. `hidden_lines`: lines of its description that do not fit.
+  /// Scrolls the text of the user's own panel by the motion of their fingertips along it. `panel`: the open
+  /// panel, nullopt: none. `hidden_lines`: lines of its description that do not fit. `user`: present hand
+  /// poses.
   void follow(const std::optional<Panel>& panel, std::size_t hidden_lines, const HandInput& user);
-  /// Returns the first visible line.
+  /// Returns the index of the first visible line of the panel's description.
   std::size_t line() const { return scroll_.line(); }
 
  private:

@@ -13,17 +13,19 @@ namespace prosector {
 
 class PartsBoard {
  public:
-  /// Opens the board next to the viewing direction, on the side opposite to the hand that asked; or closes
-  /// it.
+  /// Opens the board with the list of parts next to the viewing direction, on the side opposite to the hand
+  /// that made the gesture; closes it if it is open. `eyes`: pose of the user's eyes, room frame.
   void toggle_open(const Pose& eyes, std::size_t hand);
   bool is_open() const { return desk_.is_open(); }
-  /// Lays out the rows for the next frame, and processes the user's fingers.
+  /// Lays out the rows on the board for the next frame, and processes the user's fingertips, which press
+  /// controls and scroll.
   void follow(std::vector<PartRow> rows, const HandInput& user);
-  /// Returns the user's orders since the last call.
+  /// Returns and removes the commands on the display of parts that the user has given on the board since the
+  /// last call.
   std::vector<PartsOrder> take_orders() { return desk_.take_orders(); }
-  /// Returns the bodies of the row under a finger.
+  /// Returns the bodies of the part in whose row a fingertip is; empty if there is none.
   std::vector<BodyId> hovered_bodies() const { return desk_.hovered_bodies(); }
-  /// Returns the board's last layout; nullopt: it is closed.
+  /// Returns the last layout of the list of parts with the pose of the board; nullopt if the board is closed.
   std::optional<PlacedPartsList> shown() const;
 
  private:

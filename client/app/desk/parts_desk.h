@@ -12,34 +12,38 @@ namespace prosector {
 class PartsDesk {
  public:
   PartsDesk() = default;
-  /// Creates the state for a list on a board in the room, or for one in a window.
+  /// Creates the interaction state of a closed list of parts: one on a board in the room, which fingertips
+  /// operate, or one in a window.
   explicit PartsDesk(bool in_room) { state_.in_room = in_room; }
 
-  /// Processes an event. `pointer`: points from the frame's top left. Returns whether the list consumes the
-  /// event.
+  /// Processes an input event for the list of parts. `pointer`: points from the frame's top left. Returns
+  /// whether the list consumes the event, so that nothing else must react to it.
   bool take(const WindowEvent& event, const Eigen::Vector2d& pointer);
-  /// Lays out the list for the next frame of this size (points). `pointed`: the body under the pointer in the
-  /// room.
+  /// Lays out the list of parts for the next frame. `picture`: width and height of the frame, points.
+  /// `pointed`: the body under the pointer in the room, whose row is marked; nullopt: none.
   void lay_out(std::vector<PartRow> rows, std::optional<BodyId> pointed, const Eigen::Vector2d& picture);
 
-  /// Opens the list without starting to type a search, for users without keys; or closes it.
+  /// Opens the list of parts without starting to type a search, for users without keys; closes it if it is
+  /// open.
   void toggle_without_search();
-  /// Scrolls by lines; negative: backwards.
+  /// Scrolls the list of parts by this number of lines; negative: towards the beginning.
   void scroll(double lines);
 
   bool is_open() const { return open_; }
-  /// Returns the search text.
+  /// Returns the text in the search field of the list of parts, UTF-8.
   const std::string& search() const { return state_.search; }
-  /// Reports whether the pointer operates the list rather than the room.
+  /// Returns whether the pointer operates the list of parts rather than the room.
   bool has_pointer() const { return open_ && (state_.hovered || slides_); }
-  /// Returns the list's last layout; null: it is closed.
+  /// Returns the last layout of the list of parts; null if the list is closed.
   const PartsList* shown() const { return open_ && list_ ? &*list_ : nullptr; }
-  /// Returns the bodies of the row under the pointer.
+  /// Returns the bodies of the part in whose row the pointer is; empty if there is none.
   std::vector<BodyId> hovered_bodies() const;
 
-  /// Returns the user's orders since the last call.
+  /// Returns and removes the commands on the display of parts that the user has given with the list since the
+  /// last call.
   std::vector<PartsOrder> take_orders();
-  /// Returns the bodies that the user asked to frame since the last call.
+  /// Returns and removes the bodies that the user has asked, since the last call, to be moved into the middle
+  /// of the view.
   std::vector<BodyId> take_framed();
 
  private:

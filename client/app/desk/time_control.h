@@ -13,21 +13,26 @@ namespace prosector {
 
 class TimeControl {
  public:
-  /// Sets the displayed time at `now`, s of a monotonic clock; nullopt: the session is live.
+  /// Sets the time of the recording that is displayed at `now` (s, monotonic clock); nullopt if the session
+  /// is live.
   void see(const std::optional<ShownTime>& shown, double now);
   bool watches() const { return shown_.has_value(); }
 
-  /// Returns the command of a key; nullopt: it is no playback key.
+  /// Handles a key press. Returns the command to the server, such as a seek or a change of speed; nullopt if
+  /// the key does not control the playback.
   std::optional<CommandBody> press(Key key);
-  /// Handles a press of the left button at `at`, points from the top left. Returns the command; nullopt if it
-  /// is not on the bar.
+  /// Handles a press of the left mouse button at `at`, in points from the top left. On the time bar, returns
+  /// the command to seek there and starts dragging; elsewhere returns nullopt.
   std::optional<CommandBody> press(const OverlayFrame& frame, const Eigen::Vector2d& at);
-  /// Handles a motion of the pointer. Returns the command of a drag, rate-limited.
+  /// Handles a motion of the pointer to `at`, in points from the top left. While the time bar is dragged,
+  /// returns the command to seek there, at a limited rate; otherwise nullopt.
   std::optional<CommandBody> move(const OverlayFrame& frame, const Eigen::Vector2d& at);
-  /// Handles the button's release. Returns the command for the end of a drag.
+  /// Handles the release of the left mouse button. If the time bar was dragged, returns the command to seek
+  /// to the last position; otherwise nullopt.
   std::optional<CommandBody> let_go();
 
-  /// Returns the requested tick that is not displayed yet.
+  /// Returns the tick of the recording to which the user has requested to jump and that is not displayed yet;
+  /// nullopt if there is none.
   std::optional<std::uint64_t> wish() const { return wish_; }
 
  private:

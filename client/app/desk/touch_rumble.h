@@ -14,9 +14,9 @@ class TouchRumble {
   using Open = std::function<std::unique_ptr<RumbleMotors>()>;
   explicit TouchRumble(Open open = open_rumble) : open_(std::move(open)) {}
 
-  /// Updates the rumble with the force on the hand, N, at a time, ns. Without a gamepad nothing is opened.
-  /// After a failed attempt to open the motors it retries every 3 s, because the gamepad may be another one
-  /// by then.
+  /// Updates the gamepad's rumble to the force on the user's hand, N. `now_ns`: monotonic time. Without a
+  /// gamepad its motors are not opened. After a failed attempt to open them it retries every 3 s, because the
+  /// gamepad may be another one by then.
   void follow(bool has_gamepad, double force, std::int64_t now_ns);
 
  private:

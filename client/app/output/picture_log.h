@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Times of one frame, in monotonic_ns().
+/// Times of one rendered frame and of the data that it shows, in ns of the monotonic clock, for latency
+/// measurements.
 struct FrameTimes {
   std::int64_t drawn_ns = 0;
   std::int64_t camera_ns = 0;  // camera image in the background: middle of its exposure
@@ -17,7 +18,8 @@ struct FrameTimes {
 
 class PictureLog {
  public:
-  /// Opens a CSV file: drawn_ns, camera_ns, hand_ns, tick. Throws InputError if it cannot be written.
+  /// Opens a CSV file with the columns drawn_ns, camera_ns, hand_ns and tick. Throws InputError if it cannot
+  /// be written.
   explicit PictureLog(const std::filesystem::path& file);
   void add(const FrameTimes& times);
 

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Renders a scene seven times at medium quality, 800 × 600, and returns the median time of a frame, s.
-/// Throws InputError if the scene can't be read or OpenGL fails.
+/// Renders a scene file seven times at medium quality, 800 × 600 pixels, and returns the median time of a
+/// frame, s. Throws InputError if the scene can't be read or OpenGL fails.
 double picture_time(GlContext& context, const std::filesystem::path& shaders,
                     const std::filesystem::path& scene);
 

@@ -26,7 +26,8 @@ std::string no_room(const std::filesystem::path& file) {
   const auto space = std::filesystem::space(folder, error);
   if (error) return fmt::format("{}: {}", folder.string(), error.message());
   if (space.available < least_free_bytes)
-    return fmt::format("{}: only {} KiB free on the disk", folder.string(), space.available >> 10);
+    return fmt::format("{}: only {} KiB free on the disk; recording a video needs 8 MiB", folder.string(),
+                       space.available >> 10);
   return "";
 }
 

@@ -5,8 +5,8 @@
 
 namespace prosector {
 
-/// Returns the audience window's settings; `o` must request one. In stereo it shows one eye with the aspect
-/// ratio of the profile's display; with a headset, the left eye unchanged.
+/// Returns the settings of the window for spectators, which `o` must request. In stereo it shows one eye's
+/// view with the aspect ratio of the stereo profile's display; with a headset, the left eye's view unchanged.
 Audience audience_settings(const ClientOptions& o);
 
 }  // namespace prosector

@@ -83,8 +83,10 @@ void CameraMode::update_overlay() {
     if (now.found && image_->room_phantom) now.found->place = image_->room_phantom;
   }
   if (now.words != (overlay_ ? overlay_->words : ""))
-    client_.inform(now.words.empty() ? client_.options.words.tr("the camera has found the table")
-                                     : now.words);
+    client_.inform(
+        now.words.empty()
+            ? client_.options.words.tr("the camera has found the table board, which defines the room frame")
+            : now.words);
   overlay_ = std::move(now);
 }
 

@@ -14,15 +14,18 @@ namespace prosector {
 
 class CameraMode : public GuidedMode {
  public:
-  /// Starts to analyse the camera's images. Throws InputError if a file of the configuration, or the frame
-  /// log, can't be opened.
+  /// Starts to detect boards of tags in the camera's images. The scene is drawn over these images, and shown
+  /// by `screen`. Throws InputError if a file of the configuration, or the log of frame times, can't be
+  /// opened.
   CameraMode(ViewerContext& client, std::unique_ptr<ScreenMode> screen,
              const std::shared_ptr<SharedCamera>& camera);
 
-  /// Waits up to 100 ms for the camera's next image. Returns false for images that --fps skips.
+  /// Waits up to 100 ms for the camera's next image. Returns whether to render a frame with it; false for
+  /// images that are skipped to respect --fps.
   bool begin_frame() override;
   bool keeps_time() const override { return waited_; }
-  /// Waits for the hand poses at the time of the image.
+  /// Waits for the hand poses that trackers detect in the same camera image, up to about 0.3 s. Does nothing
+  /// without tracking devices.
   void wait_for_inputs(const InputPump* pump) override;
   Outlook look(InputPump* pump, LocalUser& self, const Outlook& usual) override;
   void show(Renderer& renderer, const FrameTimes& times) override;

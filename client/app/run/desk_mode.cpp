@@ -102,7 +102,7 @@ void DeskMode::follow_next(ParticipantId self) {
     }
   });
   if (names.size() == 1 && follow_.empty())
-    client_.say(client_.options.words.tr("Tab: no other participant whose view could be shown"),
+    client_.say(client_.options.words.tr("Tab: there is no other participant whose view could be shown"),
                 MessageKind::own);
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);

@@ -14,8 +14,8 @@ namespace prosector {
 
 class DeskMode : public ScreenMode {
  public:
-  /// Opens the window, and the audience's if requested. `projection`: mono, or stereo side by side. Throws
-  /// InputError if the window is unavailable.
+  /// Opens the window, and a second one for an audience if requested. `projection`: mono, or stereo side by
+  /// side. Throws InputError if a window is unavailable.
   DeskMode(ViewerContext& client, SceneView& scene, const Projection& projection);
 
   GlContext& context() override { return *window_; }

@@ -10,10 +10,12 @@ namespace prosector {
 
 class EyeWindowMode : public GuidedMode {
  public:
-  /// Opens the eye-tracking device. Throws InputError if its settings are unusable.
+  /// Opens the device that tracks the user's eyes. The view is shown by `screen`. Throws InputError if the
+  /// device's settings are unusable.
   EyeWindowMode(ViewerContext& client, std::unique_ptr<ScreenMode> screen, const WindowSettings& settings);
 
-  /// Updates the user's eye position, also when no frame is rendered.
+  /// Updates the position of the user's eyes from the eye tracker, also when no frame is rendered. Returns
+  /// whether to render a frame.
   bool begin_frame() override;
   Outlook look(InputPump* pump, LocalUser& self, const Outlook& usual) override;
 

@@ -16,20 +16,23 @@ class FrameOutput {
  public:
   explicit FrameOutput(const ClientOptions& options);
 
-  /// Reports whether a frame at `seconds` after joining would be stored.
+  /// Returns whether a frame at `seconds` after joining would be stored: in a video, in the contact sheet, or
+  /// as a screenshot that is due.
   bool wants(double seconds) const;
   void take(const Image& image, double seconds);
-  /// Requests a screenshot of the next frame in `file`.
+  /// Requests that the next frame is stored as a screenshot in `file`.
   void ask(const std::filesystem::path& file) { pending_.push_back({file, 0.0}); }
-  /// Reports whether a screenshot waits for the last frame.
+  /// Returns whether screenshots are still pending, for which the session's last frame must be rendered.
   bool wants_last() const { return !pending_.empty(); }
-  /// Stores the last frame for the screenshots without a time or with a time not reached.
+  /// Stores the session's last frame as all pending screenshots: those requested for the end, or for a time
+  /// that was not reached.
   void finish(const Image& image);
-  /// Writes the contact sheet if it was requested and has images.
+  /// Writes the contact sheet (small images of the session in one image) if it was requested and has images.
   void finish_sheet();
-  /// Reports whether anything requested could not be written.
+  /// Returns whether a requested screenshot, video or contact sheet could not be written.
   bool failed() const { return failed_; }
-  /// Returns the error messages since the last call.
+  /// Returns and removes the error messages on writing screenshots, videos and contact sheets since the last
+  /// call.
   std::vector<std::string> take_failures();
 
  private:

@@ -30,9 +30,11 @@ void HeadsetMode::make_context() {
     mirror_ = mirror.get();
     context_ = std::move(mirror);
   } catch (const InputError& error) {
-    throw InputError(fmt::format(
-        "--display openxr: {}: {}",
-        by_egl ? "--audience needs a window" : "the runtime accepts images by GLX only", error.what()));
+    throw InputError(fmt::format("--display openxr: {}: {}",
+                                 by_egl
+                                     ? "--audience needs a window"
+                                     : "the OpenXR runtime accepts images by GLX only, which needs a window",
+                                 error.what()));
   }
 }
 

@@ -13,17 +13,19 @@ namespace prosector {
 
 class HeadsetMode : public ViewMode {
  public:
-  /// Connects to the headset, which passes its wearer's poses to `user`, which must outlive this. Throws
-  /// InputError if the runtime or a window that it needs is unavailable.
+  /// Connects to the headset, which passes its wearer's poses to `user`. `user` must outlive this object.
+  /// Throws InputError if the OpenXR runtime or a window that it needs is unavailable.
   HeadsetMode(ViewerContext& client, HeadsetUser& user);
 
   GlContext& context() override { return *context_; }
   bool closed() const override { return headset_->closed(); }
   bool is_watched() const override { return true; }
-  /// Advances to the headset's next frame and forwards its messages.
+  /// Waits for the headset's next frame, and shows the headset's messages. Returns whether a frame may be
+  /// rendered.
   bool begin_frame() override;
   bool keeps_time() const override { return headset_->keeps_time(); }
-  /// Takes the headset's eyes as cameras, and moves the user's own hands to their poses at display time.
+  /// Returns the outlook (projection and display options) with the headset's eyes as cameras. Moves the
+  /// user's own hands in `self` to their predicted poses at the display time.
   Outlook look(InputPump* pump, LocalUser& self, const Outlook& usual) override;
   void render(Renderer& renderer, const DrawList& list, const Outlook& outlook) override;
   void show(Renderer& renderer, const FrameTimes& times) override;

@@ -61,19 +61,21 @@ struct ClientOptions {
   Shown shown = Shown::none;   // quantity shown by soft bodies' colours; a desk user's V key changes it
 };
 
-/// Returns the address of the camera used for augmented reality or eye tracking; empty: none.
+/// Returns the address of the camera that is used for augmented reality or, without it, for eye tracking;
+/// empty if there is none.
 std::string used_camera(const ClientOptions& options);
 
-/// Reports whether hands are tracked by devices or a headset, or the user views through a camera and has no
-/// desk hand.
+/// Returns whether the user's hands are tracked rather than driven by the mouse. This is so with tracking
+/// devices, with a headset, and in augmented reality over a camera's images.
 inline bool is_tracked(const ClientOptions& options) {
   return has_devices(options.devices) || options.display == Display::openxr || !options.camera.empty();
 }
 
-/// A command that joins no session. Returns its exit code.
+/// Parsed command that joins no session, such as a calibration. Calling it runs the command and returns the
+/// program's exit code.
 using Task = std::function<int()>;
 
-/// Options of the set-up window.
+/// Command-line options with which the set-up window starts.
 struct SetupOptions {
   BusConfig bus;
   std::string name;      // default, until the user enters another name
@@ -88,7 +90,8 @@ struct SetupOptions {
 
 using ClientCommand = std::variant<SetupOptions, ClientOptions, RenderOptions, Task, int>;
 
-/// Parses the command line. For --help or an invalid line, prints to the user and returns the exit code.
+/// Parses the client's command line. Returns the command to run with its options. For --help or an invalid
+/// line, prints a text for the user and returns the program's exit code instead.
 ClientCommand parse_command_line(int argc, char** argv);
 
 }  // namespace prosector

@@ -144,7 +144,8 @@ class Client {
   std::string servo_line() {
     const Lateness late = arm_->servo().lateness();
     return fmt::format(
-        "arm: {} cycles, {} skipped; latency {:.3f} ms p50, {:.3f} p99, {:.1f} max, {} real-time priority",
+        "arm: {} servo cycles, {} skipped; cycle latency {:.3f} ms p50, {:.3f} p99, {:.1f} max, {} real-time "
+        "priority",
         late.cycles, late.skipped, 1e3 * late.p50, 1e3 * late.p99, 1e3 * late.worst,
         arm_->servo().real_time() ? "with" : "without");
   }
@@ -153,7 +154,8 @@ class Client {
   std::string energy_line() {
     const EnergyBook here = arm_->servo().view().energy, there = arm_->server_energy();
     return fmt::format(
-        "arm: energy from the hand {:.1f} mJ, to the hand {:.1f}; counted by the server {:.1f} and {:.1f}",
+        "arm: energy from the hand {:.1f} mJ, to the hand {:.1f} mJ; counted by the server {:.1f} mJ and "
+        "{:.1f} mJ",
         1e3 * here.taken, 1e3 * here.given, 1e3 * there.taken, 1e3 * there.given);
   }
 

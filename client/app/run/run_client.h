@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Runs the client and returns the exit code. `started_ns`: start of the process (monotonic clock), to report
-/// the duration of joining.
+/// Joins the session, renders it until the user ends it, and returns the program's exit code. `started_ns`:
+/// start of the process (monotonic clock), from which the duration of joining is reported.
 int run_client(const ClientOptions& options, std::int64_t started_ns);
 
 }  // namespace prosector

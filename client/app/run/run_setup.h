@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Runs the set-up window and returns the exit code. Throws InputError if no window can be opened.
+/// Shows the set-up window until the user closes it, and returns the program's exit code. Throws InputError
+/// if no window can be opened.
 int run_setup(const SetupOptions& options);
 
 }  // namespace prosector

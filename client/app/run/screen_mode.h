@@ -15,18 +15,20 @@ class ScreenMode : public ViewMode {
  public:
   using ViewMode::ViewMode;
 
-  /// Reports whether the user's tracked head, not the screen, determines the camera.
+  /// Returns whether the pose of the user's tracked head, rather than the screen's own controls, determines
+  /// the camera.
   virtual bool is_led_by_head(const LocalUser& self) const = 0;
-  /// Sets the eye position in front of the screen, which acts as a window.
+  /// Sets the position of the user's eyes in front of the screen, which acts as a window into the room.
   virtual void set_window_look(const WindowLook& look) = 0;
-  /// Returns the camera for the last eye position, after look().
+  /// Returns the camera for the eye position that set_window_look() set last. look() must be called before.
   virtual DrawCamera window_camera() const = 0;
-  /// Starts the pointer's rays at this camera; nullopt: at the screen's own camera.
+  /// Makes the rays of the mouse pointer start at this camera; nullopt: at the screen's own camera. Does
+  /// nothing for a screen without a pointer.
   virtual void follow_camera(const std::optional<DrawCamera>& /*camera*/) {}
 };
 
-/// Shows the view of a screen, guided by a device. A decorator: derived classes override what the device
-/// changes.
+/// View of a screen whose camera is determined by a device, such as a camera or an eye tracker. It is a
+/// decorator of the screen's own view mode; derived classes override the functions that the device changes.
 class GuidedMode : public ViewMode {
  public:
   GuidedMode(ViewerContext& client, std::unique_ptr<ScreenMode> screen)

@@ -14,9 +14,9 @@ struct Stage {
   std::unique_ptr<Renderer> renderer;  // in the mode's context
 };
 
-/// Creates the stage; null with --display none. The arguments must outlive it. A headset passes its wearer's
-/// poses to `user`. `camera`: shared by trackers, eye tracking and --display ar; null: none. Throws
-/// InputError if OpenGL or the display is unavailable.
+/// Creates the objects that render the session; null with --display none. The arguments must outlive them. A
+/// headset passes its wearer's poses to `user`. `camera`: shared by trackers, eye tracking and --display ar;
+/// null: none. Throws InputError if OpenGL or the display is unavailable.
 std::unique_ptr<Stage> make_stage(ViewerContext& client, HeadsetUser& user,
                                   const std::shared_ptr<SharedCamera>& camera);
 

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Objects that a view mode uses. All must outlive the mode.
+/// Objects that a view mode (desktop window, headset, camera image or offscreen) uses. All must outlive the
+/// mode.
 struct ViewModeParts {
   ViewerContext& client;
   SceneView& scene;
@@ -18,8 +19,8 @@ struct ViewModeParts {
   const std::shared_ptr<SharedCamera> camera;  // for augmented reality or eye tracking; null: none
 };
 
-/// Creates the view mode; the options must name a display. Throws InputError if OpenGL or a device is
-/// unavailable.
+/// Creates the view mode that the client's options select: desktop window, headset, camera image or
+/// offscreen. The options must name a display. Throws InputError if OpenGL or a device is unavailable.
 std::unique_ptr<ViewMode> make_view_mode(const ViewModeParts& parts);
 
 }  // namespace prosector

@@ -19,48 +19,55 @@ namespace prosector {
 
 class Viewer {
  public:
-  /// Creates the viewer; the arguments must outlive it. `headset_user` receives a headset user's poses;
-  /// `tell` prints a line in the terminal. `camera`: for augmented reality or eye tracking; null: none.
+  /// Creates the viewer, which renders the session's frames; the arguments must outlive it. `headset_user`
+  /// receives a headset user's poses; `tell` prints a line in the terminal. `camera`: for augmented reality
+  /// or eye tracking; null: none.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
          HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
          std::function<void(const std::string&)> tell);
 
   bool closed() const { return stage_ && stage_->mode->closed(); }
-  /// Reports whether the last frame was paced by the view mode, which waited for a headset or a camera.
+  /// Returns whether the last draw_if_seen() waited for a headset or a camera. If false, the caller must
+  /// limit the frame rate.
   bool keeps_time() const { return stage_ && stage_->mode->keeps_time(); }
 
-  /// Returns the help for a role with the devices of this client; empty without a window.
+  /// Returns the help text on all controls that a user with this role has with the client's devices; empty
+  /// without a window.
   std::string help(Role role, HelpColumns columns) const;
-  /// Returns the first hints for a role with the devices of this client; empty without a window.
+  /// Returns the first hints on how to use the client, for a user with this role and the client's devices;
+  /// empty without a window.
   std::vector<std::string> greeting(Role role) const;
-  /// Returns the name of the body under the pointer and its holders, as the frame labels it; "nothing" if
-  /// there is none.
+  /// Returns the name of the body under the mouse pointer and the participants that hold it, as the frame
+  /// labels it; "nothing" if there is none.
   std::string pointed() const;
 
-  /// Sets the camera pose of frames without a desk; nullopt: the scene's camera.
+  /// Sets the camera pose of frames that are rendered without a window; nullopt: the scene's camera.
   void look_from(const std::optional<LookFrom>& place) { client_.looks_from = place; }
-  /// Shows a line in the frames for a while.
+  /// Shows a message line in the frames for its reading time.
   void say(const std::string& line, MessageKind kind) { client_.say(line, kind); }
-  /// Shows in the window or headset, if any, what data is missing and how much has arrived (0 … 1).
+  /// Shows in the window or headset, if any, which data of the session are missing and how much has arrived
+  /// (0 … 1).
   void draw_loading(const std::string& waits_for, double progress);
-  /// Requests a screenshot of the next frame in `file`.
+  /// Requests that the next frame is stored as a screenshot in `file`.
   void take_picture(const std::filesystem::path& file);
-  /// Returns the first part of the anatomy that a ray hits in the last frame.
+  /// Returns the anatomical part that a ray (world frame) meets first in the last frame; nullopt if it meets
+  /// none.
   std::optional<BodyId> part_at(const Ray& ray);
 
-  /// Changes the display of parts.
+  /// Changes how this viewer sees anatomical parts, for instance hides one.
   void obey(const PartsOrder& order) { client_.parts.obey(order); }
   const PartsChoice& parts() const { return client_.parts; }
-  /// Opens or closes the board with the list of parts next to a user with tracked hands; `hand`: the hand
-  /// that asked.
+  /// Opens the board with the list of parts next to a user with tracked hands, or closes it. `hand`: the hand
+  /// whose gesture requested it.
   void call_parts(const HandInput& user, std::size_t hand);
 
-  /// Renders the next frame if it is displayed or stored. `pump` carries the user's hands; null for
-  /// observers.
+  /// Renders the next frame if it is shown to a user or stored in a file. `pump` sends the user's inputs and
+  /// holds their latest hand poses; null for observers.
   void draw_if_seen(InputPump* pump);
-  /// Renders the last frame if a screenshot waits for it, and writes all pending output.
+  /// Renders the session's last frame if screenshots wait for it, and writes all pending files and error
+  /// messages. `pump`: see draw_if_seen().
   void finish(InputPump* pump);
-  /// Reports whether a requested image could not be written.
+  /// Returns whether a requested screenshot, video or contact sheet could not be written.
   bool lost_pictures() const { return sink_.failed(); }
   void reload_changed_shaders();
   void tell_failures();

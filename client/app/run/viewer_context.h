@@ -18,7 +18,8 @@
 namespace prosector {
 
 struct ViewerContext {
-  /// Creates the state; the references must outlive it. `print` prints a line in the terminal.
+  /// Creates the state that the viewer and its view mode share; the references must outlive it. `print`
+  /// prints a line in the terminal.
   ViewerContext(const ClientOptions& client_options, Connection& session_connection,
                 const ClientReport& client_report, std::function<void(const std::string&)> print)
       : options(client_options),
@@ -30,11 +31,11 @@ struct ViewerContext {
   ViewerContext(const ViewerContext&) = delete;
   ViewerContext& operator=(const ViewerContext&) = delete;
 
-  /// Shows a line in the frames for a while.
+  /// Shows a message line in the frames for its reading time.
   void say(const std::string& line, MessageKind kind) {
     messages.say(line, seconds_since(report.joined_ns), kind);
   }
-  /// Prints a line in the terminal and shows it in the frames.
+  /// Prints a line in the terminal, and shows it as a message in the frames.
   void inform(const std::string& line) {
     tell(line);
     say(line, MessageKind::news);

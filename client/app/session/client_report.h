@@ -13,11 +13,12 @@
 
 namespace prosector {
 
-/// Log of the times at which each participant's inputs first appeared in a received snapshot. Called on the
-/// network thread.
+/// Log file for latency measurements: the times at which each participant's inputs first appeared in a state
+/// received from the server. It is called on the network thread.
 class ArrivalLog {
  public:
-  /// Opens a CSV file: arrived_ns, participant, sequence, tick. Throws InputError if it cannot be written.
+  /// Opens a CSV file with the columns arrived_ns, participant, sequence and tick. Throws InputError if it
+  /// cannot be written.
   explicit ArrivalLog(const std::filesystem::path& file);
   void received(const Received& received);
 

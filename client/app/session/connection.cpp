@@ -199,7 +199,8 @@ void Connection::reconnect() {
     other = make_cyclone_bus(config_);
   } catch (const InputError& error) {
     std::lock_guard lock(mutex_);
-    words_.push_back(catalogue_.tr("the server no longer receives your hands: {}", error.what()));
+    words_.push_back(catalogue_.tr(
+        "the server no longer receives your hands, and the client cannot reconnect: {}", error.what()));
     return;
   }
   const Presence old = presence();
@@ -213,7 +214,7 @@ void Connection::reconnect() {
   std::get<RosterEntry>(end.message).participant = old.participant;
   std::lock_guard lock(mutex_);
   servers_.apply(end);
-  words_.push_back(catalogue_.tr("the server no longer received your hands: reconnected"));
+  words_.push_back(catalogue_.tr("the server no longer received your hands: the client has reconnected"));
 }
 
 // Requests keyframes of the bodies whose replica does not match the server's topology.

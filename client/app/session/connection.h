@@ -25,28 +25,29 @@ struct JoinRequest {
   std::chrono::milliseconds time_limit{5000};  // timeout of the search for the session
 };
 
-/// Connection to a joined session. Its thread applies received samples to the replica independently of
-/// rendering.
+/// Connection to a joined session. A separate thread applies received messages to the replica, the client's
+/// copy of the session, independently of rendering.
 class Connection {
  public:
-  /// Joins the session. Throws InputError with advice if no server was found (listing the address and the
-  /// available sessions), its protocol version differs, or the server refuses.
+  /// Joins the session. Throws InputError with advice if no server was found (with the address and the
+  /// available sessions), if its protocol version differs, or if the server refuses.
   Connection(const BusConfig& config, const JoinRequest& request);
   ~Connection();
 
-  /// Returns this user's id in the session. It changes on a reconnection.
+  /// Returns the id of this client's user in the session. It changes when the client reconnects.
   ParticipantId participant() const { return participant_; }
   const std::string& name() const { return presence_.name; }
 
-  /// Calls `f(replica)` while the network thread is locked out.
+  /// Calls `f` with the replica, the client's copy of the session, while the network thread can't change it.
+  /// Returns the result of `f`.
   template <class F>
   decltype(auto) with_replica(F&& f) {
     std::lock_guard lock(mutex_);
     return f(servers_.replica());
   }
 
-  /// Sets the function called on the network thread for every sample of the followed server, before the
-  /// sample is applied to the replica. Must be called before start().
+  /// Sets the function that is called on the network thread for every message of the followed server, before
+  /// the message is applied to the replica. Must be called before start().
   void on_received(std::function<void(const Received&)> f) { on_received_ = std::move(f); }
   void start();
 
@@ -54,8 +55,8 @@ class Connection {
   void publish(const ArmForce& force) { bus()->publish(force); }
   void command(const CommandBody& body);
   BusCounters counters() const { return bus()->counters(); }
-  /// Returns the server's messages to this user since the last call, in order: reasons for refused commands,
-  /// and messages that answer no command.
+  /// Returns and removes the server's messages to this user since the last call, in order: reasons for
+  /// refused commands, and messages that answer no command.
   std::vector<std::string> take_server_messages();
 
  private:

@@ -6,19 +6,20 @@
 
 namespace prosector {
 
-/// Detects when a running server no longer consumes a client's inputs although they are sent. A single
-/// damaged datagram with a sequence number far ahead can cause this. The server's DDS reader then drops all
-/// following samples of the same writer as outdated. sent() may be called on another thread than the other
-/// functions.
+/// Detector of a server that runs but no longer consumes this client's inputs although they are sent. A
+/// single damaged datagram with a sequence number far ahead can cause this. The server's DDS reader then
+/// drops all following samples of the same writer as outdated. sent() may be called on another thread than
+/// the other functions.
 class InputLossDetector {
  public:
-  /// Notes that an input was sent.
+  /// Counts an input that this client sent to the server.
   void sent() { sent_.fetch_add(1, std::memory_order_relaxed); }
-  /// Sets HandInput::sequence of the last input that the server consumed.
+  /// Records the last of this client's inputs that the server reports as consumed, by its
+  /// HandInput::sequence.
   void take_consumed(std::uint64_t sequence);
-  /// Processes a status of the server received at this time of a monotonic clock, ns. `time_goes`: simulated
-  /// time advances, so the server should consume inputs. Returns whether inputs were sent but none was
-  /// consumed for the timeout. The count then restarts with a longer timeout.
+  /// Processes a status message of the server that was received at `now_ns` (monotonic clock). `time_goes`:
+  /// simulated time advances, so the server should consume inputs. Returns whether inputs were sent but none
+  /// was consumed for the timeout. After that it measures again with a longer timeout.
   bool take_status(std::int64_t now_ns, bool time_goes);
 
   static constexpr std::int64_t patience_ns = 5'000'000'000, longest_patience_ns = 300'000'000'000;

@@ -33,9 +33,9 @@ std::string session_not_found_text(const BusConfig& config, std::chrono::millise
   std::string others;
   for (const SessionInfo& s : found)
     others += fmt::format("{}'{}' (scene {})", others.empty() ? "" : ", ", s.session, s.scene);
-  return fmt::format("no server found for session '{}' in domain {}: {}. {}", config.session, config.domain,
-                     search_location(config),
-                     others.empty() ? "Start one: prosector-server deploy/scenes/abdomen.toml"
+  return fmt::format("no server found for session '{}' in DDS domain {}: {}. {}", config.session,
+                     config.domain, search_location(config),
+                     others.empty() ? "Start a server: prosector-server deploy/scenes/abdomen.toml"
                                     : "Running sessions: " + others + "; choose with --session");
 }
 

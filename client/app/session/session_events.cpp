@@ -104,7 +104,7 @@ void SessionEvents::report_pace(const Replica& replica, std::vector<SessionMessa
     out.push_back({words_.tr("the host stopped time")});
   else
     out.push_back({pace_ == 1 ? std::string(words_.tr("time resumed"))
-                              : words_.tr("slow motion: {:g} of real time", pace_)});
+                              : words_.tr("slow motion: time runs at {:g} of real time", pace_)});
 }
 
 void SessionEvents::report_grasps(const Replica& replica, std::vector<SessionMessage>& out) {

@@ -15,26 +15,28 @@
 
 namespace prosector {
 
-/// Message about a session event, and whether this user caused it.
+/// Message to the user about a session event, and whether this user caused it.
 struct SessionMessage {
   std::string text;
   MessageKind kind = MessageKind::news;
   bool operator==(const SessionMessage&) const = default;
 };
 
-/// Compares the replica's state between calls. The state at the first call causes no messages. Grasps by this
-/// user are reported.
+/// Detector of session events, such as cuts and joining or leaving participants, by comparing the replica's
+/// state between calls. The state at the first call causes no messages. Grasps are reported only if this
+/// client's user makes them.
 class SessionEvents {
  public:
-  /// Sets the user of this client, whose actions are described as "you …".
+  /// Sets the participant id of this client's user, whose actions are described as "you …", and the language
+  /// of the messages.
   explicit SessionEvents(ParticipantId self, Catalogue words = {}) : self_(self), words_(std::move(words)) {}
-  /// Sets the user's new id, for instance after a reconnection.
+  /// Sets the new participant id of this client's user, for instance after a reconnection.
   void rename_self(ParticipantId self) { self_ = self; }
 
-  /// Returns messages on changes of participants, time, cuts, pieces cut off, and on simulation problems and
-  /// their end. `now`: monotonic clock, s. A stroke is reported once, regardless of its number of revisions,
-  /// with its length and depth after its end. A recurring problem is reported at most once a minute, and its
-  /// end only if the problem was reported.
+  /// Returns messages on changes since the last call: participants, time, cuts, pieces cut off, and
+  /// simulation problems and their end. `now`: monotonic clock, s. A stroke of a blade is reported once when
+  /// it begins, and with length and depth after its end. A recurring problem is reported at most once a
+  /// minute, and its end only if the problem was reported.
   std::vector<SessionMessage> look(const Replica& replica, double now);
 
  private:

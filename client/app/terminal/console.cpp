@@ -56,7 +56,7 @@ ConsoleLine inspect(const std::string& rest, const SceneInfo& scene,
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), scale);
   if (error != std::errc() || end != number.data() + number.size() ||
       !(scale >= 0.01 && scale <= max_shape_entry))
-    return fmt::format("inspect PART SCALE: SCALE is from 0.01 to {}", max_shape_entry);
+    return fmt::format("inspect PART SCALE: SCALE is from 0.01 to {} times the part's size", max_shape_entry);
   const auto body = body_of(scene, name);
   if (!body) return no_body_called(name);
   return Inspect{*body, scaled_about(middle(*body), scale)};
@@ -76,7 +76,7 @@ ConsoleLine rewind(const std::string& rest, const SceneInfo& scene) {
   Rewind out;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), out.revision);
   if (number.empty() || error != std::errc() || end != number.data() + number.size())
-    return "rewind PART REVISION: REVISION is the number of one of its cuts, 0 for its initial state";
+    return "rewind PART REVISION: REVISION is the number of one of the part's cuts, 0 for its initial state";
   const auto body = body_of(scene, name);
   if (!body) return no_body_called(name);
   out.body = *body;
@@ -94,7 +94,7 @@ std::optional<double> number_of(const std::string& text) {
 ConsoleLine slow(const std::string& rest) {
   const std::optional<double> share = number_of(rest);
   if (!share || *share < min_pace || *share > 1)
-    return fmt::format("slow SHARE: fraction of real time, {:g} to 1", min_pace);
+    return fmt::format("slow SHARE: SHARE is the speed as a fraction of real time, {:g} to 1", min_pace);
   return SetPace{*share};
 }
 
@@ -110,7 +110,8 @@ ConsoleLine step(const std::string& rest) {
 ConsoleLine fast(const std::string& rest) {
   const std::optional<double> times = number_of(rest);
   if (!times || *times < 1 || *times > max_pace)
-    return fmt::format("fast TIMES: multiple of real time, 1 to {:g}; recordings only", max_pace);
+    return fmt::format(
+        "fast TIMES: TIMES is the speed as a multiple of real time, 1 to {:g}; recordings only", max_pace);
   return SetPace{*times};
 }
 
@@ -120,8 +121,10 @@ ConsoleLine effort(const std::string& rest, const SceneInfo& scene) {
                                       : word == "coarse" ? std::optional<double>(max_steps_down)
                                                          : number_of(word);
   if (name.empty() || word.empty() || !steps || *steps > max_steps_down || *steps != std::floor(*steps))
-    return fmt::format("effort PART STEPS, or effort all STEPS: 0 or exact (as configured) to {} or coarse",
-                       max_steps_down);
+    return fmt::format(
+        "effort PART STEPS, or effort all STEPS: STEPS reduces the solver's effort, from 0 or exact (as "
+        "configured) to {} or coarse",
+        max_steps_down);
   const auto steps_down = static_cast<std::uint32_t>(*steps);
   if (name == "all") return SetAllEfforts{steps_down};
   const auto body = body_of(scene, name);
@@ -140,8 +143,10 @@ ConsoleLine accuracy(const std::string& rest, const SceneInfo& scene) {
   if (last.ends_with('%')) {
     const std::optional<double> percent = number_of(last.substr(0, last.size() - 1));
     if (!percent || *percent < min_accuracy || *percent > max_accuracy)
-      return fmt::format("accuracy PART {:g} … {:g} %, or accuracy PART to list the available accuracies",
-                         min_accuracy, max_accuracy);
+      return fmt::format(
+          "accuracy PART PERCENT: PERCENT is the largest error, {:g} … {:g} %; accuracy PART alone lists the "
+          "available accuracies",
+          min_accuracy, max_accuracy);
     out.percent = *percent;
     name = split_last(name).first;
   }
@@ -162,11 +167,12 @@ std::optional<double> seconds_of(const std::string& text) {
 }
 
 ConsoleLine seek(const std::string& rest, const std::optional<ShownTime>& watched) {
-  if (!watched) return "seek: this session is live; only recordings can be sought";
+  if (!watched) return "seek: this session is live; seek moves only in a recording";
   const bool from_now = rest.starts_with('+') || rest.starts_with('-');
   const std::optional<double> seconds = seconds_of(from_now ? rest.substr(1) : rest);
   if (!seconds)
-    return "seek TIME: 75 or 1:15 (seconds or minutes:seconds), or +10, -10 from the current time";
+    return "seek TIME: TIME is in seconds or minutes:seconds, e.g. 75 or 1:15, or +10, -10 from the current "
+           "time";
   const double way = rest.starts_with('-') ? -*seconds : *seconds;
   const double tick = (from_now ? watched->tick : 0) + way * watched->tick_rate;
   return Seek{static_cast<std::uint32_t>(
@@ -183,8 +189,10 @@ ConsoleLine look(const std::string& rest) {
   const bool inside = numbers && eye.cwiseAbs().maxCoeff() <= max_coordinate &&
                       target.cwiseAbs().maxCoeff() <= max_coordinate;
   if (!inside || eye == target)
-    return fmt::format("look X Y Z X Y Z: two different points within {} m of the centre; or look alone",
-                       max_coordinate);
+    return fmt::format(
+        "look X Y Z X Y Z: positions of the eye and of its target, two different points within {} m of the "
+        "centre; look alone restores the view",
+        max_coordinate);
   return LookFrom{eye, target};
 }
 
@@ -216,7 +224,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
   if (verb == "what") return DescribePointed{};
   if (verb == "undo") return Undo{};
   if (verb == "picture") {
-    if (rest.empty()) return "picture FILE: FILE is the file to write";
+    if (rest.empty()) return "picture FILE: FILE is the PNG file to write the current frame to";
     return TakePicture{rest};
   }
   if (verb == "detach") return of_body<Detach>(rest, scene);

@@ -18,41 +18,44 @@
 
 namespace prosector {
 
-/// Returns the help for all terminal commands, regardless of the user's role.
+/// Returns the help text on all commands that can be typed in the client's terminal, regardless of the user's
+/// role.
 std::string console_help();
 
-/// Request to save a screenshot.
+/// Request of a terminal command to save a screenshot in a file.
 struct TakePicture {
   std::filesystem::path file;
 };
 
-/// New camera pose for offscreen images: from `eye` towards `target` (m, world frame).
+/// Request of a terminal command to set the camera of offscreen frames: from `eye` towards `target` (m, world
+/// frame).
 struct LookFrom {
   Vec3 eye, target;
 };
-/// Request to restore the scene's own camera pose.
+/// Request of a terminal command to use the scene's own camera for offscreen frames again.
 struct RestoreView {};
 
-/// Request to list the cuts.
+/// Request of a terminal command to list the cuts of the session.
 struct ListCuts {};
 
-/// Request to name the part under the pointer.
+/// Request of a terminal command to name the body under the mouse pointer.
 struct DescribePointed {};
 
-/// Result of a line: a command to the server, a request to the client, or an error message.
+/// Result of a line typed in the terminal: a command to the server, a request to this client, or an error
+/// message.
 using ConsoleLine =
     std::variant<CommandBody, TakePicture, LookFrom, RestoreView, ListCuts, DescribePointed, std::string>;
 
-/// Parses a line. Names are those of the roster and the scene and may contain spaces. `middle` returns the
-/// centre of a body in the room, m. `watched` is the displayed time of a recording; nullopt: the session is
-/// live.
+/// Parses a line typed in the terminal. Names are those of the roster and the scene and may contain spaces.
+/// `middle` returns the centre of a body in the room, m. `watched`: displayed time of a recording; nullopt if
+/// the session is live.
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
                                const std::function<Vec3(BodyId)>& middle,
                                const std::optional<ShownTime>& watched = std::nullopt);
 
-/// Standard input. take() returns the lines typed since the last call without blocking. Closes silently at
-/// end of file.
+/// Reader of the lines that the user types on standard input. take() returns those since the last call
+/// without blocking. At the end of file it stops reading, without an error.
 class Console {
  public:
   Console();

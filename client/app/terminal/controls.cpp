@@ -8,12 +8,12 @@ namespace prosector {
 namespace {
 
 const char* name_of(ControlDevice device) {
-  constexpr std::array<const char*, 6> names = {msg("The view, with mouse and keyboard"),
-                                                msg("Your hand, with the mouse"),
+  constexpr std::array<const char*, 6> names = {msg("Control the view with mouse and keyboard"),
+                                                msg("Control your hand with the mouse"),
                                                 msg("Gamepad"),
                                                 msg("Headset and glove"),
                                                 "At this terminal",
-                                                msg("Time, during playback of a recording")};
+                                                msg("Control time during playback of a recording")};
   return names[static_cast<std::size_t>(device)];
 }
 

@@ -14,8 +14,9 @@
 
 namespace prosector {
 
-/// Input device of a control; `recording`: playback controls of a recording. Mouse and keyboard move the view
-/// of every user with a window, and the hand of users without other devices.
+/// Group of controls that the help lists together, by input device; `recording` is for the playback of a
+/// recording. Mouse and keyboard move the view of every user with a window, and the hand of users without
+/// other devices.
 enum class ControlDevice : std::uint8_t { view, hand, gamepad, headset, terminal, recording };
 
 struct Control {
@@ -145,19 +146,22 @@ inline constexpr std::array controls = {
             msg("pauses or resumes; one tick")},
 };
 
-/// Separator of the help's columns: blanks for monospaced fonts, a tab for text in a frame.
+/// Separator between the two columns of the help text: blanks for monospaced fonts, a tab for text in a
+/// frame.
 enum class HelpColumns : std::uint8_t { blanks, tabs };
 
-/// Returns the help for a role and devices: one line per control, in two columns. Terminal commands and their
-/// help stay English.
+/// Returns the help text on the controls that a user with this role has with these devices: one line per
+/// control, with the input and its effect in two columns. Terminal commands and their help stay English.
 std::string help_text(Role role, std::span<const ControlDevice> devices,
                       HelpColumns columns = HelpColumns::blanks, const Catalogue& words = {});
 
-/// Returns the first hints for a role and devices, one per line.
+/// Returns the first hints on how to use the client, for a user with this role and these devices, one per
+/// line.
 std::vector<std::string> first_hints(Role role, std::span<const ControlDevice> devices,
                                      const Catalogue& words = {});
 
-/// Returns one device's controls as a Markdown table.
+/// Returns a Markdown table of the device's controls for the documentation: the input, its effect, and the
+/// required role.
 std::string controls_in_markdown(ControlDevice device);
 
 }  // namespace prosector

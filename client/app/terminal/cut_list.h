@@ -12,8 +12,9 @@
 
 namespace prosector {
 
-/// Returns a line for each body with changed topology: its newest revision, cause, author and time. `shown`
-/// returns the displayed revision of a body; null: none.
+/// Returns a list of the cuts as text: a line for each body with changed topology, with its newest revision,
+/// cause, author and time. `shown` returns the displayed topology revision of a body; null: none.
+/// `tick_seconds`: duration of a tick, s.
 std::string cut_list_text(const SceneInfo& scene, const std::map<ParticipantId, RosterEntry>& roster,
                           double tick_seconds, const std::function<const TopologyRevision*(BodyId)>& shown);
 

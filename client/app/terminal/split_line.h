@@ -12,15 +12,16 @@ inline std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-/// Splits off the first word. Returns it and the rest, both trimmed.
+/// Splits off the first word of a line. Returns this word and the rest of the line, both without surrounding
+/// blanks.
 inline std::pair<std::string, std::string> split_first(const std::string& line) {
   const std::string text = trimmed(line);
   const auto space = text.find(' ');
   return {text.substr(0, space), space == std::string::npos ? "" : trimmed(text.substr(space))};
 }
 
-/// Splits off the last word of a trimmed text. Returns the text before it and the word; a single word is
-/// returned first.
+/// Splits off the last word of a text without surrounding blanks. Returns the text before the word, and the
+/// word. If there is only one word, returns it first and an empty string second.
 inline std::pair<std::string, std::string> split_last(const std::string& text) {
   const auto at = text.find_last_of(' ');
   if (at == std::string::npos) return {text, ""};

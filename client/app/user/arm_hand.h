@@ -17,23 +17,25 @@ namespace prosector {
 
 class ArmHand {
  public:
-  /// Opens the arm that the configuration names and starts its servo. Throws InputError for an invalid
-  /// address; an arm that is not connected is not an error.
+  /// Opens the haptic arm that the settings name, and starts its servo thread. Throws InputError for an
+  /// invalid address; an arm that is not connected is not an error.
   explicit ArmHand(const ArmSettings& settings);
 
   std::size_t hand() const { return settings_.hand; }
-  /// Passes a server message to the servo. Called on the network thread.
+  /// Passes the contact planes (local models of the contact forces) of a server message to the arm's servo
+  /// thread, if they are for this user's hand. Called on the network thread.
   void received(const FeltPlanes& felt, ParticipantId participant);
-  /// Writes the arm's hand pose and buttons into the input. Returns the arm's force and energy, to be
-  /// published with the input.
+  /// Writes the hand pose and buttons that the arm reports into the input to be sent. Returns the arm's force
+  /// and energy balance, to be published with the input.
   ArmForce fill(HandInput& input);
-  /// Returns the commands requested by the arm's buttons since the last call: the first button alternates
-  /// between grasp and release.
+  /// Returns and removes the commands that the arm's buttons have requested since the last call: the first
+  /// button alternates between grasp and release.
   std::vector<CommandBody> take_wishes();
-  /// Returns a status line for the user if the arm's state changed since the last call, else nothing.
+  /// Returns a status line of the arm for the user if its state changed since the last call, else no line.
   std::vector<std::string> take_news();
   ServoThread& servo() { return servo_; }
-  /// Returns the server's last reported account of the hand's energy.
+  /// Returns the energy that the simulation has taken from and given to the user's hand so far, J, as the
+  /// server last reported it.
   EnergyBook server_energy() const { return {far_taken_, far_given_}; }
 
  private:

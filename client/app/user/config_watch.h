@@ -11,13 +11,15 @@
 
 namespace prosector {
 
-/// Source of a configuration: a file, and addresses from the command line, which override those in the file.
+/// Source of a client's device configuration: a file, and addresses from the command line, which override
+/// those in the file.
 struct ConfigSource {
   std::filesystem::path file;  // empty: none
   std::string tracker, left_glove, right_glove, arm;
   std::shared_ptr<SharedCamera> camera = {};  // shared by the display and the trackers; null: none
 
-  /// Reads the configuration. Throws InputError for an invalid file or address.
+  /// Reads the configuration file and applies the command line's addresses. Throws InputError for an invalid
+  /// file or address.
   ClientConfig read() const;
 };
 
@@ -25,8 +27,8 @@ class ConfigWatch {
  public:
   explicit ConfigWatch(ConfigSource source);
 
-  /// Returns the new configuration if its file was written since the last check, which is made at most every
-  /// 0.5 s. Passes errors to `report` and returns nullopt for an invalid file.
+  /// Returns the new configuration if its file was written since the last check, otherwise nullopt. It checks
+  /// at most every 0.5 s. For an invalid file, passes the error to `report` and returns nullopt.
   std::optional<ClientConfig> look(std::int64_t now_ns,
                                    const std::function<void(const std::string&)>& report);
 

@@ -27,8 +27,8 @@ struct GestureTrigger {
   std::size_t hand = right_hand;
 };
 
-/// Returns a list of the drivers in use, for display: "fastrak, 5dt"; empty if the configuration names no
-/// device.
+/// Returns a list of the drivers of the configuration's devices, for display: "fastrak, 5dt"; empty if it
+/// names no device.
 std::string describe_devices(const ClientConfig& config);
 inline bool has_devices(const ClientConfig& config) {
   return !describe_devices(config).empty();
@@ -36,20 +36,22 @@ inline bool has_devices(const ClientConfig& config) {
 
 class DeviceRig {
  public:
-  /// Opens the configured devices. A device that can't be opened is retried and reported; this is not fatal.
-  /// `headset`: a headset that also tracks the user; null: none.
+  /// Opens the configured tracker and gloves. A device that can't be opened is retried and reported; this is
+  /// not fatal. `headset`: a headset that also tracks the user; null: none.
   explicit DeviceRig(const ClientConfig& config, HeadsetUser* headset = nullptr);
 
-  /// Blocks until a device has data or the timeout expires.
+  /// Blocks until a tracker or glove has data, or the timeout expires.
   void wait(int timeout_ms) const;
-  /// Reads all devices. Returns true if any of them sent data.
+  /// Reads all devices and updates input(). Returns true if any of them sent data.
   bool poll(std::int64_t now_ns);
 
-  /// Returns the user's latest state; the sender must fill in `participant` and `sequence`.
+  /// Returns the latest poses of the user's head, hands and held objects. The sender must fill in
+  /// `participant` and `sequence`.
   const HandInput& input() const { return input_; }
-  /// Returns the tracker sample from which `input().hands[hand]` was set; nullopt: none.
+  /// Returns the tracker sample from which the hand's pose in input() was computed; nullopt if there is none.
   const std::optional<DeviceSample>& tracker_sample(std::size_t hand) const { return tracker_sample_[hand]; }
-  /// Returns the events triggered by gestures and buttons since the last call.
+  /// Returns and removes the events, such as grasp, that gestures and buttons have triggered since the last
+  /// call, with the hand of each.
   std::vector<GestureTrigger> take_triggers() { return std::exchange(triggers_, {}); }
   /// Returns a line for the user for each device whose state changed since the last call: "tracker
   /// fastrak:/dev/ttyS0: silent …".

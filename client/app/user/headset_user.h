@@ -11,12 +11,12 @@ namespace prosector {
 
 class HeadsetUser {
  public:
-  /// Sets the user's latest poses.
+  /// Sets the headset user's latest poses. Called on the headset's thread.
   void put(const TrackedUser& user) {
     std::lock_guard lock(mutex_);
     newest_ = user;
   }
-  /// Returns the latest poses; nullopt: no update since the last call.
+  /// Returns the headset user's latest poses; nullopt if there was no update since the last call.
   std::optional<TrackedUser> take() {
     std::lock_guard lock(mutex_);
     return std::exchange(newest_, std::nullopt);

@@ -20,24 +20,27 @@ namespace prosector {
 
 class InputPump {
  public:
-  /// Starts the thread. `log`, if not empty, is a CSV file with a line per sent HandInput: sequence,
-  /// monotonic ns, time of the device's sample, the tracker's raw values. Matching these values with the
-  /// device's own log gives the end-to-end latency. `headset`: a headset that also tracks the user; `arm`:
-  /// the hand moved by a haptic arm; null: none. Later changes of the configuration file are applied, except
-  /// to the arm.
+  /// Starts the thread that reads the user's devices and sends inputs to the server. `headset`: a headset
+  /// that also tracks the user; `arm`: the hand moved by a haptic arm; null: none. Later changes of the
+  /// configuration file are applied, except to the arm.
+  ///
+  /// `log`, if not empty, is a CSV file with a line per sent HandInput: sequence, monotonic ns, time of the
+  /// device's sample, and the tracker's raw values. Matching these values with the device's own log gives the
+  /// end-to-end latency.
   InputPump(Connection& connection, const ConfigSource& source, HeadsetUser* headset, ArmHand* arm,
             const std::filesystem::path& log, std::function<void(const std::string&)> report);
   ~InputPump();
 
-  /// Returns the last sent input, for immediate rendering.
+  /// Returns the user's last input that was sent to the server, for immediate rendering of the own hands.
   HandInput latest() const;
-  /// Sets the mouse and keyboard input of a user without devices. It is sent at a constant rate, so that a
-  /// slow frame doesn't look like a lost hand.
+  /// Sets the input that a user without devices makes with mouse and keyboard. It is sent at a constant rate,
+  /// so that a slow frame doesn't look like a lost hand.
   void set_desk_input(const HandInput& input);
-  /// Returns the hands whose gestures requested a panel since the last call. The render thread determines the
-  /// panel.
+  /// Returns and removes the hands (left_hand, right_hand) whose gestures have requested a panel since the
+  /// last call. The render thread determines which part's panel.
   std::vector<std::size_t> take_panel_calls();
-  /// Returns the hands whose gestures requested the list of parts since the last call.
+  /// Returns and removes the hands (left_hand, right_hand) whose gestures have requested the list of parts
+  /// since the last call.
   std::vector<std::size_t> take_parts_calls();
 
  private:

@@ -5,15 +5,16 @@
 
 namespace prosector {
 
-/// Time and rate of the measurements of one tracked object. Times are in ns of the monotonic clock.
+/// Timer that decides for how long the last measured pose of a tracked object stays valid. Times are in ns of
+/// the monotonic clock.
 class PoseValidity {
  public:
-  /// Records a measurement at `time_ns` that was received at `now_ns`.
+  /// Records a measurement of the object's pose that was made at `time_ns` and received at `now_ns`.
   void see(std::int64_t time_ns, std::int64_t now_ns);
-  /// Reports whether the last pose is too old to use. It is valid until the next one is due, which is later
-  /// for slow cameras or slow evaluation; at least 0.25 s and at most 1 s.
+  /// Returns whether the last measured pose is too old to use. It is valid until the next one is due, which
+  /// is later for slow cameras or slow evaluation; at least 0.25 s and at most 1 s.
   bool is_over(std::int64_t now_ns) const { return now_ns - seen_ns_ > validity_ns(); }
-  /// Returns the time of the last measurement; 0: never.
+  /// Returns the time of the last measurement of the pose; 0 if there was none.
   std::int64_t seen_ns() const { return seen_ns_; }
 
  private:

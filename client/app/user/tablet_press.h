@@ -17,18 +17,20 @@ namespace prosector {
 
 class TabletPress {
  public:
-  /// Returns the hand moved along the ray from `eye` (m, room) through its index fingertip to operate the
-  /// tablet. A hand in front of the board that doesn't point is kept off it. Other hands are returned
-  /// unchanged.
+  /// Returns the hand's pose corrected so that it operates the tablet, although a single camera measures its
+  /// depth inaccurately. A pointing hand is moved along the ray from the camera at `eye` (m, room) through
+  /// its index fingertip. A hand in front of the board that doesn't point is kept off it. Other hands are
+  /// returned unchanged.
   HandPose follow(std::size_t hand, const HandPose& seen, const Pose& tablet, const Vec3& eye,
                   std::int64_t time_ns);
-  /// Notes that this hand is not detected: the control pressed by its finger is released.
+  /// Notes that this hand is not detected: the control that its finger presses is released.
   void lose(std::size_t hand) { fingers_[hand] = {}; }
 
   static constexpr double dwell = 0.5;  // s that a finger must stay at a control to press it
 
  private:
-  /// State of a finger in front of the board.
+  /// State of an index finger in front of the tablet's board: the control under it and whether it presses
+  /// that.
   struct Finger {
     std::optional<PanelControl> control;  // control under the finger
     std::int64_t since_ns = 0;

@@ -15,7 +15,8 @@
 
 namespace prosector {
 
-/// State of blade and hand on the server at one time. Poses are in the world frame.
+/// State, on the server at one time, of the blade that the user's tracked instrument controls, and of the
+/// simulated hand. Poses are in the world frame.
 struct ToolState {
   BodyId body = 0;
   Pose pose;                  // pose of the blade's body
@@ -25,23 +26,25 @@ struct ToolState {
   bool is_hindered = false;   // that hand holds another body
 };
 
-/// Returns the state of a hand and of the blade of this name; nullopt: the scene has not arrived yet. Throws
-/// InputError, with the names of the available blades, if the scene has no movable blade of this name.
+/// Returns the state of a hand and of the blade with this name; nullopt if the scene has not arrived yet.
+/// Throws InputError, with the names of the available blades, if the scene has no movable blade of this name.
 std::optional<ToolState> tool_state(const Replica& replica, const HandRef& hand, const std::string& name);
 
 class ToolHand {
  public:
-  /// Advances to `now_ns` and returns the target hand pose. `instrument`: its tip, +z along the shaft, −y
-  /// towards the edge; nullopt: not tracked. Without the instrument the hand rests for a while, then becomes
-  /// untracked.
+  /// Advances to `now_ns` (monotonic clock) and returns the target pose of the hand, which fetches the blade
+  /// and then moves its tip to that of the instrument. `instrument`: pose with its tip as origin, +z along
+  /// the shaft, −y towards the edge; nullopt: not tracked. Without the instrument the hand rests for a while,
+  /// then becomes untracked.
   HandPose follow(const ToolState& tool, const std::optional<Pose>& instrument, std::int64_t now_ns);
-  /// Returns the command requested since the last call: to grasp the blade, or to release another held body.
+  /// Returns the command to the server requested since the last call: to grasp the blade, or to release
+  /// another held body; nullopt if there is none.
   std::optional<CommandBody> take_command();
-  /// Reports whether it controls the user's hand, overriding other trackers.
+  /// Returns whether the tracked instrument controls the user's hand, overriding other trackers.
   bool leads() const { return last_.has_value(); }
 
  private:
-  /// Pose and time of the last tracking result.
+  /// Pose and time of the last tracking result of the instrument.
   struct Seen {
     Pose pose;
     std::int64_t time_ns = 0;

@@ -96,9 +96,10 @@ ImportReply read_surface(const char* file) {
       return {{}, fmt::format("its reader reports: {}", importer.GetErrorString())};
     append(*scene, *scene->mRootNode, aiMatrix4x4(), 0, reply.mesh);
     if (const std::size_t other = other_faces(*scene); other > 0)
-      reply.notes.push_back(fmt::format("{} points and lines are not used", other));
+      reply.notes.push_back(fmt::format("{} points and lines of the file are not used", other));
   } catch (const std::bad_alloc&) {
-    return {{}, fmt::format("its reader needs more than {} GB of memory", max_memory >> 30)};
+    return {{},
+            fmt::format("its reader needs more than {} GB of memory, which is the limit", max_memory >> 30)};
   } catch (const InputError& error) {
     return {{}, error.what()};
   } catch (const std::exception& error) {

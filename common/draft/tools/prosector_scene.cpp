@@ -15,7 +15,6 @@
 #include "common/draft/draft_scene.h"
 #include "common/error.h"
 #include "common/file_endings.h"
-#include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
 #include "common/version.h"
 
@@ -33,7 +32,7 @@ struct NewScene {
 
 std::string atlases_text(const SceneDesc& scene) {
   if (scene.atlases.empty()) return "";
-  return fmt::format(", {} label map{} whose structures are bodies", scene.atlases.size(),
+  return fmt::format(", {} label map{} whose structures become bodies", scene.atlases.size(),
                      scene.atlases.size() == 1 ? "" : "s");
 }
 
@@ -62,17 +61,18 @@ CLI::App* add_new(CLI::App& app, NewScene& o) {
                    "folder of them, "
                    "or a label map (.nii .nii.gz .inr .inr.gz)")
       ->required();
-  draft->add_option("--out", o.out, "Scene file to write (default: the source's name and .toml, here)");
+  draft->add_option("--out", o.out,
+                    "Scene file to write (default: the source's name with .toml, in the current folder)");
   draft->add_option("--unit", o.unit, "Unit of surface files (default: guessed from the size and reported)")
       ->check(CLI::IsMember({"mm", "cm", "m"}));
   draft->add_option("--up", o.up, "Up axis of the files (default: y for surfaces, z for label maps)")
       ->check(CLI::IsMember({"y", "z"}));
   draft->add_flag("!--no-scalpel", o.options.scalpel, "Do not add a scalpel");
-  draft->add_flag("--rigid", o.options.rigid, "Make surfaces rigid; they may be open");
+  draft->add_flag("--rigid", o.options.rigid, "Make rigid bodies of the surfaces, which may then be open");
   draft
       ->add_option("--labels", o.options.labels,
                    "Table of a label map's names and colours (default: the .csv or .txt file of the same "
-                   "name beside it)")
+                   "name in its folder)")
       ->check(CLI::ExistingFile);
   draft->add_flag("--force", o.force, "Overwrite an existing file");
   return draft;
@@ -123,7 +123,8 @@ int run(int argc, char** argv) {
     return 1;
   }
   if (files.empty() && !manual) {
-    std::cerr << "prosector-scene: give a scene file, new or --manual (see --help)\n";
+    std::cerr
+        << "prosector-scene: nothing to do: give a scene file, the command new, or --manual (see --help)\n";
     return bad_input;
   }
   if (manual) write_scene_manual(std::cout);

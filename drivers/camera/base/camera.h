@@ -17,20 +17,23 @@ inline constexpr double default_response = 2.2;  // exponent from light to brigh
 class Camera {
  public:
   virtual ~Camera() = default;
-  /// Waits for the next image, at most `patience`. A slow caller gets the newest image. Returns nothing on a
-  /// timeout. Throws InputError if the camera is gone; it must then be reopened.
+  /// Waits for the camera's next image, at most `time_limit`. A slow caller gets the newest image. Returns
+  /// nothing on a timeout. Throws InputError if the camera is lost; it must then be reopened.
   virtual std::optional<Frame> next(std::chrono::milliseconds time_limit) = 0;
-  /// Returns the lens if the camera knows it: a synthetic camera does, a real camera does not.
+  /// Returns the camera's lens parameters if the camera knows them, as a synthetic camera does. Returns
+  /// nothing for a real camera.
   virtual std::optional<Lens> lens() const { return std::nullopt; }
-  /// Returns the exponent from light to brightness; the usual value if it is unknown.
+  /// Returns the exponent with which the camera converts light to pixel brightness; default_response if it is
+  /// unknown.
   virtual double response() const { return default_response; }
-  /// Returns a text that identifies the camera (model, serial number), under which its calibration is found.
+  /// Returns a text that identifies the camera (its model, file or address). It is stored in the camera's
+  /// calibration file.
   virtual std::string identity() const = 0;
 };
 
-/// Opens a camera. `address`: "/dev/video0", a number, a video file, a stream's URL, "synthetic:SCENE.toml",
-/// or "igtl://HOST[:PORT][/DEVICE]" for another program's images. Throws InputError if the camera can't be
-/// opened. The time of a synthetic scene starts at `start_ns`.
+/// Opens a camera. `address` is "/dev/video0", a device number, a video or image file, a stream's URL,
+/// "synthetic:SCENE.toml", or "igtl://HOST[:PORT][/DEVICE]" for images that another program sends. The time
+/// of a synthetic scene starts at `start_ns`. Throws InputError if the camera cannot be opened.
 std::unique_ptr<Camera> open_camera(const std::string& address, std::int64_t start_ns = monotonic_ns());
 
 }  // namespace prosector

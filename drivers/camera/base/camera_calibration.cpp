@@ -68,15 +68,11 @@ std::string write_calibration(const CameraCalibration& c) {
   for (const char letter : c.camera)  // drops characters that a TOML string would need to escape
     if (static_cast<unsigned char>(letter) >= 0x20 && letter != '"' && letter != '\\') name += letter;
   return fmt::format(
-      "# A camera's calibration, as `prosector-client camera calibrate` found it.\n"
-      "version = 1\n"
-      "camera = \"{}\"\n"
-      "width = {}\nheight = {}  # pixels\n"
-      "focal = [{:.4f}, {:.4f}]  # pixels\n"
-      "centre = [{:.4f}, {:.4f}]  # pixels; the first one's centre is 0, 0\n"
-      "distortion = [{:.7f}, {:.7f}, {:.7f}, {:.7f}, {:.7f}]  # k1 k2 p1 p2 k3\n"
-      "response = {:.3f}  # exponent from light to brightness\n"
-      "error = {:.4f}  # pixels RMS, of views that weren't fitted\n",
+      "# A camera's calibration, written by `prosector-client camera calibrate`.\nversion = 1\ncamera = "
+      "\"{}\"\nwidth = {}\nheight = {}  # pixels\nfocal = [{:.4f}, {:.4f}]  # pixels\ncentre = [{:.4f}, "
+      "{:.4f}]  # pixels; the first pixel's centre is 0, 0\ndistortion = [{:.7f}, {:.7f}, {:.7f}, {:.7f}, "
+      "{:.7f}]  # k1 k2 p1 p2 k3\nresponse = {:.3f}  # exponent from light to brightness\nerror = {:.4f}  # "
+      "pixels RMS, in views not used for the fit\n",
       name, c.lens.width, c.lens.height, c.lens.fx, c.lens.fy, c.lens.cx, c.lens.cy, c.lens.k1, c.lens.k2,
       c.lens.p1, c.lens.p2, c.lens.k3, c.response, c.error);
 }

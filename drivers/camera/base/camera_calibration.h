@@ -15,11 +15,11 @@ struct CameraCalibration {
   double error = 0;  // pixels RMS, over views that weren't fitted
 };
 
-/// Returns a guessed calibration for images of a given size: 60° horizontal field of view, no distortion.
-/// Positions computed with it have errors of about 10 %.
+/// Returns a guessed calibration of a camera whose images have this size in pixels. It assumes a horizontal
+/// field of view of 60° and no distortion. Positions computed with it have errors of about 10 %.
 CameraCalibration guessed_calibration(int width, int height);
 
-/// Reads a calibration file. Throws InputError with file, line, key and the allowed values.
+/// Reads a camera's calibration file (TOML). Throws InputError with file, line, key and the allowed values.
 CameraCalibration load_calibration(const std::filesystem::path& file);
 CameraCalibration parse_calibration(const std::string& toml, const std::string& file);
 std::string write_calibration(const CameraCalibration& calibration);

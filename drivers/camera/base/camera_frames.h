@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Rotation by 180° about x, which is its own inverse.
+/// Pose of OpenCV's camera frame (x right, y down, z forward) in the device frame of the same camera (x
+/// right, y up, −z forward). It is a rotation by 180° about x, which is its own inverse.
 inline const Pose device_camera = {Vec3::Zero(), Quat(0, 1, 0, 0)};
 
 }  // namespace prosector

@@ -13,9 +13,9 @@ struct GreyImage {
   std::vector<std::uint8_t> grey;  // row by row from the top
 };
 
-/// Returns the luma (BT.601) of an image.
+/// Converts a colour image to grey values by the luma weights of BT.601.
 GreyImage grey_of(const Image& image);
-/// Returns the mean grey value, 0 to 255.
+/// Returns the mean grey value of an image, 0 to 255; 0 for an empty image.
 double brightness_of(const GreyImage& image);
 
 }  // namespace prosector

@@ -10,15 +10,17 @@ namespace prosector {
 
 class ImageLens {
  public:
-  /// Reads the lens file. If `file` is empty, the lens is the camera's own or guessed. Throws InputError if
-  /// the file can't be read.
+  /// Reads the camera's calibration from `file`. If `file` is empty, the lens is the one that the camera
+  /// itself states, or a guessed one. Throws InputError if the file cannot be read.
   explicit ImageLens(const std::filesystem::path& file);
 
-  /// Resets the lens for a newly opened camera.
+  /// Prepares for the images of a newly opened camera. If the lens does not come from a file, it is replaced
+  /// with the one that this camera states, or a guessed one.
   void begin(const Camera& camera);
-  /// Adapts the lens to the image's size. Returns whether the lens changed.
+  /// Scales the lens to the image's size. Returns whether the lens changed, because the size differs from
+  /// that of the previous image.
   bool take(const Image& image);
-  /// Returns the lens, scaled to the size of the last image.
+  /// Returns the camera's lens, scaled to the size of the last image.
   const Lens& lens() const { return lens_; }
   bool is_guessed() const { return !calibration_; }
 

@@ -11,11 +11,12 @@ namespace prosector {
 
 inline constexpr std::size_t max_image_pixels = 1 << 26;
 
-/// Reads any image format that OpenCV can read; returns nothing on failure. Throws InputError if the image
-/// has more than `max_image_pixels`.
+/// Reads an image file in any format that OpenCV can read. Returns nothing if it is not a readable image.
+/// Throws InputError if the image has more than `max_image_pixels`.
 std::optional<Image> try_read_image(const std::filesystem::path& file);
 
-/// Reads any image format that OpenCV can read. Throws InputError on failure.
+/// Reads an image file in any format that OpenCV can read. Throws InputError if it is not a readable image or
+/// is too large.
 Image read_image(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -18,12 +18,13 @@ struct OneEuroSettings {
   double forgets = 0.5;  // s without a pose, after which the filter resets
 };
 
-/// Smooths poses with time stamps.
+/// Filter that smooths poses with time stamps: strongly at rest, with little lag in motion (1€ filter).
 class PoseFilter {
  public:
   explicit PoseFilter(const OneEuroSettings& settings = {}) : settings_(settings) {}
 
-  /// Returns the smoothed pose. Times must increase; a decrease resets the filter.
+  /// Processes the pose measured at `time_ns` and returns the smoothed pose. Times must increase; a time that
+  /// does not, or a long gap, resets the filter to the measured pose.
   Pose update(const Pose& pose, std::int64_t time_ns);
 
  private:

@@ -7,18 +7,21 @@
 
 namespace prosector {
 
-/// A rotation vector (rad) in a frame, then a translation (m) in that frame.
+/// A small motion as six numbers: a rotation vector (rad) in some frame, followed by a translation (m) in the
+/// same frame.
 using SmallMotion = Eigen::Matrix<double, 6, 1>;
-/// Covariance of small motions.
+/// Covariance of a pose's error, expressed as a small motion: rotation vector (rad), then translation (m).
 using MotionCovariance = Eigen::Matrix<double, 6, 6>;
 
-/// Applies a small motion to a pose, in the frame that the pose maps into.
+/// Returns the pose after the small motion `by` (rotation vector, then translation), which is given in the
+/// frame in which the pose is expressed.
 inline Pose moved(const Pose& pose, const SmallMotion& by) {
   const Quat q = rotated_by(by.head<3>());
   return {q * pose.p + by.tail<3>(), (q * pose.q).normalized()};
 }
 
-/// Returns the small motion from a to b, in the frame that both poses map into.
+/// Returns the small motion (rotation vector, then translation) that moves pose a to pose b. It is given in
+/// the frame in which both poses are expressed.
 inline SmallMotion motion_between(const Pose& a, const Pose& b) {
   SmallMotion out;
   out.head<3>() = turn(a.q, b.q);
@@ -26,22 +29,23 @@ inline SmallMotion motion_between(const Pose& a, const Pose& b) {
   return out;
 }
 
-/// Returns the cross product matrix v×.
+/// Returns the matrix whose product with a vector w is the cross product v × w.
 inline Mat3 cross_matrix(const Vec3& v) {
   Mat3 out;
   out << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return out;
 }
 
-/// Returns the derivative of a point's position with respect to a small motion.
+/// Returns the derivative of the position of a point at `p` with respect to a small motion of the point
+/// (rotation vector, then translation).
 inline Eigen::Matrix<double, 3, 6> point_jacobian(const Vec3& p) {
   Eigen::Matrix<double, 3, 6> out;
   out << -cross_matrix(p), Mat3::Identity();
   return out;
 }
 
-/// Transforms a covariance into another frame. `pose` is the current frame's pose in that frame; motions
-/// become pose · motion · pose⁻¹.
+/// Transforms the covariance of small motions into another frame. `pose` is the pose of the covariance's
+/// frame in the new frame; motions become pose · motion · pose⁻¹.
 inline MotionCovariance transform_covariance(const Pose& pose, const MotionCovariance& spread) {
   MotionCovariance by = MotionCovariance::Zero();
   by.topLeftCorner<3, 3>() = by.bottomRightCorner<3, 3>() = pose.q.toRotationMatrix();
@@ -49,7 +53,8 @@ inline MotionCovariance transform_covariance(const Pose& pose, const MotionCovar
   return by * spread * by.transpose();
 }
 
-/// Returns the RMS error of a point's position, m.
+/// Returns the RMS error (m) at a point of a body whose pose has the covariance `spread`. The point (m) and
+/// the covariance are given in the frame in which the pose is expressed.
 inline double error_at(const MotionCovariance& spread, const Vec3& point) {
   const Eigen::Matrix<double, 3, 6> slope = point_jacobian(point);
   return std::sqrt((slope * spread * slope.transpose()).trace());

@@ -11,17 +11,19 @@ namespace prosector {
 
 class Undistorter {
  public:
-  /// Prepares the maps for a lens. The undistorted image has the lens' scale at its centre. It is larger than
-  /// the distorted image where needed to show its corners, at most by the factor `max_enlargement`.
+  /// Prepares the removal of a lens' distortion from images. The undistorted image has the lens' scale at its
+  /// centre. It is larger than the distorted image where needed to show its corners, by the factor
+  /// `max_enlargement` at most.
   explicit Undistorter(const Lens& lens);
   ~Undistorter();
 
   static constexpr double max_enlargement = 1.3;
 
-  /// Returns the undistorted image, with linear interpolation. The input must have the lens' size.
+  /// Returns the image with the lens' distortion removed, interpolated linearly. The distorted image `bent`
+  /// must have the size that the lens states.
   GreyImage straight(const GreyImage& bent) const;
   Image straight(const Image& bent) const;
-  /// Returns the lens of the undistorted images, without distortion.
+  /// Returns the lens of the undistorted images: that of a pinhole camera.
   const Lens& lens() const { return straight_; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Makes a pose from a rotation vector and a translation.
+/// Converts OpenCV's rotation vector `turn` (rad) and translation `place` (m) to a pose.
 inline Pose pose_of(const cv::Mat& turn, const cv::Mat& place) {
   const Vec3 r(turn.at<double>(0), turn.at<double>(1), turn.at<double>(2));
   Pose pose;
@@ -19,7 +19,7 @@ inline Pose pose_of(const cv::Mat& turn, const cv::Mat& place) {
   return pose;
 }
 
-/// Wraps an image as an OpenCV matrix without a copy; read-only.
+/// Returns an OpenCV matrix that refers to the image's pixels without a copy. Callers must only read it.
 inline cv::Mat matrix_of(const GreyImage& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.grey.data())};
 }

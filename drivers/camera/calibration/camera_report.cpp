@@ -107,9 +107,10 @@ std::vector<std::string> CameraReport::lines() const {
   for (std::size_t i = 1; i < steps_.size(); ++i) steps.push_back(steps_[i] - steps_[i - 1]);
   const double step = middle(steps), longest = *std::max_element(steps.begin(), steps.end());
   std::vector<std::string> out = {
-      fmt::format("{} images of {} × {}; {} of another size; {} dropped; {} identical to the previous one",
-                  frames_, width_, height_, wrong_size_images_, dropped_, alike_),
-      fmt::format("{:.1f} images per second, interval at most {:.0f} ms; delivered {:.0f} ms after "
+      fmt::format(
+          "{} images of {} × {} pixels; {} of another size; {} dropped; {} identical to the previous one",
+          frames_, width_, height_, wrong_size_images_, dropped_, alike_),
+      fmt::format("{:.1f} images per second, at most {:.0f} ms apart; delivered {:.0f} ms after "
                   "mid-exposure, as reported by the camera",
                   1 / std::max(1e-6, step), 1e3 * longest, 1e3 * middle(ages_)),
       fmt::format("brightness {:.0f} of 255{}; noise {:.1f}{}", middle(brightness_),
@@ -119,16 +120,17 @@ std::vector<std::string> CameraReport::lines() const {
   for (const Followed& board : boards_) {
     if (board.places.size() < 2) continue;
     const auto [along, across] = scatter(board.places);
-    out.push_back(
-        fmt::format("board {}: in {} images, {} of them by optical flow only; distance {:.3f} m; noise "
-                    "{:.3f} mm along the axis, {:.3f} mm across (board at rest: below 0.3)",
-                    board.tracker.board().name, board.places.size(), board.followed,
-                    board.places.back().norm(), 1e3 * along, 1e3 * across));
+    out.push_back(fmt::format(
+        "board {}: detected in {} images, {} of them by optical flow only; distance {:.3f} m; noise {:.3f} "
+        "mm along the optical axis, {:.3f} mm across (a board at rest: below 0.3 mm)",
+        board.tracker.board().name, board.places.size(), board.followed, board.places.back().norm(),
+        1e3 * along, 1e3 * across));
   }
-  out.push_back(calibration_
-                    ? fmt::format("calibrated as \"{}\", error {:.3f} px in views not used for the fit",
-                                  calibration_->camera, calibration_->error)
-                    : "not calibrated: distances have an error of about 10 %");
+  out.push_back(
+      calibration_
+          ? fmt::format("the camera is calibrated as \"{}\", error {:.3f} px in views not used for the fit",
+                        calibration_->camera, calibration_->error)
+          : "the camera is not calibrated: distances have an error of about 10 %");
   return out;
 }
 

@@ -16,14 +16,17 @@ inline constexpr double least_light = 40;  // mean grey value, 0 to 255; darker 
 
 class CameraReport {
  public:
-  /// Starts a report. Without a calibration the lens is guessed.
+  /// Starts a report on a camera's images. Without a calibration the lens is guessed, which affects the
+  /// reported board positions.
   explicit CameraReport(std::optional<CameraCalibration> calibration);
 
-  /// Adds the next image, which the camera delivered at `now_ns`.
+  /// Adds the camera's next image to the statistics. `now_ns` is the time at which the camera delivered it.
   void take(const Frame& frame, std::int64_t now_ns);
-  /// Returns the report as lines of text.
+  /// Returns the statistics of the camera's images as lines of text: rate, drops, brightness, noise, tags and
+  /// scatter of boards.
   std::vector<std::string> lines() const;
-  /// Reports whether the rate, drops, sizes, brightness and noise of the images are all acceptable.
+  /// Reports whether the rate, dropped images, sizes, brightness and noise of the camera's images are all
+  /// acceptable.
   bool is_good() const;
 
  private:

@@ -22,7 +22,7 @@
 
 namespace prosector {
 
-/// One image of the board.
+/// One image of the calibration board, and the tags detected in it.
 struct LensView {
   GreyImage picture;
   std::vector<DetectedTag> tags;  // detected in the original, distorted image
@@ -39,24 +39,27 @@ struct LensFit {
   bool by_edges = true;  // false: fitted to the tag detector's corners, several times less exact
 };
 
-/// Fits the lens. Throws InputError with advice if the views are too few, too small or all alike. Throws
+/// Fits a camera's lens to views of a board. `camera` is the camera's identity, to be stored in the
+/// calibration. Throws InputError with advice if the views are too few, too small or all alike. Throws
 /// InputError soon after `stop` is requested.
 LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera,
                  const std::stop_token& stop = {});
 
-/// Message to the user when the lens was fitted to the tag detector's corners.
+/// Message to the user for the case that the lens was fitted to the tag detector's corners, because the more
+/// exact tag edges could not be used.
 inline constexpr const char* coarse_lens_warning =
     "The tags' edges are too small or too blurred in these images: the lens was fitted to their corners, "
     "which is several times less accurate. For a better result hold the board nearer, add light, or increase "
     "the camera's resolution.";
 
-/// A cell of an image: column and row, counted from the upper left.
+/// Column and row, counted from the upper left, of a cell in the grid of 8 × 6 cells that divides an image.
 using ImageCell = std::pair<int, int>;
 inline constexpr int cells_across = 8, cells_down = 6;
 
-/// Returns the cells of the image that contain a tag corner.
+/// Returns the cells of the image's 8 × 6 grid that contain a tag corner in at least one view.
 std::set<ImageCell> covered_cells(std::span<const LensView> views);
-/// Returns the share of the image's cells that contain a tag corner, 0 to 1.
+/// Returns the fraction (0 to 1) of the cells of the image's 8 × 6 grid that contain a tag corner in at least
+/// one view.
 double covered_share(std::span<const LensView> views);
 
 }  // namespace prosector

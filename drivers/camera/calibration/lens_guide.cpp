@@ -59,7 +59,8 @@ std::string uncovered_part(std::span<const LensView> views) {
 
 LensGuide::LensGuide(Board board) : board_(std::move(board)), finder_(TagDetectorSettings{1}) {
   if (board_.tags.empty())
-    throw InputError(fmt::format("board {}: has no tags, which calibration needs", board_.name));
+    throw InputError(fmt::format("board {}: has no tags, but the camera calibration needs a board with tags",
+                                 board_.name));
 }
 
 LensGuide::BoardAppearance LensGuide::look_of(const std::vector<DetectedTag>& tags, int width) const {
@@ -88,7 +89,7 @@ void LensGuide::take(const Image& picture) {
   resting_.reset();
   if (!views_.empty() &&
       (views_.front().picture.width != picture.width || views_.front().picture.height != picture.height)) {
-    trouble_ = "the image size has changed: start again";
+    trouble_ = "the camera's image size has changed: start the calibration again";
     return;
   }
   LensView view{grey_of(picture), {}};

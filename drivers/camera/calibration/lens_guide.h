@@ -21,14 +21,14 @@ struct LensGuideStep {
 
 class LensGuide {
  public:
-  /// Starts the guide. Throws InputError if the board has no tags.
+  /// Starts a guided lens calibration with a printed board. Throws InputError if the board has no tags.
   explicit LensGuide(Board board);
 
-  /// Processes an image. Stores it as a view if the board is at rest and its pose differs from every stored
-  /// view.
+  /// Processes an image of the camera. Stores it as a view for the lens fit if the board is at rest in it,
+  /// large enough, and looks different from every stored view.
   void take(const Image& picture);
   LensGuideStep step() const;
-  /// Returns the last image if the board was at rest in it, else nothing.
+  /// Returns the last image with its tags if the board was at rest in it, otherwise nothing.
   const std::optional<LensView>& resting() const { return resting_; }
   const std::vector<LensView>& views() const { return views_; }
   const Board& board() const { return board_; }
@@ -36,7 +36,8 @@ class LensGuide {
   static constexpr double enough_covered = 0.75;
 
  private:
-  /// Position, tilt and size of the board in an image. A new view must differ in one of them.
+  /// Position, tilt and size of the calibration board in an image. A new view must differ from each stored
+  /// view in one of them.
   struct BoardAppearance {
     Vec2 middle;  // centre of the tags' bounding box, as a share of the image width
     Vec2 lean;    // mean log ratios of the tags' side lengths, from perspective and foreshortening

@@ -79,8 +79,9 @@ MeanPose mean_pose(std::span<const MeasuredPose> poses) {
     return true;
   });
   if (2 * kept.size() < poses.size())
-    throw InputError(fmt::format("{} of {} poses agree, less than half: take them again, and hold still",
-                                 kept.size(), poses.size()));
+    throw InputError(fmt::format(
+        "only {} of {} measured poses agree, less than half: take the poses again, and hold still",
+        kept.size(), poses.size()));
   const MotionCovariance sum = improve(kept, scale, out.pose);
   double squares = 0;
   for (const Weighed& one : kept) squares += std::pow(deviations(one, out.pose), 2);

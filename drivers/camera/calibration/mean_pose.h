@@ -22,11 +22,14 @@ struct MeanPose {
   MotionCovariance spread;            // covariance of the mean; enlarged if the poses scatter more
   std::vector<std::size_t> left_out;  // indices of the poses that were left out
 
-  /// Returns the expected RMS error at a target, m. The target is in the frame that the pose maps into.
+  /// Returns the RMS error (m) that the uncertainty of the mean pose causes at a target position. The target
+  /// (m) is in the frame in which the pose is expressed.
   double expected_error(const Vec3& target) const { return error_at(spread, target); }
 };
 
-/// Computes the mean. Throws InputError if there is no pose or if fewer than half of the poses agree.
+/// Computes the mean of measured poses, weighted by their covariances. Poses farther from the others than
+/// noise explains are left out. Throws InputError if there is no pose or if fewer than half of the poses
+/// agree.
 MeanPose mean_pose(std::span<const MeasuredPose> poses);
 
 }  // namespace prosector

@@ -71,8 +71,8 @@ StereoFit fit_stereo(const Board& board, std::span<const StereoPair> pairs, cons
   }
   if (all.size() < min_stereo_pairs)
     throw InputError(
-        fmt::format("{} views shared by both cameras: at least {} are needed, {} are better; hold the board "
-                    "still in view of both",
+        fmt::format("{} views show the board to both cameras: at least {} are needed, {} are better; hold "
+                    "the board still in view of both",
                     all.size(), min_stereo_pairs, recommended_stereo_pairs));
   StereoFit out;
   out.first_second = mean_of(all);

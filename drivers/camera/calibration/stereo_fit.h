@@ -12,7 +12,7 @@ namespace prosector {
 inline constexpr std::size_t min_stereo_pairs = 5;
 inline constexpr std::size_t recommended_stereo_pairs = 10;
 
-/// Views of both cameras of one board pose.
+/// Images of one board pose taken by the first and by the second camera, with the tags detected in them.
 struct StereoPair {
   LensView first, second;
 };
@@ -23,7 +23,9 @@ struct StereoFit {
   double told = 0;        // m RMS: expected error at the centre of the boards
 };
 
-/// Fits the pose. Throws InputError with advice if there are too few pairs or they disagree.
+/// Fits the second camera's pose in the first camera's frame to pairs of views of one board. `first` and
+/// `second` are the calibrations of the cameras. Throws InputError with advice if there are too few pairs or
+/// they disagree.
 StereoFit fit_stereo(const Board& board, std::span<const StereoPair> pairs, const CameraCalibration& first,
                      const CameraCalibration& second);
 

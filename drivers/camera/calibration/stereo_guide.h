@@ -18,10 +18,13 @@ struct StereoGuideStep {
 
 class StereoGuide {
  public:
-  /// Starts the guide. Throws InputError if the board has no tags.
+  /// Starts a guided calibration of two cameras with a printed board. Throws InputError if the board has no
+  /// tags.
   explicit StereoGuide(const Board& board) : guides_{LensGuide(board), LensGuide(board)} {}
 
-  /// Processes an image of camera 0 (the first) or 1 (the second).
+  /// Processes an image of one camera: `camera` is 0 for the first and 1 for the second. Stores a pair of
+  /// views if the board is at rest in the newest images of both. These must be at most 50 ms apart, and the
+  /// board's pose must be new to either camera.
   void take(std::size_t camera, const Frame& frame);
   StereoGuideStep step() const;
   const LensGuide& of(std::size_t camera) const { return guides_[camera]; }
@@ -30,7 +33,7 @@ class StereoGuide {
   static constexpr double most_apart = 0.05;  // s, most between the two images of a pair
 
  private:
-  /// The newest image of a camera.
+  /// Time of a camera's newest image, and the number of views that this camera's guide had stored after it.
   struct Newest {
     std::int64_t time_ns = 0;
     std::size_t kept = 0;  // number of views that the camera's guide has stored

@@ -158,7 +158,8 @@ Both improve_chain(std::span<const TrackedPair> pairs, bool robust, Chain& chain
     }
     const BothMotions step = sum.ldlt().solve(right);
     if (!step.allFinite())
-      throw InputError("the poses do not determine the camera's pose: rotate the board about more axes");
+      throw InputError(
+          "the board's poses do not determine the camera's pose: rotate the board about more axes");
     chain.tracker_camera = moved(chain.tracker_camera, step.head<6>());
     chain.receiver_board = moved(chain.receiver_board, step.tail<6>());
   }
@@ -222,8 +223,9 @@ TrackerFit fit_tracker(std::span<const TrackedPair> pairs) {
   fit.method_difference = (chain.tracker_camera * middle - fit_by_park(good) * middle).norm();
   if (fit.method_difference > most_ways_apart || 2 * kept.size() < pairs.size())
     throw InputError(
-        fmt::format("{} of {} poses fit, and two calculations differ by {:.0f} mm: check that the board is "
-                    "fixed to the receiver, that the camera does not move, and that no metal is near",
+        fmt::format("{} of {} poses of the board fit, and two ways to calculate the camera's pose differ by "
+                    "{:.0f} mm: check that the board is fixed to the receiver, that the camera does not "
+                    "move, and that no metal is near",
                     kept.size(), pairs.size(), 1e3 * fit.method_difference));
   const Both weighed = improve_chain(kept, false, chain);
   const Both covariance = weighed.ldlt().solve(Both::Identity());

@@ -36,11 +36,13 @@ struct TrackerFit {
   Vec3 centre = Vec3::Zero();         // m, mean position of the boards in the tracker's frame
   std::vector<std::size_t> left_out;  // indices of the pairs that were left out
 
-  /// Returns the expected RMS error of camera measurements at a target in the tracker's frame, m.
+  /// Returns the expected RMS error (m) that the fitted camera pose causes in camera measurements at a target
+  /// position. The target is in the tracker's frame, m.
   double expected_error(const Vec3& target) const { return error_at(spread, target); }
 };
 
-/// Fits the poses. Throws InputError with advice if the pairs are too few, rotated about one axis only, or
+/// Fits the camera's pose in the tracker's frame and the board's pose in the receiver's frame to pairs of
+/// measured poses. Throws InputError with advice if the pairs are too few, rotated about one axis only, or
 /// inconsistent.
 TrackerFit fit_tracker(std::span<const TrackedPair> pairs);
 

@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// State of a camera, for display.
+/// State of a camera, for display: whether it is open, its counts and size of images, and its problem.
 struct CameraState {
   bool is_open = false;
   std::uint64_t opened = 0;  // number of times the camera was opened
@@ -28,7 +28,8 @@ class CameraThread {
   using See = std::function<void(const Frame&)>;  // called with each image; an exception's text becomes the
                                                   // camera's problem
 
-  /// Starts the thread. Both functions are called on it. Never throws; errors are reported in state().
+  /// Starts a thread that opens the camera at `address` and reads its images. The thread calls `begin` each
+  /// time it has opened the camera, and `see` with each image. Never throws; errors are reported in state().
   CameraThread(std::string address, Begin begin, See see);
   ~CameraThread();
 

@@ -51,8 +51,8 @@ class IgtlCamera final : public Camera {
       auto image = igtl::image_of(*message);
       if (!image)
         throw InputError(
-            fmt::format("{}: \"{}\" does not send single images of 8 or 16 bits: choose another device, as "
-                        "igtl://HOST/NAME",
+            fmt::format("camera {}: the device \"{}\" does not send single images of 8 or 16 bits: choose "
+                        "another device, as igtl://HOST/NAME",
                         address_, message->device));
       newest = Frame{std::move(*image), message->time_ns, next_number_++};
     }

@@ -5,10 +5,12 @@
 
 namespace prosector {
 
-/// Connects to a server, "igtl://HOST[:PORT][/DEVICE]", and receives IMAGE messages of that device, or of any
-/// device if none is named. Throws InputError if the connection fails.
+/// Connects to the OpenIGTLink server at "igtl://HOST[:PORT][/DEVICE]". Returns a camera with the images that
+/// this device, or any device if none is named, sends as IMAGE messages. Throws InputError if the connection
+/// fails.
 std::unique_ptr<Camera> open_igtl_camera(const std::string& address);
-/// Reports whether an address has the scheme igtl.
+/// Reports whether a camera's address begins with "igtl://", so that another program sends its images by
+/// OpenIGTLink.
 bool is_igtl_camera(const std::string& address);
 
 }  // namespace prosector

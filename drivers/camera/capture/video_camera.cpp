@@ -42,7 +42,9 @@ class LiveVideo final : public Camera {
 
   std::optional<Frame> next(std::chrono::milliseconds) override {
     auto image = video_.read();
-    if (!image) throw InputError(fmt::format("{}: no more images: check that it is connected", address_));
+    if (!image)
+      throw InputError(
+          fmt::format("{}: the camera delivers no more images: check that it is connected", address_));
     Frame frame{*std::move(image)};
     // V4L2 states an image's time on the monotonic clock. Other sources state none, or a time on another
     // clock.
@@ -179,7 +181,10 @@ std::unique_ptr<Camera> open_video(const std::string& address) {
   if (device.starts_with(file_url)) return open_file(device.substr(file_url.size()));
   if (!is_device && address.find("://") == std::string::npos) return open_file(device);
   VideoReader video(address, device, is_device ? VideoKind::device : VideoKind::other);
-  if (!video.is_open()) throw InputError(fmt::format("{}: cannot be opened as a camera or a video", address));
+  if (!video.is_open())
+    throw InputError(fmt::format(
+        "{}: cannot be opened as a camera or a video: check that it exists and that you have permission",
+        address));
   const std::string model = is_device ? model_of(device) : "";
   return std::make_unique<LiveVideo>(address, std::move(video), model.empty() ? address : model);
 }

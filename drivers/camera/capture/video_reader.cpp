@@ -20,9 +20,9 @@ constexpr int device_width = 640, device_height = 480;
 /// Checks the image size. Throws InputError for images that are too large to process.
 void check_size(const std::string& address, double width, double height) {
   if (width * height > static_cast<double>(max_image_pixels))
-    throw InputError(
-        fmt::format("{}: its images are {:.0f} × {:.0f}; at most {} pixels can be used: scale it down",
-                    address, width, height, max_image_pixels));
+    throw InputError(fmt::format(
+        "{}: the images have {:.0f} × {:.0f} pixels; at most {} pixels can be used: scale the video down",
+        address, width, height, max_image_pixels));
 }
 
 bool starts_as_jpeg(const cv::Mat& packet) {
@@ -148,12 +148,13 @@ std::optional<Image> VideoReader::read() {
     check_size(address_, image.cols, image.rows);
     const int channels = image.channels();
     if (image.depth() != CV_8U || (channels != 1 && channels != 3 && channels != 4))
-      throw InputError(fmt::format(
-          "{}: its images have {} channels of {} bits; 8 bits in 1, 3 or 4 channels are allowed: convert it",
-          address_, channels, 8 * image.elemSize1()));
+      throw InputError(
+          fmt::format("{}: the images have {} channels of {} bits; 8 bits in 1, 3 or 4 channels are allowed: "
+                      "convert the video",
+                      address_, channels, 8 * image.elemSize1()));
     return image_of(image);
   } catch (const std::bad_alloc&) {
-    throw InputError(fmt::format("{}: its images do not fit into memory: scale it down", address_));
+    throw InputError(fmt::format("{}: the images do not fit into memory: scale the video down", address_));
   }
 }
 

@@ -11,8 +11,8 @@ namespace prosector {
 
 class SharedCamera;
 
-/// Default pose of a board that lies flat at the height of the scenes' tables (0.9 m): its front faces up,
-/// its top edge points away from the user.
+/// Default pose, in the room frame, of the board that defines the camera's pose. It lies flat at the height
+/// of the scenes' tables (0.9 m): its front faces up, its top edge points away from the user.
 inline const Pose default_table_board_pose = {{0, 0.9, 0},
                                               Quat(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0)};
 

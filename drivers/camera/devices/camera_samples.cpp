@@ -57,7 +57,7 @@ DeviceStatus CameraSamples::status(const std::string& problem, const char* unsee
   }
   if (opened_ == 0) {
     out.health = DeviceHealth::connecting;
-    out.message = "the camera is being opened";
+    out.message = "the camera is being opened; wait";
     return out;
   }
   const std::lock_guard lock(mutex_);

@@ -15,17 +15,17 @@ namespace prosector {
 
 class CameraSamples {
  public:
-  /// Stores the samples detected in the image captured at `time_ns`. `counts`: the image counts as a record
-  /// of the device.
+  /// Stores the samples that the camera thread detected in the image captured at `time_ns`. If `counts` is
+  /// true, the image counts as a received record in the device's health.
   void put(std::int64_t time_ns, bool counts, std::span<const DeviceSample> found);
-  /// Sets whether the lens parameters are guessed.
+  /// Sets whether the lens parameters are guessed. If so, status() warns that the camera is not calibrated.
   void set_guessed(bool guessed);
 
-  /// Appends the stored samples in order and updates the camera's health. Only one thread calls poll() and
-  /// status().
+  /// Appends the stored samples in order and updates the device's health from the camera's state. Only one
+  /// thread may call poll() and status().
   void poll(const CameraState& camera, std::vector<DeviceSample>& out);
-  /// Returns the camera's status. `problem`: why this or another camera is not open; `unseen`: message when
-  /// nothing was detected for a second.
+  /// Returns the device's status with a message for the user. `problem` is the reason why a camera of the
+  /// device is not open. `unseen` is the message for the case that nothing was detected for a second.
   DeviceStatus status(const std::string& problem, const char* unseen) const;
 
  private:

@@ -17,8 +17,8 @@ namespace prosector {
 
 class FaceDevice final : public Device {
  public:
-  /// Opens the camera on its own thread, or uses the configuration's shared camera. Throws InputError if the
-  /// network's file or the lens file can't be read.
+  /// Opens the camera on its own thread, or uses the camera shared with other devices if the configuration
+  /// has one at this address. Throws InputError if the face network's file or the lens file cannot be read.
   FaceDevice(const std::string& camera, const Placement& placement, const CameraConfig& config,
              const FaceTrackingConfig& face);
 
@@ -45,7 +45,8 @@ class FaceDevice final : public Device {
   std::unique_ptr<SharedCamera::Seat> seat_;  // last member, because its callbacks use the members above
 };
 
-/// Opens a face tracker, "face:0".
+/// Opens a face tracker on a camera. `path` is the camera's address, such as "0" in the device address
+/// "face:0".
 std::unique_ptr<Device> open_face(const std::string& path, const Placement& placement,
                                   const CameraConfig& config, const FaceTrackingConfig& face);
 

@@ -21,8 +21,8 @@ namespace prosector {
 
 class HandsDevice final : public Device {
  public:
-  /// Opens each camera on its own thread, or uses the configuration's shared camera. Throws InputError if the
-  /// networks or a lens file can't be read.
+  /// Opens each camera on its own thread, or uses the camera shared with other devices if the configuration
+  /// has one at this address. Throws InputError if the hand networks or a lens file cannot be read.
   HandsDevice(const std::vector<std::string>& cameras, const Placement& placement, const CameraConfig& config,
               const HandTrackingConfig& hands, const GestureThresholds& gestures);
 
@@ -53,7 +53,8 @@ class HandsDevice final : public Device {
       seats_;  // last member, because the callbacks use the members above
 };
 
-/// Opens a tracker of bare hands with one or two cameras, "hands:0" or "hands:0,2".
+/// Opens a tracker of bare hands on one or two cameras. `path` has the cameras' addresses, such as "0" in the
+/// device address "hands:0", or "0,2".
 std::unique_ptr<Device> open_hands(const std::string& path, const Placement& placement,
                                    const CameraConfig& config, const HandTrackingConfig& hands,
                                    const GestureThresholds& gestures);

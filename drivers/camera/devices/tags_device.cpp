@@ -144,7 +144,7 @@ DeviceStatus TagsDevice::status() const {
   else if (!trouble_.empty())
     out.message = trouble_;
   else if (out.health == DeviceHealth::streaming && monotonic_ns() - seen_ns_ > no_detection_timeout_ns)
-    out.message = "no board detected: provide light, and show it whole and flat in the image";
+    out.message = "no board detected: provide light, and show the board whole and flat in the image";
   else if (is_guessed_)
     out.message =
         "the camera is not calibrated: positions have an error of about 10 % (prosector-client camera "

@@ -20,14 +20,16 @@
 
 namespace prosector {
 
-/// Estimates a camera's pose in the room from a static board.
+/// Estimator of a camera's pose in the room from a static printed board whose pose in the room is known.
 class CameraPoseEstimator {
  public:
   CameraPoseEstimator(const std::string& board, const Pose& room_board);
   const Board& board() const { return tracker_.board(); }
-  /// Updates the camera pose from the board. If the board is not detected, the pose stays as it was.
+  /// Updates the camera's pose in the room from the board in this image. If the board is not detected by its
+  /// tags or print, the pose stays as it was.
   void update(const TagImage& picture, const TagOptics& optics);
-  /// Returns OpenCV's camera frame in the room frame; nothing before the first detection.
+  /// Returns the smoothed pose of OpenCV's camera frame (x right, y down, z forward) in the room frame;
+  /// nothing before the first detection.
   const std::optional<Pose>& room_camera() const { return room_camera_; }
 
  private:
@@ -39,8 +41,9 @@ class CameraPoseEstimator {
 
 class TagsDevice final : public Device {
  public:
-  /// Opens the camera on a separate thread, unless the configuration provides a shared camera. Throws
-  /// InputError if a board, a lens file or a field map is unreadable.
+  /// Opens the camera on a separate thread, or uses the camera shared with other devices if the configuration
+  /// has one at this address. Throws InputError if a board's file, the lens file or the file of the
+  /// distortion map is unreadable.
   TagsDevice(const std::string& camera, const Placement& placement, const CameraConfig& config,
              const BoardTrackingConfig& tags);
 
@@ -49,7 +52,7 @@ class TagsDevice final : public Device {
   int descriptor() const override { return -1; }
 
  private:
-  /// Tracking state of one station.
+  /// Tracking state of one station, which is a body part or instrument that carries a printed board.
   struct Station {
     std::size_t index;
     BoardTracker tracker;
@@ -83,7 +86,8 @@ class TagsDevice final : public Device {
   std::unique_ptr<SharedCamera::Seat> seat_;  // last member: it uses those above
 };
 
-/// Opens boards in a camera's view, "tags:0".
+/// Opens a tracker of printed boards on a camera. `path` is the camera's address, such as "0" in the device
+/// address "tags:0".
 std::unique_ptr<Device> open_tags(const std::string& path, const Placement& placement,
                                   const CameraConfig& config, const BoardTrackingConfig& tags);
 

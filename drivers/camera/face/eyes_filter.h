@@ -8,8 +8,8 @@ namespace prosector {
 
 class EyesFilter {
  public:
-  /// Returns the smoothed pose of the head in the camera's frame. Times must increase; a decrease resets the
-  /// filter.
+  /// Processes the pose of the head in the camera's frame (m) measured at `time_ns` and returns the smoothed
+  /// pose. Times must increase; a decrease resets the filter.
   Pose update(const Pose& camera_head, std::int64_t time_ns);
 
  private:

@@ -12,14 +12,14 @@ struct EyesPose {
   double roll = 0;  // rad, from upright, clockwise in the image
 };
 
-/// Computes the pose of eyes that are `eye_distance` metres apart. A relative error of `eye_distance` causes
-/// an equal relative error of the depth. The yaw follows from the nose's position and is clamped to
-/// ±max_yaw.
+/// Computes the pose of a user's eyes from the points of a detected face. `eye_distance` is the distance
+/// between the eyes, m; its relative error causes an equal relative error of the depth. The yaw follows from
+/// the nose's position and is clamped to ±max_yaw.
 EyesPose estimate_eyes_pose(const DetectedFace& face, const Lens& lens, double eye_distance);
 
 inline constexpr double max_yaw = 0.9;  // rad
-/// Distance of the nose's tip in front of the eyes, as networks detect both, divided by the distance between
-/// the eyes. It fits the CT's head and the head model.
+/// Distance of the nose's tip in front of the eyes, as the networks place both in images, divided by the
+/// distance between the eyes. The value fits the head of the CT data set and the head model.
 inline constexpr double nose_depth_ratio = 0.62;
 
 }  // namespace prosector

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Points of a face in pixels. Left and right are the user's.
+/// Points of a face detected in an image, in pixels, with a score. Left and right are the user's.
 struct DetectedFace {
   double score = 0;  // 0 to 1, mean over four close-up searches
   Vec2 right_eye, left_eye, nose, mouth, right_ear, left_ear;
@@ -17,12 +17,13 @@ struct DetectedFace {
 
 class FaceDetector {
  public:
-  /// Loads the network's file from `folder`. Throws InputError with advice on how to get the file.
+  /// Loads the face detection network's file from `folder`. Throws InputError with advice on how to get the
+  /// file.
   explicit FaceDetector(const std::filesystem::path& folder);
-  /// Returns the faces in an image, the largest first, at most `max_faces`. The range is about 2 m from a
-  /// webcam.
+  /// Returns the faces detected in an image, the largest first, at most `max_faces`. Faces are detected up to
+  /// about 2 m from a webcam.
   std::vector<DetectedFace> find_all(const Image& image);
-  /// Returns the largest face in an image, or nothing.
+  /// Returns the largest face detected in an image, or nothing if there is none.
   std::optional<DetectedFace> find(const Image& image);
 
   static constexpr std::size_t max_faces = 3;

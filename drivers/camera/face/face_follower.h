@@ -15,13 +15,13 @@ struct PlacedFace {
   EyesPose eyes;
 };
 
-/// Follows one face by its position. A face is accepted after half a second with high scores at a plausible
-/// distance; from then on a low score suffices. Another face replaces it if that face is much nearer, or
-/// after the user's face is lost.
+/// Tracker that selects the user's face by its position. A face is accepted after half a second with high
+/// scores at a plausible distance; from then on a low score suffices. Another face replaces it if that face
+/// is much nearer, or after the user's face is lost.
 class FaceFollower {
  public:
-  /// Processes the faces of an image, the largest first, and the image's time. Returns the user's eyes, or
-  /// nothing if they are not visible.
+  /// Processes the faces detected in the image captured at `time_ns`, the largest first. Returns the pose of
+  /// the user's eyes, or nothing if the user's face is not among them.
   std::optional<EyesPose> follow(std::span<const PlacedFace> faces, std::int64_t time_ns);
 
  private:

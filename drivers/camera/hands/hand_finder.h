@@ -22,19 +22,22 @@ struct DetectedHand {
 
 class HandFinder {
  public:
-  /// Loads the networks' files from `folder`. Throws InputError with advice on how to get the files.
+  /// Loads the files of the hand networks from `folder`. `nets` selects the accurate or the fast ones. Throws
+  /// InputError with advice on how to get the files.
   HandFinder(const std::filesystem::path& folder, HandNets nets);
 
-  /// Finds the hands in the next image. Never throws, whatever the image.
+  /// Finds up to two hands in the next image of the camera. Returns none for an unusable image; never throws.
   const std::vector<DetectedHand>& find(const Image& image);
-  /// Sets the least length of a hand in the image, pixels. Shorter hands are too far away and are ignored; a
-  /// followed hand is kept down to 85 % of it. The default is 0.
+  /// Sets the least length of a hand in the image, pixels. Shorter hands are too far away and are ignored. A
+  /// hand that is already followed is kept down to 85 % of this length. The default is 0.
   void set_least_length(double pixels) { least_length_ = pixels; }
-  /// Returns whether a hand in the last image was ignored as too far away.
+  /// Returns whether a hand in the last image was ignored because it is shorter than the least length, so
+  /// that it counts as too far away.
   bool ignored_far_hand() const { return saw_far_hand_; }
-  /// Forgets all hands; call it before an unrelated image.
+  /// Stops following all hands, so that they are searched for in the whole image again. Call it before an
+  /// image that does not continue the previous ones.
   void forget();
-  /// Returns how often the palm detector ran.
+  /// Returns the number of times that the palm detector, a search of the whole image, has run.
   std::uint64_t palm_runs() const { return palm_runs_; }
 
  private:

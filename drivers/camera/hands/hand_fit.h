@@ -17,11 +17,11 @@
 
 namespace prosector {
 
-/// Returns the positions of the network's points on the hand model, in the wrist's frame, m. The thumb's root
-/// is no joint of the model, so its position is a guess.
+/// Returns the positions of the 21 hand landmarks on the hand model at the given flexions (0 open … 1
+/// closed), m, wrist's frame. The thumb's root is no joint of the model, so its position is a guess.
 std::array<Vec3, hand_points> points_of_hand(std::size_t hand, const std::array<double, fingers>& flexion);
 
-/// One camera's view of the hand.
+/// View of a hand by one camera: the landmarks in its image, its lens and its pose.
 struct HandView {
   HandPoints points;  // pixels
   Lens lens;
@@ -43,10 +43,10 @@ struct HandFit {
   bool sure = false;  // the points form a plausible hand
 };
 
-/// Fits the hand to its points. `before`: the fit of the previous image. A hand that points straight at the
-/// camera may have two poses that fit about equally well. The previous pose then decides, else the network's
-/// depths, else the better fit. Returns nothing if no view has valid directions for its points, or there is
-/// no start.
+/// Fits the hand model to the landmarks detected in one or two cameras' images. `before` is the fit of the
+/// previous image. A hand that points straight at the camera may have two poses that fit about equally well.
+/// The previous pose then decides, else the network's depths, else the better fit. Returns nothing if no view
+/// has valid directions for its points, or no start of the fit is possible.
 std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape& shape,
                                 const std::optional<HandFit>& before);
 

@@ -19,7 +19,7 @@ LandmarkNetwork::LandmarkNetwork(NetPlan plan) : network_(std::move(plan)) {
   if (network_.input().size() != landmark_input * landmark_input * 3 || network_.outputs() != 4 ||
       network_.output(0).size() != 3 * hand_points || network_.output(1).size() != 1 ||
       network_.output(2).size() != 1)
-    throw InputError("is not a hand landmark network");
+    throw InputError("the file is not a hand landmark network: fetch it with deploy/fetch_models.sh");
 }
 
 LandmarkAnswer LandmarkNetwork::look(const Image& image, const ImageRegion& region) {

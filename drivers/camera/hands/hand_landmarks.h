@@ -8,13 +8,13 @@
 
 namespace prosector {
 
-/// The wrist, then four points per finger from the thumb on. The thumb has root, knuckle, joint and tip. Each
-/// other finger has knuckle, two joints and tip.
+/// Number of landmarks of a hand: the wrist, then four points per finger from the thumb on. The thumb has
+/// root, knuckle, joint and tip. Each other finger has knuckle, two joints and tip.
 inline constexpr std::size_t hand_points = 21;
 using HandPoints = std::array<Vec2, hand_points>;  // pixels
-/// Depths of the points relative to the wrist, along the camera's axis, in pixels at the hand's own distance.
-/// Positive is away from the camera. The values are rough: the direction of a tilt is more reliable than its
-/// angle.
+/// Depths of a hand's landmarks relative to the wrist, along the camera's axis, in pixels at the hand's own
+/// distance. Positive is away from the camera. The values are rough: the direction of a tilt is more reliable
+/// than its angle.
 using HandDepths = std::array<double, hand_points>;
 
 struct LandmarkAnswer {
@@ -26,7 +26,8 @@ struct LandmarkAnswer {
 
 class LandmarkNetwork {
  public:
-  /// Checks the network. Throws InputError if its inputs or outputs are not those of a hand landmark network.
+  /// Prepares the network `plan` for the detection of hand landmarks. Throws InputError if its inputs or
+  /// outputs are not those of a hand landmark network.
   explicit LandmarkNetwork(NetPlan plan);
   LandmarkAnswer look(const Image& image, const ImageRegion& region);
 
@@ -34,12 +35,13 @@ class LandmarkNetwork {
   Network network_;
 };
 
-/// Returns the square around a hand with these points, fingers up, with margin for motion until the next
-/// image.
+/// Returns the square of the image around a hand with these landmarks, rotated so that the fingers point up.
+/// It has a margin for the hand's motion until the next image.
 ImageRegion region_around(const HandPoints& points);
 
-/// Returns the length that the hand with these points would have if seen flat, in the points' unit. The
-/// estimate uses the palm's length or, when the hand points at the camera, the palm's breadth.
+/// Returns the length, in pixels, that the hand with these landmarks would have in the image if it faced the
+/// camera flat. The estimate uses the palm's length or, when the hand points at the camera, the palm's
+/// breadth.
 double length_of_hand(const HandPoints& points);
 
 }  // namespace prosector

@@ -16,7 +16,7 @@ constexpr const char* no_hand = "no hand detected: provide light, and show the w
 constexpr const char* far_hand =
     "the detected hands are too far away: come nearer, or increase tracker.farthest_hand";
 constexpr const char* unclear_pose =
-    "a hand is detected, but not its pose: rotate it a little, and keep its fingers in the image";
+    "a hand is detected, but not its pose: rotate the hand a little, and keep its fingers in the image";
 
 double share_of(double cut, double seconds) {
   return 1 / (1 + 1 / (2 * std::numbers::pi * cut * seconds));

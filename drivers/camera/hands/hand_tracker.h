@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// Lens and pose of a camera.
+/// Lens of one of several cameras, and the pose of the first camera's frame in this camera's frame.
 struct CameraSetup {
   Lens lens;
   Pose camera_rig;  // pose of the first camera's frame in this camera's frame; the identity for the first
@@ -27,7 +27,7 @@ struct TrackedHand {
   std::size_t cameras = 1;  // number of cameras that saw the hand
 };
 
-/// Hand size and range of the tracked user.
+/// Properties of the user whose hands are tracked: hand size, and distance beyond which hands are ignored.
 struct TrackedUser {
   double size = 1;                       // of the hands, as a factor of the hand model
   double farthest = default_hand_range;  // m from the camera; hands farther away are bystanders'
@@ -35,16 +35,19 @@ struct TrackedUser {
 
 class HandTracker {
  public:
-  /// Loads the networks from the folder `nets`. Throws InputError with advice on how to get the files.
+  /// Loads the hand networks' files from the folder `nets`. `effort` selects the accurate or the fast
+  /// networks; `cameras` is the number of cameras. Throws InputError with advice on how to get the files.
   HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras,
               const TrackedUser& user = {});
 
-  /// Sets the lens and pose of a camera; call it before its first image.
+  /// Sets the lens and the pose of camera number `camera` (from 0). Call it before this camera's first image.
   void set_camera_setup(std::size_t camera, const CameraSetup& eye);
-  /// Processes an image of a camera. Returns the hands with a reliable pose.
+  /// Processes an image of camera number `camera` (from 0). Returns the hands whose pose is reliable, with
+  /// smoothed pose and flexions.
   std::vector<TrackedHand> see(std::size_t camera, const Frame& frame);
 
-  /// Returns the likely reason why the last image gave no hand; empty: it gave one.
+  /// Returns the likely reason, as a hint for the user, why the last image gave no hand; empty if it gave
+  /// one.
   const char* lack() const { return lack_; }
 
  private:
@@ -58,7 +61,7 @@ class HandTracker {
     CameraSetup eye;
     std::array<std::optional<Seen>, 2> hands;  // newest detections: left and right hand
   };
-  /// State of a hand between images.
+  /// Tracking state of the left or the right hand between images: last fit, filters, and smoothed flexions.
   struct HandTrack {
     std::optional<HandFit> before;
     std::int64_t time_ns = 0;

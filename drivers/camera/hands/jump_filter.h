@@ -9,12 +9,14 @@
 
 namespace prosector {
 
-/// Outlier filter for one hand's poses. A jump is accepted after two more images confirm it.
+/// Outlier filter for the poses of one tracked hand. It rejects a pose that jumps from the last accepted one,
+/// until two more images confirm the new pose.
 class JumpFilter {
  public:
-  /// Processes the next pose, of the palm's centre. Returns whether to accept it.
+  /// Processes the palm's pose in the image captured at `time_ns`. Returns whether to accept it; false if it
+  /// is an unconfirmed jump.
   bool accepts_pose(const Pose& palm, std::int64_t time_ns);
-  /// Forgets the hand; its next pose is accepted.
+  /// Forgets the hand's last accepted pose, so that its next pose is accepted.
   void forget() { believed_.reset(); }
 
  private:

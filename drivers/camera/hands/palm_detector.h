@@ -7,10 +7,11 @@ namespace prosector {
 
 class PalmDetector {
  public:
-  /// Checks the network. Throws InputError if its inputs or outputs are not those of a palm detector.
+  /// Prepares the network `plan` for palm detection. Throws InputError if its inputs or outputs are not those
+  /// of a palm detector.
   explicit PalmDetector(NetPlan plan);
-  /// Returns squares around whole hands, fingers up, the highest score first. Some contain no hand; the
-  /// caller must verify each.
+  /// Detects palms in the whole image. Returns squares around the whole hands, rotated so that the fingers
+  /// point up, the highest score first. Some contain no hand; the caller must verify each.
   std::vector<ImageRegion> find(const Image& image);
 
  private:

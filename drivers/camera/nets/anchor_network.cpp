@@ -41,7 +41,8 @@ AnchorDetector::AnchorDetector(NetPlan plan, AnchorLayout layout, const char* wh
       anchors_(make_anchors(layout_)) {
   if (network_.input().size() != layout_.input * layout_.input * 3 || network_.outputs() != 2 ||
       network_.output(0).size() != anchors_.size() * values_ || network_.output(1).size() != anchors_.size())
-    throw InputError(fmt::format("is not a network that detects {}", what));
+    throw InputError(
+        fmt::format("the file is not a network that detects {}: fetch it with deploy/fetch_models.sh", what));
 }
 
 std::vector<AnchorDetector::Answer> AnchorDetector::answers(double least_score) const {

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Input size and anchor layout of a detector network.
+/// Input size of an anchor-based detector network, and the grids of its anchors, which are the default
+/// positions of detected objects.
 struct AnchorLayout {
   struct Grid {
     int side = 0;  // cells per side
@@ -22,24 +23,27 @@ struct AnchorLayout {
   std::size_t points = 0;        // keypoints per detection
 };
 
-/// A detected object, in pixels of the image.
+/// An object that a detector network found in an image: score, bounding box and keypoints, in pixels of the
+/// image.
 struct DetectedObject {
   double score = 0;  // 0 to 1
   Vec2 low, high;    // corners of the bounding box
   std::vector<Vec2> points;
 };
 
-/// Returns the intersection over union of two boxes.
+/// Returns the area of the intersection of two objects' bounding boxes divided by the area of their union.
 double overlap(const DetectedObject& a, const DetectedObject& b);
 
 class AnchorDetector {
  public:
-  /// Checks the network. Throws InputError if its inputs or outputs differ from the layout. `what` names the
-  /// detected objects in messages.
+  /// Prepares the detector network `plan`. Throws InputError if its inputs or outputs differ from the layout.
+  /// `what` names the detected objects in messages.
   AnchorDetector(NetPlan plan, AnchorLayout layout, const char* what);
-  /// Returns non-overlapping objects with a score of at least `least_score`, the highest score first.
+  /// Detects objects in the whole image. Returns those with a score (0 to 1) of at least `least_score`, the
+  /// highest first, without those that overlap a better one.
   std::vector<DetectedObject> find(const Image& image, double least_score);
-  /// Detects objects in an unrotated square of the image only.
+  /// Detects objects in an unrotated square of the image only. Returns those with a score (0 to 1) of at
+  /// least `least_score`, the highest first.
   std::vector<DetectedObject> find_in(const Image& image, const ImageRegion& square, double least_score);
 
  private:

@@ -21,7 +21,9 @@ FlatTable FlatTable::root(Bytes file) {
 FlatTable::FlatTable(Bytes file, std::size_t at) : file_(file), at_(at) {
   if (at == 0) return;
   const auto fields = static_cast<std::int64_t>(at) - read<std::int32_t>(at);
-  if (fields < 0) throw InputError(fmt::format("a table at byte {} has its fields before the file", at));
+  if (fields < 0)
+    throw InputError(fmt::format(
+        "the file is damaged: the table at byte {} has its fields before the start of the file", at));
   fields_ = static_cast<std::size_t>(fields);
   fields_bytes_ = read<std::uint16_t>(fields_);
   need(fields_, fields_bytes_);
@@ -30,7 +32,8 @@ FlatTable::FlatTable(Bytes file, std::size_t at) : file_(file), at_(at) {
 void FlatTable::need(std::size_t at, std::size_t bytes) const {
   if (at > file_.size() || bytes > file_.size() - at)
     throw InputError(
-        fmt::format("{} bytes are referenced at byte {}, but the file has {}", bytes, at, file_.size()));
+        fmt::format("the file is damaged: {} bytes are referenced at byte {}, but the file has only {} bytes",
+                    bytes, at, file_.size()));
 }
 
 /// Returns the position of a field's value in the file; 0 if the field is absent.
@@ -45,7 +48,8 @@ std::size_t FlatTable::place(std::size_t field, std::size_t bytes) const {
 
 std::size_t FlatTable::follow(std::size_t at) const {
   const std::size_t to = at + read<std::uint32_t>(at);
-  if (to == at) throw InputError(fmt::format("an offset at byte {} refers to itself", at));
+  if (to == at)
+    throw InputError(fmt::format("the file is damaged: the offset at byte {} refers to itself", at));
   need(to, offset_bytes);
   return to;
 }
@@ -57,7 +61,8 @@ FlatTable::List FlatTable::list(std::size_t field, std::size_t bytes_each, std::
   const List out{start + offset_bytes, read<std::uint32_t>(start)};
   if (out.count > most)
     throw InputError(
-        fmt::format("a list at byte {} has {} entries, at most {} are allowed", start, out.count, most));
+        fmt::format("the file is damaged: the list at byte {} has {} entries, at most {} are allowed", start,
+                    out.count, most));
   need(out.first, out.count * bytes_each);
   return out;
 }

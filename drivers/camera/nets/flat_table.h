@@ -16,18 +16,19 @@ class FlatTable {
  public:
   using Bytes = std::span<const std::uint8_t>;
 
-  /// Returns the file's root table. Like all functions here it throws InputError if an offset leaves the
-  /// file. The bytes must outlive the table.
+  /// Returns the root table of a FlatBuffers file. This and all other functions of the class throw InputError
+  /// if an offset leaves the file. The bytes must outlive the table.
   static FlatTable root(Bytes file);
 
-  /// Returns a number, or `otherwise` if the field is absent.
+  /// Returns the number in a field, given by its index in the table's schema. Returns `otherwise` if the
+  /// field is absent.
   template <typename Number>
   Number number(std::size_t field, Number otherwise) const {
     const std::size_t at = place(field, sizeof(Number));
     return at == 0 ? otherwise : read<Number>(at);
   }
-  /// Returns a list of numbers, empty if the field is absent. Throws InputError if the list has more than
-  /// `most` entries.
+  /// Returns the list of numbers in a field, given by its index in the table's schema. Returns an empty list
+  /// if the field is absent. Throws InputError if the list has more than `most` entries.
   std::vector<std::int32_t> integers(std::size_t field, std::size_t most) const;
   Bytes bytes(std::size_t field) const;
   std::string text(std::size_t field, std::size_t most) const;

@@ -13,23 +13,26 @@ struct ImageRegion {
   double side = 0;             // pixels of the image
   double angle = 0;            // rad, clockwise from the image's up direction to the square's
 
-  /// Returns the image position, in pixels, of the point (u, v) of the square, each from 0 to 1 from its
-  /// upper left.
+  /// Returns the image position, in pixels, of the point (u, v) of this square. u and v run from 0 to 1, from
+  /// the square's upper left corner.
   Vec2 pixel(const Vec2& at) const;
 };
 
-/// Reports whether an image has all its pixels, and at least one.
+/// Reports whether an image is not empty and has as many colour values as its width and height require.
 bool is_whole(const Image& image);
 
-/// Values used for pixels outside the image.
+/// Choice of the values that stand for pixels outside the image: black, or the nearest pixel at the image's
+/// edge.
 enum class Outside : std::uint8_t { black, edge };
 
-/// Samples the square as size × size pixels of red, green, blue, each from 0 to 1.
+/// Samples a rotated square of the image as size × size pixels. Writes red, green and blue of each pixel,
+/// from 0 to 1, to `out`, row by row. `outside` gives the values beyond the image.
 void sample_region(const Image& image, const ImageRegion& region, std::size_t size, Outside outside,
                    std::span<float> out);
 
-/// Brightens dark pixels of red, green, blue, each from 0 to 1, like a longer exposure. Networks were trained
-/// on well exposed images. Leaves images unchanged that are bright enough or nearly black.
+/// Brightens pixels (red, green, blue of each, from 0 to 1) of a dark image, like a longer exposure, because
+/// the networks were trained on well exposed images. Leaves images unchanged that are bright enough or nearly
+/// black.
 void brighten(std::span<float> pixels);
 
 }  // namespace prosector

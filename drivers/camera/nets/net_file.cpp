@@ -79,7 +79,8 @@ class GraphReader {
  private:
   std::size_t tensor_of(std::int32_t number) const {
     if (number < 0 || static_cast<std::size_t>(number) >= plan_.tensors.size())
-      throw InputError(fmt::format("refers to tensor {}, but there are {}", number, plan_.tensors.size()));
+      throw InputError(fmt::format("the network refers to tensor {}, but there are only {} tensors", number,
+                                   plan_.tensors.size()));
     return static_cast<std::size_t>(number);
   }
 
@@ -92,7 +93,8 @@ class GraphReader {
     const auto type = table.number<std::int8_t>(tensor_type, 0);
     const auto buffer = table.number<std::uint32_t>(tensor_buffer, 0);
     if (buffer >= buffers_.size())
-      throw InputError(fmt::format("refers to buffer {}, but there are {}", buffer, buffers_.size()));
+      throw InputError(fmt::format("the network refers to buffer {}, but there are only {} buffers", buffer,
+                                   buffers_.size()));
     const FlatTable::Bytes data = buffers_[buffer].bytes(0);
     take_data(type, data, tensor);
     plan_.tensors.push_back(std::move(tensor));
@@ -100,7 +102,9 @@ class GraphReader {
 
   void take_data(std::int8_t type, FlatTable::Bytes data, NetTensor& tensor) {
     integers_.emplace_back();
-    if (data.size() > budget_) throw InputError("uses its buffers too often");
+    if (data.size() > budget_)
+      throw InputError(
+          "the network's tensors use the same buffers too often: they exceed twice the file's size");
     budget_ -= data.size();
     if (type == float32)
       for (std::size_t k = 0; k < data.size() / 4; ++k) tensor.values.push_back(number_at<float>(data, k));
@@ -120,14 +124,15 @@ class GraphReader {
   void take_layer(const FlatTable& table) {
     const auto code_number = table.number<std::uint32_t>(layer_code, 0);
     if (code_number >= codes_.size())
-      throw InputError(fmt::format("refers to layer code {}, but there are {}", code_number, codes_.size()));
+      throw InputError(fmt::format("the network refers to layer code {}, but there are only {} codes",
+                                   code_number, codes_.size()));
     const std::int32_t code = codes_[code_number];
     std::vector<std::size_t> inputs;
     for (const std::int32_t t : table.integers(layer_inputs, most_inputs))
       if (t != -1) inputs.push_back(tensor_of(t));
     const auto outputs = table.integers(layer_outputs, most_inputs);
     if (outputs.size() != 1 || inputs.empty())
-      throw InputError("has a layer without input, or without one output");
+      throw InputError("the network has a layer without input, or without exactly one output");
     const std::size_t output = tensor_of(outputs[0]);
     if (code == dequantize_code) {
       plan_.tensors[output].values = plan_.tensors[inputs[0]].values;  // converted from halves when read
@@ -135,7 +140,9 @@ class GraphReader {
     }
     const auto kind = kinds.find(code);
     if (kind == kinds.end())
-      throw InputError(fmt::format("uses layers of kind {}, which are not supported", code));
+      throw InputError(fmt::format(
+          "the network uses layers of kind {} (TensorFlow Lite operator code), which are not supported",
+          code));
     NetLayer layer{.kind = kind->second, .inputs = std::move(inputs), .output = output};
     if (const auto options = table.table(layer_options)) take_options(*options, layer);
     take_integers(layer);
@@ -150,7 +157,8 @@ class GraphReader {
     const std::vector<std::int32_t> none, &told = layer.inputs.size() > 1 ? integers_[layer.inputs[1]] : none;
     if (layer.inputs.size() > 1) layer.inputs.erase(layer.inputs.begin() + 1, layer.inputs.end());
     if (layer.kind == LayerKind::mean && told != std::vector<std::int32_t>{1, 2})
-      throw InputError("has a mean over dimensions other than height and width");
+      throw InputError(
+          "the network has a mean over dimensions other than height and width, which is not supported");
     if (layer.kind != LayerKind::pad) return;
     for (std::size_t k = 0; k < told.size(); ++k) {
       if (told[k] < 0) throw InputError(fmt::format("pads by {}", told[k]));
@@ -160,14 +168,17 @@ class GraphReader {
 
   static std::size_t size_of(const FlatTable& options, std::size_t field, std::int32_t otherwise = 0) {
     const auto n = options.number<std::int32_t>(field, otherwise);
-    if (n < 0) throw InputError(fmt::format("has a layer with a size of {}", n));
+    if (n < 0)
+      throw InputError(fmt::format(
+          "the network has a layer with a window, stride or dilation of {}; it must not be negative", n));
     return static_cast<std::size_t>(n);
   }
 
   static void take_activation(const FlatTable& options, std::size_t field, NetLayer& layer) {
     const auto code = options.number<std::int8_t>(field, 0);
     if (code != 0 && code != 1 && code != 3)
-      throw InputError(fmt::format("has activation {}; supported: none, relu and relu6", code));
+      throw InputError(
+          fmt::format("the network has a layer with activation {}; supported: none, relu and relu6", code));
     layer.activation = code == 0 ? Activation::none : code == 1 ? Activation::relu : Activation::relu6;
   }
 
@@ -193,11 +204,12 @@ class GraphReader {
         return take_activation(options, 0, layer);
       case LayerKind::concatenation:
         if (options.number<std::int32_t>(0, 0) != 1)
-          throw InputError("concatenates along a dimension other than the second");
+          throw InputError(
+              "the network concatenates along a dimension other than the second, which is not supported");
         return;
       case LayerKind::resize_bilinear:
         if (options.number<std::int8_t>(2, 0) != 0 || options.number<std::int8_t>(3, 0) == 0)
-          throw InputError("resizes images without half-pixel centres");
+          throw InputError("the network resizes images without half-pixel centres, which is not supported");
         return;
       default:
         return;
@@ -226,7 +238,7 @@ float from_half(std::uint16_t half) {
 
 NetPlan read_net(std::span<const std::uint8_t> file) {
   if (file.size() < 8 || std::memcmp(file.data() + 4, "TFL3", 4) != 0)
-    throw InputError("is not a TensorFlow Lite file");
+    throw InputError("the file is not a TensorFlow Lite file");
   return GraphReader(file).read();
 }
 
@@ -235,7 +247,8 @@ NetPlan load_fetched_net(const std::filesystem::path& folder, const std::string&
   const std::filesystem::path file = folder / name;
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw InputError(fmt::format("{} need '{}': run deploy/fetch_models.sh", what, file.string()));
+    throw InputError(fmt::format(
+        "{} need the network file '{}', which is missing: run deploy/fetch_models.sh", what, file.string()));
   return load_net(file);
 }
 

@@ -8,19 +8,21 @@
 
 namespace prosector {
 
-/// Parses and checks a network. Throws InputError if the bytes are no such file, are incomplete, or use a
-/// layer that `LayerKind` doesn't list.
+/// Parses and checks a neural network from the bytes of a TensorFlow Lite file. Throws InputError if the
+/// bytes are no such file, are incomplete, or use a layer that `LayerKind` does not list.
 NetPlan read_net(std::span<const std::uint8_t> file);
 
-/// Reads a network's file. Throws InputError with the file's name.
+/// Reads a neural network from a TensorFlow Lite file. Throws InputError with the file's name if it is
+/// unreadable or invalid.
 NetPlan load_net(const std::filesystem::path& file);
 
-/// Reads a file that deploy/fetch_models.sh fetches. Throws InputError with that advice if the file is
-/// missing. `what` names the feature that needs it.
+/// Reads the neural network `name` from `folder`, into which deploy/fetch_models.sh downloads such files. If
+/// the file is missing, throws InputError with the advice to run this script. `what` names the feature that
+/// needs the network.
 NetPlan load_fetched_net(const std::filesystem::path& folder, const std::string& name,
                          const std::string& what);
 
-/// Converts a half-precision float to single precision.
+/// Converts a half-precision floating-point number (16 bits) to single precision.
 float from_half(std::uint16_t half);
 
 }  // namespace prosector

@@ -51,12 +51,12 @@ struct NetPlan {
   std::vector<std::size_t> outputs;
 };
 
-/// Returns the number of elements of a tensor with this shape.
+/// Returns the number of elements of a tensor with this shape, the product of its dimensions.
 std::size_t tensor_size(const std::vector<std::size_t>& shape);
 
-/// Checks a plan. Throws InputError if a layer uses a tensor that is missing or not yet computed, or if its
-/// result differs in shape from its output. Throws InputError if the network needs more than some hundred
-/// megabytes.
+/// Checks a neural network's plan. Throws InputError if a layer uses a tensor that is missing or not yet
+/// computed, or if its result differs in shape from its output. Throws InputError if the network needs more
+/// than some hundred megabytes.
 void check(const NetPlan& plan);
 
 }  // namespace prosector

@@ -26,7 +26,7 @@ struct DeleteRuntime {
 void ask(xnn_status status, const std::string& what) {
   if (status != xnn_status_success)
     throw InputError(
-        fmt::format("{} cannot be run on this machine (XNNPACK: {})", what, static_cast<int>(status)));
+        fmt::format("{} cannot be run on this machine (XNNPACK status {})", what, static_cast<int>(status)));
 }
 
 /// Buffer position of an external tensor.
@@ -58,7 +58,7 @@ std::vector<ExternalTensor> external_tensors(const NetPlan& plan) {
   for (const ExternalTensor& place : out) tensors.push_back(place.tensor);
   std::sort(tensors.begin(), tensors.end());
   if (std::adjacent_find(tensors.begin(), tensors.end()) != tensors.end())
-    throw InputError("a tensor is listed twice in the outputs");
+    throw InputError("a tensor is listed twice in the network's outputs");
   return out;
 }
 

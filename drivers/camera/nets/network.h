@@ -10,16 +10,18 @@ namespace prosector {
 
 class Network {
  public:
-  /// Prepares the network. Throws InputError for a plan that check() rejects or this machine can't run.
+  /// Prepares a neural network for execution. Throws InputError for an inconsistent plan or one that this
+  /// machine cannot run.
   explicit Network(NetPlan plan);
   ~Network();
   Network(Network&&) noexcept;
   Network& operator=(Network&&) noexcept;
 
-  /// Returns the input buffer, to be filled before run().
+  /// Returns the buffer of the network's input values, which the caller fills before run().
   std::span<float> input();
   void run();
-  /// Returns the plan's output with this index, as computed by run().
+  /// Returns the values of the network's output number `number` (index in NetPlan::outputs), as computed by
+  /// run().
   std::span<const float> output(std::size_t number) const;
   std::size_t outputs() const;
 

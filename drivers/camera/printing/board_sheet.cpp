@@ -151,7 +151,8 @@ Paper paper_named(const std::string& name) {
 
 void write_sheet(const Board& board, const SheetSettings& settings, const std::filesystem::path& file) {
   if (!board.is_flat())
-    throw InputError(fmt::format("board {}: not flat; print its faces one by one", board.name));
+    throw InputError(fmt::format(
+        "board {}: the board is not flat; print a separate sheet for each of its faces", board.name));
   const Eigen::Vector2d size = box_of(board).sizes();
   const Paper& paper = settings.paper;
   if (size.x() > paper.width - 2 * border || size.y() > paper.height - 2 * border - foot)

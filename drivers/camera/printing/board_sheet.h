@@ -9,11 +9,11 @@
 
 namespace prosector {
 
-/// Paper size in landscape orientation, m.
+/// Size of a sheet of paper in landscape orientation, m; A4 by default.
 struct Paper {
   double width = 0.297, height = 0.210;
 };
-/// Returns the paper named a3, a4 or letter. Throws InputError for other names.
+/// Returns the size of the paper named "a3", "a4" or "letter". Throws InputError for other names.
 Paper paper_named(const std::string& name);
 
 struct SheetSettings {
@@ -21,8 +21,9 @@ struct SheetSettings {
   double dots_per_inch = 300;  // resolution of PNG files
 };
 
-/// Writes the sheet as .pdf, .svg or .png. Throws InputError if the board isn't flat, is too large for the
-/// paper, or the file can't be written.
+/// Writes a printable sheet with the board, true to scale, and a ruler to verify the scale. The file's
+/// extension is .pdf, .svg or .png. Throws InputError if the board is not flat, is too large for the paper,
+/// or the file cannot be written.
 void write_sheet(const Board& board, const SheetSettings& settings, const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -24,7 +24,7 @@ int run(int argc, char** argv) {
   std::string board, file, paper = "a4";
   SheetSettings settings;
   bool lists = false;
-  app.add_option("board", board, "known board, or board file (board.toml)");
+  app.add_option("board", board, "board to print: name of a known board (see --list), or board file (.toml)");
   app.add_option("--out", file, "file to write: .pdf, .svg or .png");
   app.add_option("--paper", paper, "a3, a4 or letter")->capture_default_str();
   app.add_option("--dots", settings.dots_per_inch, "resolution of a PNG")
@@ -37,7 +37,8 @@ int run(int argc, char** argv) {
       list();
       return 0;
     }
-    if (board.empty() || file.empty()) throw InputError("give a board and --out FILE, or --list");
+    if (board.empty() || file.empty())
+      throw InputError("give the board to print and --out FILE, or --list to list the known boards");
     settings.paper = paper_named(paper);
     write_sheet(find_board(board), settings, file);
     fmt::print("{}: print it at 100 %; the printed ruler must measure 100 mm\n", file);

@@ -79,7 +79,8 @@ Board load_board(const std::filesystem::path& file) {
   Board board{fields.text("name", file.stem().string()), {}};
   const auto add = [&](const TomlFields& from, const char* key, const BoardTag& tag) {
     if (board.find(tag.code) != nullptr)
-      from.fail(key, fmt::format("code {} is on this board already", tag.code));
+      from.fail(key,
+                fmt::format("tag code {} is on this board already: each tag needs another code", tag.code));
     board.tags.push_back(tag);
   };
   for (const TomlFields& grid : fields.tables("grid"))
@@ -91,7 +92,8 @@ Board load_board(const std::filesystem::path& file) {
     board.picture = std::make_shared<const PrintedImage>(read_printed(one));
   }
   fields.reject_unknown_keys();
-  if (board.tags.empty() && !board.picture) fields.fail("grid", "is missing, as are [[tag]] and [picture]");
+  if (board.tags.empty() && !board.picture)
+    fields.fail("grid", "is missing: a board needs [[grid]], [[tag]] or [picture]");
   return board;
 }
 

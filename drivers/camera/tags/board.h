@@ -25,12 +25,13 @@ struct BoardTag {
   double size = 0;  // m, side of the black square
   Pose pose;        // pose of the tag's frame (x right, y up, z towards the viewer) in the board's frame
 
-  /// Returns the black square's corners in the board's frame: lower left, lower right, upper right, upper
-  /// left.
+  /// Returns the corners of this tag's black square in the board's frame, m: lower left, lower right, upper
+  /// right, upper left.
   std::array<Vec3, 4> corners() const;
 };
 
-/// A page recognised by its printed image. It lies in the plane z = 0, centred at the origin.
+/// A printed image that serves as a board and is recognised by its features. It lies in the board's plane z =
+/// 0, centred at the origin.
 struct PrintedImage {
   Image image;
   double width = 0;  // m
@@ -44,11 +45,12 @@ struct Board {
   std::shared_ptr<const PrintedImage> picture = nullptr;  // instead of tags; null: the board has tags
 
   const BoardTag* find(int code) const;
-  /// Reports whether all tags lie in the plane z = 0.
+  /// Reports whether all tags of the board lie in the board's plane z = 0.
   bool is_flat() const;
 };
 
-/// A grid of tags: rows from the top, tags from the left. Codes count up from `first`.
+/// Description of a board with a grid of tags: rows from the top, tags in a row from the left. The tags'
+/// codes count up from `first`.
 struct TagGrid {
   int columns = 4, rows = 3;
   double size = 0.03, gap = 0.008;  // m; the gap is between black squares
@@ -56,11 +58,13 @@ struct TagGrid {
 };
 Board grid_board(const std::string& name, const TagGrid& grid);
 
-/// Reads a board file: a [grid], a list of [[tag]] with code, size, position and orientation, or a [picture]
-/// with file and width. Throws InputError with file, line, key and the allowed values.
+/// Reads a board's TOML file. It contains a [grid], a list of [[tag]] with code, size, position and
+/// orientation, or a [picture] with file and width. Throws InputError with file, line, key and the allowed
+/// values.
 Board load_board(const std::filesystem::path& file);
 
-/// Returns the cells of a tag, rows from the top: true is black. The rim is white.
+/// Returns the printed cells of the tag with this code, rows from the top; true is black. The cells of the
+/// outer rim are white.
 std::array<std::array<bool, tag_cells>, tag_cells> tag_ink(int code);
 
 }  // namespace prosector

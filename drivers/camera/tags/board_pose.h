@@ -20,22 +20,25 @@ struct BoardPose {
   int tags = 0;       // number of tags used
 };
 
-/// A corner of a board, or a point of a printed image, with its pixel.
+/// A point of a board (a tag's corner, or a point of a printed image) and the pixel at which it was detected.
 struct DetectedCorner {
   Vec3 board;  // m
   Vec2 pixel;  // in an undistorted image
 };
 
-/// Returns a board's detected corners. A code that was detected twice is left out and counted in `twice`.
+/// Returns the corners of those detected tags that belong to the board. Tags whose code was detected more
+/// than once are left out; `twice`, if not null, is increased by the number of these detections.
 std::vector<DetectedCorner> corners_seen(const Board& board, std::span<const DetectedTag> tags,
                                          int* twice = nullptr);
 
-/// Returns at most two poses that fit, the best first. Returns none if fewer than four corners are given or
-/// no pose fits. Tags that disagree with all others are left out.
+/// Computes poses of a board in the camera's frame from its detected points. `straight` is the lens of the
+/// undistorted image. Returns at most two poses that fit, because a flat board is ambiguous, the best first.
+/// Returns none if fewer than four corners are given or no pose fits. Tags that disagree with all others are
+/// left out.
 std::vector<BoardPose> solve_board(std::span<const DetectedCorner> corners, const Lens& straight);
 
-/// Returns the covariance of a pose computed from these corners, in the camera's frame, scaled by the
-/// corners' residuals.
+/// Returns the covariance of a board's pose computed from these corners, in the camera's frame, scaled by the
+/// residuals of the corners. `straight` is the lens of the undistorted image.
 MotionCovariance spread_of(const BoardPose& pose, std::span<const DetectedCorner> corners,
                            const Lens& straight);
 

@@ -12,7 +12,8 @@
 
 namespace prosector {
 
-/// One processed image, shared by all trackers.
+/// One camera image prepared for board trackers: distorted and undistorted grey images and the detected tags.
+/// All trackers of a camera share it.
 struct TagImage {
   GreyImage bent;                 // the camera's original, distorted image
   GreyImage straight;             // the undistorted image
@@ -20,7 +21,8 @@ struct TagImage {
   std::int64_t time_ns = 0;
 };
 
-/// Lenses and response used to process a camera's images.
+/// Lenses of a camera's distorted and undistorted images, and its response, the exponent from light to
+/// brightness.
 struct TagOptics {
   Lens bent, straight;
   double response = default_response;
@@ -37,13 +39,15 @@ struct TrackedBoard {
 
 class BoardTracker {
  public:
-  /// Prepares the tracker. Throws InputError if the board is an image with too few distinct features.
+  /// Prepares the tracking of a board. Throws InputError if the board is a printed image with too few
+  /// distinct features.
   explicit BoardTracker(Board board);
 
   const Board& board() const { return board_; }
-  /// Returns the pose of the board in the next image, or nothing.
+  /// Tracks the board in the next image. Returns its pose in the camera's frame, or nothing if the board is
+  /// not found.
   std::optional<TrackedBoard> update(const TagImage& picture, const TagOptics& optics);
-  /// Forgets the last pose.
+  /// Forgets the board's last pose and image, so that optical flow does not continue from them.
   void forget() { last_.reset(); }
 
   static constexpr double max_flow_time = 0.5;    // s, longest time to follow a board without reading a tag
@@ -56,7 +60,7 @@ class BoardTracker {
     GreyImage straight;
     std::vector<int> codes;  // tags that were detected
   };
-  /// Detections of the board in an image.
+  /// Points and tags of the board found in one image, by tag detection or by optical flow.
   struct Seen {
     std::vector<DetectedCorner> corners;
     std::vector<int> codes;  // tags whose edges to fit
@@ -66,7 +70,8 @@ class BoardTracker {
   std::vector<DetectedCorner> follow(const TagImage& picture, const TagOptics& optics) const;
   Seen look_for_tags(const TagImage& picture, const TagOptics& optics) const;
   Seen look_for_picture(const TagImage& picture, const TagOptics& optics);
-  /// A pose refined by edges, if edges were found.
+  /// Pose of the board in an image with its errors, refined by the edges of tags or by points of a printed
+  /// image if such were found.
   struct Fitted {
     Pose camera_board;
     double rms = 0;        // pixels

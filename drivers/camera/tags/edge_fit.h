@@ -24,8 +24,9 @@ struct EdgeFit {
   MotionCovariance covariance;  // covariance of the pose, in the camera's frame
 };
 
-/// Fits in the original, distorted image, from a pose that is right within a few pixels. `codes`: detected
-/// tags, whose edges are fitted. Returns nothing if too few edges are found.
+/// Refines a board's pose by the black edges of its tags in the original, distorted image. `camera_board` is
+/// a start that is right within a few pixels. `codes` are the detected tags, whose edges are fitted.
+/// `response` is the exponent from light to brightness. Returns nothing if too few edges are found.
 std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const Board& board,
                                  std::span<const int> codes, const Pose& camera_board,
                                  double response = default_response);

@@ -11,8 +11,9 @@
 
 namespace prosector {
 
-/// Returns the new position of each point. A point gives nothing if it is lost, or if tracking it back misses
-/// its start. Both images must have the same size.
+/// Tracks the points `places` (pixels) from one image to another by optical flow. Returns the new position of
+/// each point, or nothing for a point that is lost or that tracking back does not return to its start. Both
+/// images must have the same size.
 std::vector<std::optional<Vec2>> follow_places(const GreyImage& from, const GreyImage& to,
                                                std::span<const Vec2> places);
 

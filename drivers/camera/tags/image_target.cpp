@@ -118,8 +118,8 @@ ImageTarget::ImageTarget(const Board& board) : features_(std::make_unique<Featur
   const GreyImage seen{tried.cols, tried.rows, {tried.datastart, tried.dataend}};
   if (const std::size_t own = find(seen).size(); own < min_own_features)
     throw InputError(
-        fmt::format("board {}: its picture has {} distinguishable features and needs {}: use one with detail "
-                    "everywhere and without repeating patterns",
+        fmt::format("board {}: its picture has {} distinguishable features, but needs {}: use a picture with "
+                    "detail everywhere and without repeating patterns",
                     board.name, own, min_own_features));
 }
 

@@ -16,13 +16,16 @@ namespace prosector {
 
 class ImageTarget {
  public:
-  /// Extracts the features of a board's printed image. Throws InputError if it has too few distinct features.
+  /// Extracts the features of a board's printed image, by which it is recognised in camera images. Throws
+  /// InputError if it has too few distinct features.
   explicit ImageTarget(const Board& board);
   ~ImageTarget();
 
-  /// Searches the whole image for the print. Returns no corners if the print isn't found.
+  /// Searches the whole undistorted image for the printed image. Returns matched points with their pixels, or
+  /// none if the print is not found.
   std::vector<DetectedCorner> find(const GreyImage& straight) const;
-  /// Finds the print near a pose, more exactly than find(). Returns no corners if the print isn't found.
+  /// Finds the printed image in an undistorted image near an expected pose, more exactly than find(). Returns
+  /// matched points with their pixels, or none if the print is not found.
   std::vector<DetectedCorner> follow(const GreyImage& straight, const Lens& lens,
                                      const Pose& camera_board) const;
 

@@ -21,8 +21,8 @@ constexpr double quarter = std::numbers::pi / 2;
 
 const std::vector<StandardBoard>& standard_boards() {
   static const std::vector<StandardBoard> rows = {
-      {"table", {5, 3, 0.045, 0.01125, 0}, "lies on the table and defines the room frame"},
-      {"tablet", {4, 3, 0.03, 0.008, 20}, "is held as the panel"},
+      {"table", {5, 3, 0.045, 0.01125, 0}, "board on the table that defines the room frame"},
+      {"tablet", {4, 3, 0.03, 0.008, 20}, "held in the hand; shows the panel"},
       {"calibration", {6, 4, 0.036, 0.009, 40}, "for calibrating a camera"},
       // The board's upper side points to the fingers: the hand's −z is the board's y; the back of the hand
       // faces the board's z.

@@ -17,11 +17,11 @@ struct StandardBoard {
 };
 const std::vector<StandardBoard>& standard_boards();
 
-/// Returns the pose of the wrist, the eyes or the tip in a standard board's frame; the identity for other
-/// boards.
+/// Returns the pose of the tracked point (wrist, point between the eyes, or instrument tip) in the frame of
+/// the standard board with this name. Returns the identity for other boards.
 Pose board_wearer_pose(const std::string& name);
-/// Returns a standard board by name, else reads the file of that name (board.toml). Throws InputError with
-/// the list of standard boards.
+/// Returns the standard board with this name, or else reads the board from the file of that name, such as
+/// "board.toml". Throws InputError with the list of standard boards if neither exists.
 Board find_board(const std::string& name_or_file);
 
 }  // namespace prosector

@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// A detected tag.
+/// A tag (square fiducial marker of the family 36h11) detected in an image: its code and the pixels of its
+/// corners.
 struct DetectedTag {
   int code = 0;
   std::array<Vec2, 4> corners;  // pixels; black square's lower left, lower right, upper right, upper left
@@ -31,7 +32,8 @@ class TagDetector {
   explicit TagDetector(const TagDetectorSettings& settings);
   ~TagDetector();
 
-  /// Returns the detected tags, sorted by code. A code printed twice may appear twice.
+  /// Detects tags in an undistorted image. Returns them sorted by code. A code that is printed twice may
+  /// appear twice.
   std::vector<DetectedTag> find(const GreyImage& straight) const;
 
  private:

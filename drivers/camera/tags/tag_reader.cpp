@@ -91,8 +91,8 @@ void TagReader::make_ready(int width, int height) {
       static_cast<double>(width) * known.lens.height / (static_cast<double>(height) * known.lens.width);
   if (std::abs(stretch - 1) > shape_tolerance)
     throw InputError(
-        fmt::format("images are {} × {}, but the camera was calibrated with {} × {}: calibrate it again, or "
-                    "set it to that size",
+        fmt::format("the camera's images have {} × {} pixels, but it was calibrated with {} × {}: calibrate "
+                    "it again, or set it to that size",
                     width, height, known.lens.width, known.lens.height));
   optics_.bent = known.lens.scaled(width, height);
   optics_.response = known.response;

@@ -12,31 +12,35 @@
 
 namespace prosector {
 
-/// Reader of tags in a camera's images. Several trackers may share one reader on one thread; each image is
-/// read once.
+/// Reader that detects tags in a camera's images and undistorts them. Several trackers may share one reader
+/// on one thread; each image is then processed only once.
 class TagReader {
  public:
-  /// Reads the lens file. If `lens` is empty, the lens is the synthetic camera's own or guessed. Throws
-  /// InputError if the file can't be read.
+  /// Reads the camera's lens file. If `lens` is empty, the lens is the one that the camera states, as a
+  /// synthetic camera does, or a guessed one. Throws InputError if the file cannot be read.
   explicit TagReader(const std::filesystem::path& lens);
-  /// Takes a calibration; with nullopt the lens is the camera's own or guessed.
+  /// Takes the camera's calibration. With nullopt, the lens is the one that the camera states, or a guessed
+  /// one.
   explicit TagReader(std::optional<CameraCalibration> calibration);
 
-  /// Resets the lens for a newly opened camera.
+  /// Prepares for the images of a newly opened camera. If no calibration was given, the lens is the one that
+  /// this camera states, or a guessed one.
   void begin(const Camera& camera);
-  /// Reads an image and caches the result until the next one. Throws InputError if the image's aspect ratio
-  /// isn't that of the lens.
+  /// Detects tags in a camera image and undistorts it. Caches the result, so that a second call for the same
+  /// image is cheap. Throws InputError if the image's aspect ratio is not that of the lens.
   const TagImage& read(const Frame& frame);
 
-  /// Registers a board that should be visible. While tags of it are missing, images are searched more
-  /// thoroughly.
+  /// Registers a board that should be visible. While some of its tags are not detected, images are searched
+  /// more thoroughly.
   void expect(const Board& board);
 
-  /// Returns the lenses and response used for the last image.
+  /// Returns the lenses of the distorted and undistorted image and the camera's response, as used for the
+  /// last image.
   const TagOptics& optics() const { return optics_; }
   const Undistorter& straightener() const { return *straightener_; }
   bool is_guessed() const { return !calibration_; }
-  /// Returns how often the lens or image size changed. After a change, earlier tracked positions are invalid.
+  /// Returns the number of times that the lens or the image size has changed. After a change, positions
+  /// tracked in earlier images are no longer valid.
   int changes() const { return changes_; }
 
  private:
@@ -45,7 +49,7 @@ class TagReader {
 
   static constexpr double thorough_interval = 1;  // s, least time between thorough searches of whole images
   static constexpr double remembered = 0.5;       // s, time for which a tag is searched at its last position
-  /// A recently detected tag.
+  /// A tag detected in a recent image, with the time of that image.
   struct Lately {
     DetectedTag tag;
     std::int64_t time_ns;

@@ -22,8 +22,8 @@ namespace prosector::fork_join {
 
 #ifdef __SANITIZE_THREAD__
 
-/// Calls f(begin, end) for ranges that together are [0, n), each on a separate thread, and waits for all.
-/// Rethrows the exception of the first range that threw.
+/// Calls f(begin, end) for ranges that together cover [0, n), each on a separate thread, and waits for all.
+/// If ranges threw exceptions, rethrows that of the first such range.
 template <class F>
 void ranges(std::size_t n, const F& f) {
   const auto arena = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
@@ -49,7 +49,7 @@ void ranges(std::size_t n, const F& f) {
     if (e) std::rethrow_exception(e);
 }
 
-/// Calls both and waits for both.
+/// Calls f() and g() on separate threads, if the task arena has more than one, and waits for both.
 template <class F, class G>
 void both(const F& f, const G& g) {
   ranges(2, [&](std::size_t begin, std::size_t end) {
@@ -60,7 +60,8 @@ void both(const F& f, const G& g) {
 
 #else
 
-/// Calls f(begin, end) for ranges that together are [0, n), and waits for all. Throws what one of them threw.
+/// Calls f(begin, end) for ranges that together cover [0, n), in parallel, and waits for all. If calls threw
+/// exceptions, rethrows one of them.
 template <class F>
 void ranges(std::size_t n, const F& f) {
   tbb::parallel_for(
@@ -69,7 +70,7 @@ void ranges(std::size_t n, const F& f) {
       tbb::auto_partitioner());
 }
 
-/// Calls both and waits for both.
+/// Calls f() and g(), in parallel if a thread is free, and waits for both.
 template <class F, class G>
 void both(const F& f, const G& g) {
   tbb::parallel_invoke([&] { f(); }, [&] { g(); });

@@ -15,18 +15,20 @@ namespace prosector {
 struct ListEdit {
   static constexpr std::uint32_t none = ~0U;
 
-  std::vector<std::uint32_t> gone;  // by their indices before; ascending
-  std::vector<std::uint32_t> come;  // by their indices now; ascending
-  std::vector<std::uint32_t> now;   // by index before: the index now, or none
+  std::vector<std::uint32_t> gone;  // removed entries, by old index; ascending
+  std::vector<std::uint32_t> come;  // inserted entries, by new index; ascending
+  std::vector<std::uint32_t> now;   // by old index: the new index, or none
 
   ListEdit() = default;
-  /// Describes the edit of a list that had `before` entries. `come_before`: for each that comes, how many of
-  /// those that were there precede it; ascending.
+  /// Describes an edit of a list that had `before` entries: it removes those at `gone_indices` and inserts
+  /// new ones. `come_before` has one entry for each inserted entry: the number of old entries that precede
+  /// it; ascending.
   ListEdit(std::size_t before, std::vector<std::uint32_t> gone_indices,
            std::span<const std::uint32_t> come_before);
 
   std::size_t size() const { return now.size() - gone.size() + come.size(); }
-  /// Returns whether everything that was there keeps its index.
+  /// Returns whether every old entry of the edited list keeps its index: none was removed, and all insertions
+  /// are at the end.
   bool keeps_indices() const { return gone.empty() && (come.empty() || come.front() == now.size()); }
 };
 
@@ -49,7 +51,8 @@ inline ListEdit::ListEdit(std::size_t before, std::vector<std::uint32_t> gone_in
   }
 }
 
-/// Takes a list along; `come`: the values of those that come.
+/// Applies the edit to `list`: removes the entries that the edit removes and inserts those of `come`, which
+/// are in the order of their new indices.
 template <class T>
 void apply(const ListEdit& edit, std::span<const T> come, std::vector<T>& list) {
   PROSECTOR_ASSERT(list.size() == edit.now.size() && come.size() == edit.come.size());

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Returns how many chunks `parallel_chunks` cuts n items into.
+/// Returns the number of chunks of at most `chunk` items into which parallel_chunks() divides n items.
 constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
   return (n + chunk - 1) / chunk;
 }
@@ -32,7 +32,8 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
   });
 }
 
-/// Calls f(i) for each i of [0, n), each of them much work.
+/// Calls f(i) for each i of [0, n) in parallel and waits for all calls. It is meant for calls that each take
+/// long, since each may become a separate task.
 template <class F>
 void parallel_each(std::size_t n, const F& f) {
   fork_join::ranges(n, [&](std::size_t begin, std::size_t end) {
@@ -40,7 +41,7 @@ void parallel_each(std::size_t n, const F& f) {
   });
 }
 
-/// Calls both functions, in parallel if a thread is free.
+/// Calls f() and g(), in parallel if a thread is free, and waits for both.
 template <class F, class G>
 void parallel_both(const F& f, const G& g) {
   fork_join::both(f, g);

@@ -6,18 +6,19 @@
 
 namespace prosector {
 
-/// User action on a part. Journalled with the tick that consumes it; applied after the hands' events.
+/// A participant's action on an anatomical part, such as detaching or hiding it. It is recorded in the
+/// journal with the tick that consumes it, and applied after the hands' events of that tick.
 struct PartEvent {
   enum class Kind : std::uint8_t {
-    detach,         // lets it go from its place
-    attach,         // back into its place, from no farther than its `snap`
-    inspect,        // shown as `shape` has it, and out of touch, until …
-    end_inspect,    // … it is where it was
-    hide,           // neither seen nor touched; it stays where it is
-    show,           // ends that
+    detach,         // detaches it from its place
+    attach,         // attaches it at its place again, if it is no farther away than its `snap`
+    inspect,        // displays it as transformed by `shape`, and makes it untouchable
+    end_inspect,    // ends `inspect`
+    hide,           // makes it invisible and untouchable at its position
+    show,           // ends `hide`
     set_opacity,    // to `value`, 0 … 1
-    set_stiffness,  // soft: to `value` times the scene's, min_stiffness … max_stiffness
-    light,          // the light shaft on it: `value` 0 off, 1 on
+    set_stiffness,  // soft body: factor `value` on the scene's stiffness, min_stiffness … max_stiffness
+    light,          // switches the light shaft on the part: `value` 0 off, 1 on
   } kind = Kind::detach;
   ParticipantId participant = 0;
   BodyId body = 0;
@@ -26,14 +27,15 @@ struct PartEvent {
 };
 inline constexpr PartEvent::Kind last_part_event = PartEvent::Kind::light;
 
-/// Current user-made changes of a body; included in the simulation's state.
+/// Changes that participants have made to a body: attachment, visibility, inspection, opacity and stiffness.
+/// They are included in the simulation's state.
 struct Part {
   bool attached = true;  // in its place
   bool hidden = false;
   bool lit = false;
   bool inspected = false;
   double opacity = 1;
-  double stiffness = 1;  // times what the scene says
+  double stiffness = 1;  // factor on the scene's stiffness
   Affine shape;          // while inspected
 
   bool out_of_touch() const { return hidden || inspected; }

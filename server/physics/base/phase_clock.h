@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// A stopwatch that writes the time since it was last asked into a phase of the report; decides nothing.
+/// A stopwatch for a simulation step: adds the time since its last reading to a phase in the step's report.
+/// It only measures; the simulation's results don't depend on it.
 class PhaseClock {
  public:
   explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}

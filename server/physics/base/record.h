@@ -17,7 +17,8 @@
 
 namespace prosector {
 
-/// Names of the values in a saved state, by where their bytes begin.
+/// Names of the values in a saved state, by the offset of their first byte. They are used to report which
+/// value differs between two states.
 class RecordLabels {
  public:
   void open(const std::string& scope) { scopes_.push_back(scope); }
@@ -27,7 +28,8 @@ class RecordLabels {
     path.emplace_back(name);
     labels_.emplace(offset, fmt::format("{}", fmt::join(path, ", ")));
   }
-  /// Returns the name of the value that the byte belongs to; empty: there is none.
+  /// Returns the name of the value in the saved state to which the byte at `offset` belongs. Empty if no
+  /// value begins at or before that byte.
   std::string at(std::size_t offset) const {
     const auto after = labels_.upper_bound(offset);
     return after == labels_.begin() ? std::string() : std::prev(after)->second;
@@ -38,7 +40,8 @@ class RecordLabels {
   std::map<std::size_t, std::string> labels_;
 };
 
-/// An Io that appends records to bytes. With `labels` it also notes where each value begins.
+/// An Io (the interface that record descriptions write to or read from) that appends records to bytes. If
+/// given `labels`, it also notes the name of each value and where it begins.
 class RecordWriter {
  public:
   static constexpr bool reads = false;
@@ -52,7 +55,8 @@ class RecordWriter {
     note(name);
     out_.add(value);
   }
-  /// Adds an index or count as 64 bits.
+  /// Appends an index or count to the record as 64 bits. The unnamed argument, an upper bound, is only used
+  /// for reading.
   void index(std::size_t value, std::size_t, const char* name) {
     note(name);
     out_.add(static_cast<std::uint64_t>(value));
@@ -69,12 +73,13 @@ class RecordWriter {
     note(name);
     out_.add(value);
   }
-  /// Adds a vector of known length.
+  /// Appends the numbers of a vector to the record, without their count, which the reader knows.
   void vector(const VecX& value, Eigen::Index, const char* name) {
     note(name);
     out_.add(value);
   }
-  /// Adds the values of a list, each by `each(value)`.
+  /// Appends the number of a list's values to the record, and then each value by `each(value)`. The unnamed
+  /// argument, a limit of the number, is only used for reading.
   template <class T, class Each>
   void list(const std::vector<T>& list, std::size_t, const char* name, const Each& each) {
     index(list.size(), 0, name);
@@ -87,7 +92,8 @@ class RecordWriter {
   void optional(const std::optional<T>& value, const char* name) {
     flag(value.has_value(), name);
   }
-  /// Adds the entries of a map, each by `each(key, value)`.
+  /// Appends the number of a map's entries to the record, and then each entry by `each(key, value)`. The
+  /// unnamed argument, a limit of the number, is only used for reading.
   template <class Map, class Each>
   void map(const Map& map, std::size_t, const char* name, const Each& each) {
     index(map.size(), 0, name);
@@ -110,7 +116,8 @@ class RecordWriter {
    private:
     RecordLabels* labels_;
   };
-  /// Puts `name` before the labels of the values that are added while the result lives.
+  /// Prefixes the labels of all values that are added to the record during the lifetime of the result with
+  /// `name`.
   [[nodiscard]] Scope scope(const std::string& name) {
     if (labels_ != nullptr) labels_->open(name);
     return Scope(labels_);
@@ -129,7 +136,8 @@ class RecordWriter {
   RecordLabels* labels_;
 };
 
-/// An Io that reads records. Throws InputError for values that can't be.
+/// An Io (the interface that record descriptions write to or read from) that reads records from bytes and
+/// checks them. Throws InputError for values that are not valid.
 class RecordReader {
  public:
   static constexpr bool reads = true;
@@ -142,7 +150,7 @@ class RecordReader {
   void number(T& value, const char*) {
     value = in_.number<T>();
   }
-  /// Reads an index below `end`.
+  /// Reads an index of 64 bits from the record. Throws InputError unless it is below `end`.
   template <class T>
   void index(T& value, std::size_t end, const char* name) {
     const auto read = in_.number<std::uint64_t>();
@@ -153,19 +161,22 @@ class RecordReader {
   void vector(Vec3& value, const char*) { value = in_.vector(); }
   void pose(Pose& value, const char*) { value = in_.pose(); }
   void vector(VecX& value, Eigen::Index size, const char*) { value = in_.vector(size); }
-  /// Reads the values of a list, at most `most`.
+  /// Reads a list from the record, each value by `each(value)`. Throws InputError if it has more than `most`
+  /// values.
   template <class T, class Each>
   void list(std::vector<T>& list, std::size_t most, const char*, const Each& each) {
     list.clear();
     for (std::size_t left = in_.count(most); left > 0; --left) each(list.emplace_back());
   }
-  /// Makes or drops the value.
+  /// Reads whether an optional value is present: then creates it with default contents, which the caller
+  /// reads next; otherwise resets it.
   template <class T>
   void optional(std::optional<T>& value, const char*) {
     value.reset();
     if (in_.flag()) value.emplace();
   }
-  /// Reads entries in the order of their keys, at most `most`.
+  /// Reads a map from the record, each entry by `each(key, value)`. Throws InputError if the keys are not in
+  /// ascending order or there are more than `most` entries.
   template <class Map, class Each>
   void map(Map& map, std::size_t most, const char* name, const Each& each) {
     map.clear();

@@ -12,7 +12,8 @@
 
 namespace prosector {
 
-/// The phases in the order in which a step runs them; reading order of Simulation::step is this order.
+/// Phases of a simulation step whose durations are measured, in the order in which Simulation::step runs
+/// them.
 enum class Phase : std::uint8_t { inputs, broad, narrow, islands, coupled, rigid, constraints, report };
 inline constexpr std::array<const char*, step_phases> phase_names = {
     "inputs", "broad", "narrow", "islands", "coupled", "rigid", "constraints", "report"};
@@ -26,10 +27,10 @@ struct BodyReport {
   bool converged = true;
   double substep = 0;  // s: step length of bodies with several substeps per tick; 0: one step per tick
   bool reset = false;  // went non-finite: put back to its last good state; or unfolded
-  std::string note;    // for people
+  std::string note;    // text for users
 };
 
-/// A hand that lost or gave up its hold, and why, for people.
+/// A hand that lost or released the body that it held, with the reason as text for users.
 struct LetGo {
   ParticipantId participant = 0;
   std::size_t hand = right_hand;
@@ -37,13 +38,14 @@ struct LetGo {
   std::string why;
 };
 
-/// A body that broke, and the force through the plane where it did.
+/// A body that broke at a fracture plane, and the force through that plane.
 struct Broken {
   BodyId body = 0;
   double force = 0;  // N
 };
 
-/// A button of a user's panel that could not do what it is for, and why, for that user.
+/// A button of a participant's control panel whose action failed, with the reason as text for that
+/// participant.
 struct PanelRefusal {
   ParticipantId participant = 0;
   std::string why;

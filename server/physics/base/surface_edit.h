@@ -12,18 +12,22 @@
 
 namespace prosector {
 
-/// A triangle that got other corners goes, and comes at its place.
+/// Change of a surface mesh by a cut: the vertices and triangles that are removed and inserted. A triangle
+/// whose corners change is removed, and a new one is inserted at its position in the list.
 struct SurfaceEdit {
   ListEdit vertices, triangles;
-  // Vertices that come: at rest, m; what they hang on; the numbers that they keep for ever.
+  // Inserted vertices: rest positions (m), the nodes and weights that they are embedded in, and permanent
+  // numbers.
   std::vector<Vec3> positions;
   std::vector<SparseMap::Row> rows;
   std::vector<std::uint32_t> vertex_numbers;
-  // Triangles that come: vertices, by their indices now; whether they are inner; their numbers.
+  // Inserted triangles: their vertices by new indices, whether they are inner cut faces, and permanent
+  // numbers.
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<std::uint8_t> inner;
   std::vector<std::uint32_t> triangle_numbers;
-  /// Vertices there now of triangles that went or came; ascending.
+  /// Vertices of the edited surface that are corners of inserted triangles, or were corners of removed ones;
+  /// by their new indices, ascending.
   std::vector<std::uint32_t> touched;
 };
 

@@ -13,14 +13,16 @@
 
 namespace prosector {
 
-/// The number that each node, vertex and triangle of a soft body's anatomy keeps for ever, by index.
-/// Ascending. Empty lists: it was never cut, and each is its own index.
+/// Permanent number of each node, vertex and triangle of a soft body's anatomy, by its current index;
+/// ascending. Numbers are never reused. Empty lists mean that the body was never cut and each number equals
+/// the index.
 struct Numbering {
   std::vector<std::uint32_t> nodes, vertices, triangles;
 };
 
-/// A body's new topology: the simulation has it when the step ends. A piece that came free is a body that did
-/// not exist before; its first change has revision 0. A body that became nothing has no triangles.
+/// A change of a body's topology, reported by the step after which the simulation has the new topology. A
+/// piece that came free is a new body; its first change has revision 0. A body of which nothing is left has
+/// no triangles.
 struct TopologyChange {
   BodyId body = 0;
   std::uint32_t revision = 0;
@@ -30,7 +32,8 @@ struct TopologyChange {
   std::optional<BodyId> piece_of;  // of a new piece: the body that it was cut off
 };
 
-/// User request on earlier cuts; journalled with the tick that consumes it.
+/// A participant's request that concerns earlier cuts: undo or rewind. It is recorded in the journal with the
+/// tick that consumes it.
 struct CutEvent {
   enum class Kind : std::uint8_t {
     undo,    // the participant's last cut that was not undone yet
@@ -40,7 +43,8 @@ struct CutEvent {
   ParticipantId participant = 0;
   BodyId body = 0;             // of rewind
   std::uint32_t revision = 0;  // of rewind
-  /// For rewind: result of Simulation::save() at that time, in this run or the one that it continues.
+  /// Saved state to which `rewind` returns: the result of Simulation::save() at that time, in this run or in
+  /// the run that it continues. Null if it is no longer stored.
   std::shared_ptr<const std::vector<std::uint8_t>> state{};
 };
 inline constexpr CutEvent::Kind last_cut_event = CutEvent::Kind::rewind;

@@ -1,6 +1,6 @@
 #include "server/physics/stations/cut_events.h"
 
-#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/save/rewind.h"
 
 namespace prosector {

@@ -8,8 +8,9 @@
 
 namespace prosector {
 
-/// Applies the events in order and answers them in StepReport::cut_answers. Returns whether the state was
-/// rewound; the tick's islands then belong to another state.
+/// Applies participants' requests to undo cuts or to rewind, in order, and appends an answer to each to
+/// StepReport::cut_answers. Returns whether the state was rewound. In that case, the islands (sets of bodies
+/// solved together) of this tick no longer belong to the state.
 bool apply_cut_events(State& state, std::span<const CutEvent> events, StepReport& report);
 
 }  // namespace prosector

@@ -12,14 +12,17 @@
 
 namespace prosector {
 
-/// Adds contacts, energies, and the numbers of awake and sleeping bodies to the report.
+/// Adds the number of contacts, the energies, and the numbers of awake and sleeping bodies to the report.
 void describe(State& state, std::span<const Island> islands, StepReport& report);
 
-/// Returns the pose of each hand and its strongest contact. `islands` and `colliders`: of the last h s.
+/// Returns the pose of each hand and its strongest contact, in the order of the state's hands. `islands`
+/// (sets of bodies solved together) and `colliders` are those of the last h s.
 std::vector<HandState> describe_hands(const State& state, std::span<const Island> islands,
                                       std::span<const Collider> colliders, double h);
 
-/// Returns the exchanges of `earlier` plus those of the last h s, computed from `islands`.
+/// Returns the exchanges (impulse, depth and contact point of each pair of bodies) in `earlier`, combined
+/// with those of the last h s. The latter are computed from `islands` (sets of bodies solved together).
+/// `rigid_bodies` is the number of rigid bodies.
 std::vector<Exchange> exchanges(std::vector<Exchange> earlier, std::span<const Island> islands,
                                 std::size_t rigid_bodies, double h);
 

@@ -4,7 +4,7 @@
 
 #include "server/physics/base/phase_clock.h"
 #include "server/physics/stations/cut_events.h"
-#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/dissecting/refining.h"
 #include "server/physics/stations/hands/holding.h"
 #include "server/physics/stations/islands/island_builder.h"

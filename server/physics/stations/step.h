@@ -15,7 +15,8 @@
 
 namespace prosector {
 
-/// Buffers of a tick, and data for queries about the last tick. They don't affect the next tick.
+/// Buffers of a tick, and data for queries about the last tick. They don't affect the results of the next
+/// tick.
 struct StepBuffers {
   explicit StepBuffers(const State& state) : contacts(state.bodies.soft.size()), h(state.bodies.model.h) {}
 
@@ -31,13 +32,16 @@ struct StepBuffers {
   std::vector<HandState> hand_states;
 };
 
-/// Advances the state by one tick and fills the report.
+/// Advances the simulation's state by one tick, consuming `input`, and fills the report. `buffers` are reused
+/// from tick to tick.
 void step(State& state, StepBuffers& buffers, const TickInput& input, StepReport& report);
 
-/// Returns the exchanges between bodies in the last tick.
+/// Returns the exchanges of the last tick: impulse, depth and contact point of each pair of bodies that
+/// touched.
 std::vector<Exchange> exchanges(const State& state, const StepBuffers& buffers);
 
-/// Clears the data of the last tick after the state was replaced. Hands have no contacts until the next tick.
+/// Clears the buffers' data about the last tick after the state was replaced, such as by a restored
+/// checkpoint. Hands have no contacts until the next tick.
 void clear_last_tick(const State& state, StepBuffers& buffers);
 
 }  // namespace prosector

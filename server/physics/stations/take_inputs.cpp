@@ -28,8 +28,9 @@ void drive(Bodies& bodies, const KinematicTarget& drive, StepReport& report) {
   }
   BodyReport& row = report.bodies.emplace_back();
   row.body = drive.body < bodies.model.rigid.size() ? bodies.model.rigid[drive.body].name : "none";
-  row.note =
-      known ? "ignored a target pose outside the room" : "ignored a target pose for a body that is not fixed";
+  row.note = known ? "a target pose for this body was ignored: it is not finite or outside the room"
+                   : "a target pose was ignored: the body does not exist or is not fixed; only fixed bodies "
+                     "can be driven";
 }
 
 void take(const EffortChange& change, Bodies& bodies) {

@@ -8,8 +8,9 @@
 
 namespace prosector {
 
-/// Applies hand events (appear, vanish, grasp, release), hand targets, and events of parts, panels and
-/// kinematic bodies; bends fingers. Refreshes `colliders` if a hand needs nearby bodies.
+/// Applies the tick's inputs to the state: hand events (appear, vanish, grasp, release), hand targets, and
+/// events of anatomical parts, panels and kinematic bodies. Then bends the fingers. Updates `colliders` if a
+/// hand needs nearby bodies.
 void take_inputs(State& state, Colliders& colliders, const TickInput& input, StepReport& report);
 
 }  // namespace prosector

@@ -57,7 +57,7 @@ int count_parts(State& state, Colliders& colliders) {
     const Collider& c = colliders[slot];
     const double far = way(c.pose, *to, (c.hi - c.lo).norm() / 2);
     for (const Tissue& tissue : bodies.soft) {
-      const double cell = tissue.desc().surface_cell;
+      const double cell = tissue.desc().geometry.surface_cell;
       if (far <= cell || bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, c))
         continue;
       const Vec3 reach = Vec3::Constant(far);

@@ -16,19 +16,21 @@
 
 namespace prosector {
 
-/// The equal parts of a tick.
+/// Division of a tick into equal parts, for kinematic bodies (on prescribed trajectories) that move fast.
 class TickParts {
  public:
-  /// Determines the number of parts. No kinematic body moves farther in a part than the tissue in its path
-  /// can follow. The number is 1 if no kinematic body moves as far as a surface cell. Refreshes `colliders`
-  /// if needed.
+  /// Determines the number of parts of the tick, such that no kinematic body moves farther in a part than the
+  /// tissue in its path can follow. The number is 1 if no kinematic body moves as far as a surface cell.
+  /// Updates `colliders` if needed.
   TickParts(State& state, Colliders& colliders);
 
   int count() const { return count_; }
   double h() const { return h_; }  // s, of each part
-  /// Sets the targets of kinematic bodies and hands for part k.
+  /// Sets the targets of kinematic bodies and hands to their poses at the end of the tick's part k (from 0),
+  /// interpolated over the whole tick.
   void aim(int k);
-  /// Restores the targets of the whole tick, and merges the report rows of the parts.
+  /// Restores the targets of the whole tick, and merges the report's entries of each body, one per part of
+  /// the tick.
   void finish(StepReport& report);
 
  private:

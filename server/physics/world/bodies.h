@@ -17,7 +17,7 @@
 namespace prosector {
 
 struct Bodies {
-  /// Creates the bodies at their initial poses from the scene. `model` outlives this.
+  /// Creates the scene's bodies at their initial poses. `model`, the compiled scene, must outlive the object.
   Bodies(const Model& model, std::vector<CompiledTissue> tissues);
 
   const Model& model;
@@ -35,17 +35,21 @@ struct Bodies {
   }
   BodyId soft_id(std::size_t index) const { return static_cast<BodyId>(model.rigid.size() + index); }
   const std::string& name_of(BodyId body) const;
-  /// Returns whether the body is a part of the anatomy, which participants may detach and hide.
+  /// Returns whether the scene declares the body as a part of the anatomy, which participants may detach and
+  /// hide.
   bool is_part(BodyId body) const;
-  /// Returns whether two soft bodies can collide; for a == b, whether the body can collide with itself.
+  /// Returns whether the soft bodies with indices a and b can collide. For a == b, returns whether the body
+  /// can collide with itself.
   bool may_meet(std::size_t a, std::size_t b) const;
-  /// Applies the body's Part: its presence in `world` if rigid; its stiffness and attachment if soft.
+  /// Applies the changes that participants made to the body (its Part). For a rigid body, sets its presence
+  /// in `world`: absent, fixed or free. For a soft body, sets its stiffness and attachment.
   void take_effect(RigidWorld& world, BodyId body);
-  /// Wakes all bodies that can be touched.
+  /// Wakes all sleeping bodies, except those that can't be touched because they are hidden or inspected.
   void wake_everything();
 };
 
-/// Returns each body's Part at the start of the scene. Pieces of bones that have not broken yet are hidden.
+/// Returns each body's Part (the changes that participants make to it) at the start of the scene. Bone
+/// fragments whose bone has not broken yet are hidden; no other body has changes.
 std::vector<Part> initial_parts(const Model& model, std::size_t soft_bodies);
 Part initial_part(const Model& model, BodyId body);
 

@@ -26,7 +26,8 @@ struct RigidModel {
   Pose center;  // centre-of-mass frame, relative to the body's frame
   Pose start;   // body's frame in the room frame
 
-  /// A plane along which the body breaks, and the resulting pieces; centre-of-mass frame.
+  /// A plane along which a bone breaks, and the two resulting pieces. Positions and the normal are in the
+  /// centre-of-mass frame of the unbroken bone.
   struct Fracture {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitY();
     std::size_t above = 0, below = 0;  // pieces on the side that the normal points to, and on the other side
@@ -37,7 +38,7 @@ struct RigidModel {
   std::optional<std::size_t> whole;  // of a piece: the unbroken body
 };
 
-/// Collision shape of a side of the room for soft bodies; its frame is the room's.
+/// Collision shape of one side of the room for contacts with soft bodies, in the room frame.
 struct RoomModel {
   RoomSide side;
   RigidShape shape;
@@ -50,13 +51,13 @@ struct Model {
   std::vector<BladeShape> blades;  // by rigid body of the scene
   std::array<HandModel, 2> hands;
   std::vector<RoomModel> room;
-  /// Outlines for contact with soft bodies that collide as proxy shapes: by rigid body, then hand, then side
-  /// of the room. Empty if the scene has no such soft body.
+  /// Outlines for contacts with soft bodies that collide as proxy shapes (sphere, box or hull). The order is:
+  /// rigid bodies, hands, sides of the room. Empty if the scene has no such soft body.
   std::vector<std::optional<RigidOutline>> outlines;
   ContentHash hash{};
 };
 
-/// A compiled soft body, at rest.
+/// A soft body as the scene's compilation produces it, at rest: its solver and its collision properties.
 struct CompiledTissue {
   std::unique_ptr<SoftBody> solver;
   SoftCollision collision;

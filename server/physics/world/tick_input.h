@@ -14,8 +14,8 @@
 
 namespace prosector {
 
-/// One participant's hand as the step consumes it: a target for the virtual coupling. Inputs are ordered by
-/// (participant, hand).
+/// Target of one participant's hand in a tick: the tracked pose and finger flexion to which the virtual
+/// coupling pulls the simulated hand. Inputs are ordered by (participant, hand).
 struct HandTarget {
   ParticipantId participant = 0;
   std::size_t hand = right_hand;
@@ -25,32 +25,35 @@ struct HandTarget {
   std::optional<double> reaction = {};  // N: force of a haptic arm on this hand; none: no arm is connected
 };
 
-/// A discrete event. Events are journalled with the tick that consumes them.
+/// A discrete event of a participant's hand, such as grasping. Events are recorded in the journal with the
+/// tick that consumes them.
 struct HandEvent {
   enum class Kind : std::uint8_t { appear, vanish, grasp, release, reset_body, grasp_body, regrasp } kind;
   ParticipantId participant = 0;
   std::size_t hand = right_hand;
-  /// reset_body: the body to reset. grasp_body and regrasp: the body to grasp if the hand reaches it. Out of
-  /// reach, grasp_body grasps like `grasp`, and regrasp does nothing.
+  /// Body that the event concerns. For reset_body it is the body to reset. For grasp_body and regrasp it is
+  /// the body to grasp if the hand reaches it. If it is out of reach, grasp_body grasps like `grasp`, and
+  /// regrasp does nothing.
   BodyId body = 0;
 };
 
-/// A change of a soft body's solver effort from this tick on: `steps_down` reductions (0: as described in the
-/// scene); see soft/base/effort.h. Bodies in one island use the smallest reduction among them.
+/// A change of the effort with which a soft body is solved from this tick on. `steps_down` is the number of
+/// reductions from the effort in the scene (0: none); see soft/base/effort.h. Bodies in one island (a set of
+/// bodies solved together) use the smallest reduction among them.
 struct EffortChange {
   BodyId body = 0;
   int steps_down = 0;
 };
 
-/// Target pose of a kinematic body (a press, a clamp, a test machine) at the end of the tick. The body moves
-/// at constant velocity and nothing stops it; without a KinematicTarget in a tick it stands still. Bodies
-/// that it touches stay awake.
+/// Target pose, at the end of the tick, of a kinematic body (a press, a clamp, a test machine). The body
+/// moves there at constant velocity and nothing stops it. In a tick without a KinematicTarget it does not
+/// move. Bodies that it touches stay awake.
 struct KinematicTarget {
   BodyId body = 0;
   Pose pose;  // of the body's frame, in the room frame
 };
 
-/// All inputs of a tick, in canonical order.
+/// All inputs that one tick of the simulation consumes, in canonical order.
 struct TickInput {
   std::vector<EffortChange> efforts;
   std::vector<HandEvent> events;

@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// Pose of a physical hand at the end of the tick, and its strongest contact.
+/// Pose of a simulated hand at the end of the tick, its finger flexion, the body that it holds, and its
+/// strongest contact.
 struct HandState {
   ParticipantId participant = 0;
   std::size_t hand = right_hand;
@@ -23,9 +24,9 @@ struct HandState {
   ContactSample contact;
 };
 
-/// Impulse, depth and contact point between two bodies in the last tick, over all their contact points.
-/// Reported for pairs with a soft body, and for rigid bodies that were solved together with soft ones.
-/// Contacts of hands are reported in HandState.
+/// Impulse, depth and contact point between two bodies in the last tick, over all their contact points. There
+/// is one for each pair in contact with a soft body, and for rigid bodies that were solved together with soft
+/// ones. Contacts of hands are reported in HandState.
 struct Exchange {
   BodyId a = 0, b = 0;
   std::uint32_t points = 0;     // number of points that pressed
@@ -36,7 +37,7 @@ struct Exchange {
   Vec3 normal = Vec3::UnitY();  // unit normal at that point, from b to a
 };
 
-/// A point of a body that a hand touches, or is near to.
+/// A point of a body that a hand touches, holds, or is near to, as rendered by a haptic arm.
 struct HandTouch {
   BodyId body = 0;
   ContactSide side;               // the point of the body
@@ -52,7 +53,8 @@ struct HandTouch {
   double bound = 0;               // N: largest force of a hold
 };
 
-/// A support of a point of a soft body: a contact that presses, or a hold.
+/// A support of a point of a soft body: a contact that presses it or a hand that holds it, with its
+/// stiffness.
 struct Support {
   BodyId body = 0;
   ContactSide side;
@@ -60,7 +62,8 @@ struct Support {
   std::optional<HandRef> hand;    // whose hand or held tool supports it
 };
 
-/// The surroundings of a hand after a tick.
+/// Bodies around a hand after a tick, for a haptic arm: the points that it touches or is near to, and the
+/// supports of the touched soft bodies.
 struct HandSurroundings {
   std::vector<HandTouch> touches;  // contacts and holds of the tick first, then near points
   std::vector<Support> supports;   // contacts and holds of the touched soft bodies; by body

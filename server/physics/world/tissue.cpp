@@ -25,8 +25,8 @@ Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, cons
 double Tissue::contact_stiffness(std::size_t vertex) const {
   PROSECTOR_ASSERT(vertex < solver->surface_area().size());
   const SoftBody& body = *solver;
-  return collision.stiffness_factor * body.desc().youngs_modulus * body.surface_area()[vertex] /
-         body.desc().surface_cell;
+  return collision.stiffness_factor * body.desc().material.youngs_modulus * body.surface_area()[vertex] /
+         body.desc().geometry.surface_cell;
 }
 
 ContactSide Tissue::side(std::uint32_t vertex) const {
@@ -63,7 +63,7 @@ Aabb Tissue::outer_box() const {
 
 SoftSkin Tissue::skin() {
   const TriangleSurface* faces = surface.moved_faces();
-  return {&surface.vertices(), faces, half_thickness(), desc().surface_cell};
+  return {&surface.vertices(), faces, half_thickness(), desc().geometry.surface_cell};
 }
 
 const std::vector<char>& Tissue::inside_out() {

@@ -16,9 +16,11 @@
 namespace prosector {
 
 struct Tissue {
-  /// Creates a body at rest in its rest shape, which counts as its equilibrium until another is found.
+  /// Creates a soft body in its rest shape, at rest. The rest shape counts as its equilibrium under gravity
+  /// until another is found. `index` is its index among the soft bodies.
   Tissue(std::size_t index, std::unique_ptr<SoftBody> solver, const SoftCollision& collision);
-  /// Creates the body with a surface that was built from the solver's anatomy.
+  /// Creates a soft body in its rest shape, at rest, with a contact surface that was already built from the
+  /// solver's anatomy. `index` is its index among the soft bodies.
   Tissue(std::size_t index, std::unique_ptr<SoftBody> solver, const SoftCollision& collision,
          TissueSurface surface);
 
@@ -43,39 +45,40 @@ struct Tissue {
   const SoftDesc& desc() const { return solver->desc(); }
   const Anatomy& anatomy() const { return solver->anatomy(); }
   bool is_thin() const { return anatomy().thickness > 0; }  // a sheet or a rope
-  /// Returns the distance from the simulated surface to the contact surface, m. A sheet is simulated as its
-  /// mid-surface, a rope as its axis: contacts stop at this distance from them.
+  /// Returns the distance (m) from the simulated surface to the contact surface. A sheet is simulated as its
+  /// mid-surface, a rope as its axis: contacts stop at this distance from them. For a solid it is 0.
   double half_thickness() const { return anatomy().thickness / 2; }
-  /// Returns the stiffness of a contact at a surface vertex, N/m: the Young's modulus times the vertex' area
-  /// over the surface cell size, times the scene's factor.
+  /// Returns the stiffness (N/m) of a contact at a surface vertex: the body's Young's modulus times the
+  /// vertex' area, divided by the surface cell size, times the scene's factor.
   double contact_stiffness(std::size_t vertex) const;
-  /// Returns the side of a contact at a surface vertex.
+  /// Returns the side of a contact (nodes and weights) at a vertex of the body's surface.
   ContactSide side(std::uint32_t vertex) const;
   Vec3 middle() const;  // m: centre of mass
-  /// Returns an upper bound of how far its nodes move within h s, m.
+  /// Returns an upper bound of how far any node of the body moves within h s, in m.
   double reach(double h) const;
-  /// Returns an upper bound of how much two points of the body can approach each other within h s, m.
+  /// Returns an upper bound of how much two points of the body can approach each other within h s, in m.
   double inner_reach(double h) const;
-  /// Returns a bounding box of the body's contact geometry.
+  /// Returns an axis-aligned box that encloses the body's contact geometry, thickness included.
   Aabb outer_box() const;
 
-  /// Returns the surface for contact with other soft bodies, at its position in this tick.
+  /// Returns the body's surface for contacts with other soft bodies, at its position in this tick.
   SoftSkin skin();
   const ElementSurface& elements() { return surface.elements(state.motion.x); }
-  /// Returns marks of surface vertices that are embedded in inverted elements, computed once a tick: their
-  /// positions do not indicate where the body is. 1: marked; empty: none.
+  /// Returns, by surface vertex, whether the vertex is embedded in inverted elements (1) or not (0). The
+  /// positions of such vertices do not indicate where the body is. Empty if there is no inverted element.
+  /// Computed once per tick.
   const std::vector<char>& inside_out();
 
   bool fits_its_mesh() const;
   void begin_tick();
-  /// Moves the contact geometry to the current node positions.
+  /// Moves the body's contact geometry to its current node positions.
   void place_surface() { surface.place(state.motion.x); }
-  /// Moves the contact geometry within a tick and invalidates its caches, since other bodies may have used
-  /// them at the old position.
+  /// Moves the body's contact geometry to its current node positions within a tick, and invalidates its
+  /// caches, since other bodies may have used them at the old position.
   void follow_nodes();
 
   void wake();
-  /// Puts the body to sleep in its current shape.
+  /// Puts the body to sleep in its current shape and stops its motion.
   void freeze();
 
  private:
@@ -83,7 +86,8 @@ struct Tissue {
   std::vector<char> inside_out_;
 };
 
-/// Clears a body's velocity, and its warm start and motion history, from which the next step is predicted.
+/// Stops a soft body: clears its velocity, the solver's warm start, and the motion history from which the
+/// next step is predicted.
 void stop(SoftBodyState& state);
 
 }  // namespace prosector

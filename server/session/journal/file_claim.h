@@ -7,8 +7,8 @@ namespace prosector {
 
 class FileClaim {
  public:
-  /// Locks the file. Throws InputError when another process holds the lock. On a file system without locks,
-  /// none is taken.
+  /// Locks the file. Throws InputError if another process holds the lock. Does nothing on a file system that
+  /// does not support locks.
   explicit FileClaim(const std::filesystem::path& file);
   ~FileClaim();
   FileClaim(const FileClaim&) = delete;

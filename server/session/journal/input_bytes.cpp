@@ -107,7 +107,8 @@ template <class Io>
 void entry(Io& io, typename Io::template Entry<EffortChange>& e) {
   auto& [body, steps_down] = e;
   io.number(body);
-  io.limited(steps_down, std::uint8_t{max_steps_down}, "effort reduction out of range");
+  io.limited(steps_down, std::uint8_t{max_steps_down},
+             "the reduction of a body's solver effort is out of range");
 }
 
 template <class Io>
@@ -122,7 +123,7 @@ void entry(Io& io, typename Io::template Entry<HandEvent>& e) {
 template <class Io>
 void entry(Io& io, typename Io::template Entry<PartEvent>& e) {
   auto& [kind, participant, body, shape, value] = e;
-  io.limited(kind, last_part_event, "no such event of a part");
+  io.limited(kind, last_part_event, "unknown kind of event of an anatomical part");
   io.number(participant);
   io.number(body);
   for (int k = 0; k < 9; ++k) io.number(shape.A(k / 3, k % 3));
@@ -140,7 +141,8 @@ void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
   io.numbers(flexion.data(), fingers);
   if (reaction) io.number(*reaction);
   io.require(is_finite(target), "a pose is not finite");
-  io.require(!reaction || *reaction >= 0, "an arm that pushes with no force");
+  io.require(!reaction || *reaction >= 0,
+             "the force of a haptic arm on a hand is negative or not a number; allowed: 0 N or more");
 }
 
 template <class Io>
@@ -154,7 +156,7 @@ void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
 template <class Io>
 void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
   auto& [kind, participant, body, control, value, at] = e;
-  io.limited(kind, last_panel_event, "no such event of a panel");
+  io.limited(kind, last_panel_event, "unknown kind of event of a panel");
   io.number(participant);
   io.number(body);
   io.limited(control, PanelControl::stiffness, "no such control");
@@ -176,7 +178,7 @@ void entry(Io& io, typename Io::template Entry<HeldPlace>& e) {
 template <class Io>
 void entry(Io& io, typename Io::template Entry<CutEvent>& e) {
   auto& [kind, participant, body, revision, state] = e;
-  io.limited(kind, last_cut_event, "no such event of a cut");
+  io.limited(kind, last_cut_event, "unknown kind of event of a cut");
   io.number(participant);
   io.number(body);
   io.number(revision);
@@ -193,10 +195,12 @@ template <class Consumed>
 auto kinds(Consumed& consumed) {
   auto& [input, keys] = consumed;
   auto& [efforts, events, targets, heads, panels, held, parts, cuts, kinematic_targets] = input;
-  if (!kinematic_targets.empty()) throw InternalError("journal: driven bodies are not allowed in sessions");
+  if (!kinematic_targets.empty())
+    throw InternalError(
+        "journal: inputs that drive bodies along a trajectory cannot be recorded; sessions do not use them");
   const auto all = std::tie(keys, efforts, events, parts, targets, heads, panels, held, cuts);
   static_assert(size_of(all) + sizeof kinematic_targets == sizeof consumed,
-                "an input kind that is not journalled");
+                "each kind of input of a tick must be in this list, so that the journal records it");
   return all;
 }
 

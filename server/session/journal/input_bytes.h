@@ -9,9 +9,10 @@
 
 namespace prosector {
 
-/// Encodes an input; empty for a tick that consumed nothing.
+/// Encodes the inputs of a tick as bytes, without rounding. Returns no bytes for a tick without inputs.
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input);
-/// Decodes an input. Throws InputError when the bytes are not a valid input.
+/// Decodes the inputs of a tick from bytes that encode_input() returned. Throws InputError if the bytes are
+/// not valid.
 ConsumedInput decode_input(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector

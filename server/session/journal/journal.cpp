@@ -23,7 +23,8 @@ std::unique_ptr<Journal> Journal::create(const std::filesystem::path& file, cons
                                          const JournalLimits& limits) {
   if (std::filesystem::exists(file))
     throw InputError(fmt::format(
-        "--journal {}: already exists; choose another file, or continue it with --resume", file.string()));
+        "--journal {}: the file already exists; choose another file, or continue it with --resume",
+        file.string()));
   try {
     std::unique_ptr<JournalFile> made = JournalFile::create(file, header, limits.file_bytes);
     return std::unique_ptr<Journal>(
@@ -66,7 +67,8 @@ void Journal::append(JournalTick tick, std::vector<std::uint8_t> checkpoint) {
     const std::lock_guard lock(mutex_);
     if (!trouble_.empty()) return;
     queued_bytes_ += weight(tick) + checkpoint.size();
-    if (queued_bytes_ > limits_.queue_bytes) return fail("the disk is too slow", tick.tick);
+    if (queued_bytes_ > limits_.queue_bytes)
+      return fail("the disk is too slow to write the journal", tick.tick);
     tick.rebuilt |= !checkpoint.empty();
     if (!checkpoint.empty()) checkpoints_.push_back({tick.tick, std::move(checkpoint), 0});
     PROSECTOR_ASSERT(queue_.empty() || queue_.back().tick < tick.tick);

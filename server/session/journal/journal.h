@@ -31,22 +31,24 @@ struct JournalLimits {
 
 class Journal {
  public:
-  /// Creates a new file. Throws InputError when it exists already or can't be created.
+  /// Creates a new journal file. Throws InputError if it exists already or can't be created.
   static std::unique_ptr<Journal> create(const std::filesystem::path& file, const JournalHeader& header,
                                          const JournalLimits& limits);
-  /// Continues a file that has been read to its end. Throws InputError when another server writes it.
+  /// Opens an existing journal, which has been read to its last tick, to append further ticks. Throws
+  /// InputError if another server writes it.
   static std::unique_ptr<Journal> append_to(const std::filesystem::path& file, const JournalLimits& limits);
-  /// Writes what is queued, and merges the write-ahead log into the file.
+  /// Writes the queued ticks to the file, and merges SQLite's write-ahead log into it.
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Appends a tick. `checkpoint` is the state at the tick's end; empty: none.
+  /// Queues a tick to be written to the journal. `checkpoint` is the simulation's state at the end of the
+  /// tick; empty: no checkpoint.
   void append(JournalTick tick, std::vector<std::uint8_t> checkpoint = {});
-  /// Waits until all appended ticks are in the file, for `patience` at most. After a timeout no call waits
-  /// until the disk has caught up. Returns false while it has not.
+  /// Waits until all appended ticks are in the file, for JournalLimits::time_limit at most. Returns false if
+  /// they are not. After a timeout, calls return false without waiting until the disk has caught up.
   bool settle();
-  /// Returns why journalling stopped, and at which tick; empty while it works.
+  /// Returns why writing of the journal stopped, and at which tick. Empty while the journal works.
   std::string trouble() const;
   const std::filesystem::path& file() const { return path_; }
   std::uint32_t reign() const { return file_->reign(); }

@@ -16,7 +16,8 @@
 namespace prosector {
 
 inline constexpr std::uint64_t journal_version = 15;
-/// Keys of the file's description, in the order in which they are hashed.
+/// Keys of the journal's description (scene, session, choices and initial state), in the order in which the
+/// description's seal (hash) covers them.
 inline constexpr std::array journal_keys = {"format",  "scene_file", "scene_text", "session",  "content_hash",
                                             "choices", "identity",   "begins_at",  "beginning"};
 
@@ -30,7 +31,7 @@ struct JournalHeader {
   std::vector<std::uint8_t> beginning = {};  // that state; empty: the scene's
 };
 
-/// A checkpoint that is being written to the file.
+/// A checkpoint of the simulation that is being written to the journal's file in parts.
 struct WaitingCheckpoint {
   std::uint64_t tick = 0;
   std::vector<std::uint8_t> state;
@@ -39,24 +40,28 @@ struct WaitingCheckpoint {
 
 class JournalFile {
  public:
-  /// Creates a new file of at most `limit_bytes`; 0: no limit but the disk. Throws SqliteError.
+  /// Creates a new journal file of at most `limit_bytes` bytes; 0: limited by the disk only. Throws
+  /// SqliteError if that fails.
   static std::unique_ptr<JournalFile> create(const std::filesystem::path& file, const JournalHeader& header,
                                              std::uint64_t limit_bytes);
-  /// Opens a file that has been read to its end. Throws SqliteError.
+  /// Opens a journal file, which has been read to its last tick, to append further ticks. Its size is limited
+  /// to `limit_bytes` bytes; 0: by the disk only. Throws SqliteError if that fails.
   static std::unique_ptr<JournalFile> reopen(const std::filesystem::path& file, std::uint64_t limit_bytes);
-  /// Merges the write-ahead log into the file.
+  /// Merges SQLite's write-ahead log into the journal's file and closes it.
   ~JournalFile();
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  /// Returns how often the session was started or resumed: see common/server_run.h.
+  /// Returns the number of starts and resumes of the session, the current one included: see
+  /// common/server_run.h.
   std::uint32_t reign() const { return reign_; }
 
-  /// Writes all ticks of the batch or none: the predecessors of every tick in the file are in it, too. Throws
-  /// SqliteError.
+  /// Writes either all ticks of the batch or none, so that the predecessors of every tick in the file are in
+  /// the file, too. Throws SqliteError if that fails.
   void write(const std::deque<JournalTick>& batch);
-  /// Writes one more part; returns true when the checkpoint is complete in the file. Parts are small, so that
-  /// ticks don't wait for a large state. Throws SqliteError.
+  /// Writes the next part of the checkpoint. Returns whether the checkpoint is now complete in the file.
+  /// Parts are small, so that ticks don't wait until a large state is written. Throws SqliteError if that
+  /// fails.
   bool write_part(WaitingCheckpoint& checkpoint);
 
  private:

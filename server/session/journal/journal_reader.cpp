@@ -19,9 +19,9 @@ JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
     SqliteStatement check(*database_, "PRAGMA quick_check('tick')");
     if (!check.step() || check.text(0) != "ok") refuse(fmt::format("is damaged ({})", check.text(0)));
     if (no_log || damaged_log)
-      trouble_ = fmt::format("journal {}: its log {} {}: data after tick {} is lost", file.string(),
-                             file.filename().string() + "-wal",
-                             no_log ? "is not in the same folder" : "is damaged", last_tick());
+      trouble_ = fmt::format("journal {}: its write-ahead log {} {}: data after tick {} is lost",
+                             file.string(), file.filename().string() + "-wal",
+                             no_log ? "is not in the same folder as the journal" : "is damaged", last_tick());
   } catch (const SqliteError& e) {
     refuse(fmt::format("is not a journal ({})", e.what()));
   }
@@ -156,7 +156,8 @@ void JournalReader::for_each_tick(std::uint64_t after,
 
 void JournalReader::export_to(const std::filesystem::path& file) const {
   if (std::filesystem::exists(file))
-    throw InputError(fmt::format("{}: already exists; choose another file", file.string()));
+    throw InputError(fmt::format("{}: the file already exists; choose another file for the exported journal",
+                                 file.string()));
   try {
     SqliteStatement vacuum(*database_, "VACUUM INTO ?");
     vacuum.bind(0, file.string()).step();

@@ -20,27 +20,32 @@ struct Checkpoint {
 
 class JournalReader {
  public:
-  /// Opens `file` for reading. Throws InputError when it is not a journal of this version, or is damaged.
+  /// Opens the journal `file` for reading. Throws InputError if it is not a journal of this version, or is
+  /// damaged.
   explicit JournalReader(const std::filesystem::path& file);
 
   const JournalHeader& header() const { return header_; }
   const std::string& content_hash() const { return content_hash_; }  // hex, of the compiled scene
   std::uint64_t last_tick() const;                                   // 0: none
-  /// Returns a message about missing or damaged data that was skipped; empty: none.
+  /// Returns a message about missing or damaged data of the journal that was skipped. Empty if there was
+  /// none.
   const std::string& trouble() const { return trouble_; }
-  /// Returns the ticks of checkpoints, newest first. checkpoint() verifies their data.
+  /// Returns the ticks of the journal's checkpoints, newest first. Their data may be damaged; checkpoint()
+  /// verifies it.
   std::vector<std::uint64_t> checkpoint_ticks() const;
-  /// Returns the checkpoint; nothing when it is damaged.
+  /// Returns the checkpoint of that tick. Returns nothing if it is missing or damaged.
   std::optional<Checkpoint> checkpoint(std::uint64_t tick) const;
-  /// Returns the state hash of a tick. Throws InputError when it is missing or damaged.
+  /// Returns the recorded hash of the simulation's state after a tick. Throws InputError if the tick is
+  /// missing or damaged.
   std::uint64_t state_hash(std::uint64_t tick) const;
-  /// Returns a tick. Throws InputError when it is missing or damaged.
+  /// Returns the recorded inputs, events and topology changes of a tick. Throws InputError if the tick is
+  /// missing or damaged.
   JournalTick tick(std::uint64_t tick) const;
-  /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where a
-  /// tick is missing or damaged.
+  /// Calls `visit` for each recorded tick after tick `after`, in order, until `visit` returns false. Throws
+  /// InputError if a tick is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;
-  /// Writes the whole journal to a new file, without a write-ahead log. Throws InputError when that can't be
-  /// written.
+  /// Writes the whole journal to a new file that needs no separate write-ahead log. Throws InputError if the
+  /// file can't be written.
   void export_to(const std::filesystem::path& file) const;
 
  private:

@@ -26,18 +26,18 @@ struct JournalTick {
   std::vector<TopologyRevision> topology;  // revisions that the step made; without patches
 };
 
-/// Returns the seal of a row. `journal`: the seal of the file's description, so that rows of another journal
-/// don't match.
+/// Returns the seal (hash) of a journal's row for a tick. `journal` is the seal of the file's description, so
+/// that rows of another journal don't match.
 std::uint64_t seal_of(std::uint64_t journal, const JournalTick& tick,
                       std::span<const std::uint8_t> input_bytes);
 std::uint64_t seal_of_checkpoint(std::uint64_t journal, std::uint64_t tick,
                                  std::span<const std::uint8_t> state);
-/// Returns the seal of the file's description: the hash of its keys and values, in order.
+/// Returns the seal (hash) of the keys and values that describe a journal, in order.
 std::uint64_t seal_of(std::span<const std::pair<std::string, std::string>> description);
 
-/// Returns the name of an event's kind in the file.
+/// Returns the name under which the journal stores events of that kind.
 std::string event_name(SessionEvent::Kind kind);
-/// Returns the kind of event with that name; nothing when there is none.
+/// Returns the kind of event that the journal stores under that name. Returns nothing if there is none.
 std::optional<SessionEvent::Kind> event_kind(const std::string& name);
 
 }  // namespace prosector

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Opens the file for reading. Throws SqliteError when it can't be read.
+/// Opens a SQLite file for reading, also on a read-only medium or in a folder without write access. Throws
+/// SqliteError if it can't be read.
 std::unique_ptr<SqliteDatabase> open_to_read(const std::filesystem::path& file);
 
 }  // namespace prosector

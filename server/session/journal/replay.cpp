@@ -12,8 +12,8 @@ namespace prosector {
 void require_same_scene(const JournalReader& journal, const Simulation& simulation) {
   if (to_hex(simulation.content_hash()) != journal.content_hash())
     throw InputError(fmt::format(
-        "the scene compiles to {}, the journal recorded {}: a file that {} names has changed, or this is "
-        "another build",
+        "the compiled scene has the hash {}, but the journal recorded {}: a file referenced by {} has "
+        "changed, or this is another build",
         to_hex(simulation.content_hash()), journal.content_hash(), journal.header().scene_file.string()));
 }
 
@@ -91,7 +91,10 @@ void restore_newest(const JournalReader& journal, Simulation& simulation,
     }
     simulation.restore(checkpoint->state);
     if (simulation.state_hash() != journal.state_hash(tick))
-      throw InputError(fmt::format("the checkpoint of tick {} gives another state in this build", tick));
+      throw InputError(
+          fmt::format("the checkpoint of tick {} gives another state in this build: use the build that "
+                      "recorded the journal",
+                      tick));
     return;
   }
 }

@@ -14,8 +14,8 @@ namespace prosector {
 struct ReplayResult {
   std::uint64_t ticks = 0;  // run again and equal
   std::optional<std::uint64_t> first_difference;
-  /// The first value that differs at the first checkpoint from there on; none: the journal has none, or they
-  /// are equal there.
+  /// The first value of the simulation's state that differs from the recorded state at the first checkpoint
+  /// after a difference. None if the journal has no such checkpoint or the states are equal there.
   struct Value {
     std::uint64_t tick = 0;
     std::string name;  // "liver, positions"
@@ -25,20 +25,22 @@ struct ReplayResult {
   explicit operator bool() const { return !first_difference; }
 };
 
-/// Throws InputError when `simulation` was not compiled from what the journal recorded.
+/// Throws InputError if `simulation` was not compiled from the same scene as the recorded one, as judged by
+/// the hash of the compiled scene.
 void require_same_scene(const JournalReader& journal, const Simulation& simulation);
 
-/// Returns whether a step made the revisions that a journal says.
+/// Returns whether the topology changes that a step made are those that the journal recorded for it.
 bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vector<TopologyChange>& made);
 
-/// Runs what was journalled. `simulation` is at the tick before the first one to run. Stops at the first
-/// difference, or goes on to the next checkpoint to find which value differs. `progress` is called with each
-/// equal tick; may be empty.
+/// Runs the journal's ticks after the simulation's current one with the recorded inputs, and compares the
+/// state hash of each. Stops at the first difference, or continues to the next checkpoint to find which value
+/// differs. `progress` is called with each tick that is equal; it may be empty.
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress);
 
-/// Restores the newest checkpoint that is whole and runs what was journalled after it: where the session
-/// stopped. `say` hears of each damaged checkpoint. Throws InputError when a tick after it is damaged.
+/// Restores the journal's newest undamaged checkpoint, and replays the recorded ticks after it, up to the
+/// tick at which the session stopped. `say` is called with a message for each damaged checkpoint. Throws
+/// InputError if a tick after the restored checkpoint is damaged.
 ReplayResult resume(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(const std::string&)>& say);
 

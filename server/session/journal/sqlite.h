@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace prosector {
 
-/// An error of SQLite, with its message: "database or disk is full".
+/// An error that SQLite reported, with SQLite's message, such as "database or disk is full".
 class SqliteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ class SqliteDatabase {
   sqlite3* handle_ = nullptr;
 };
 
-/// A prepared statement; parameters and columns count from 0.
+/// A prepared SQL statement. Parameters and columns are counted from 0.
 class SqliteStatement {
  public:
   SqliteStatement(SqliteDatabase& database, const std::string& sql);
@@ -48,7 +48,8 @@ class SqliteStatement {
   SqliteStatement& bind(int parameter, std::uint64_t value);
   SqliteStatement& bind(int parameter, const std::string& value);
   SqliteStatement& bind(int parameter, std::span<const std::uint8_t> value);
-  /// Returns true if a row is available. False: the statement is done, and ready for the next use.
+  /// Runs the SQL statement to its next row. Returns whether there is one. If not, the statement is done and
+  /// is reset for its next use.
   bool step();
 
   std::uint64_t number(int column) const;

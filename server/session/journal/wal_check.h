@@ -6,11 +6,13 @@
 
 namespace prosector {
 
-/// Returns whether the log has commits beyond the part that its checksums verify. A crash leaves none there.
+/// Returns whether the SQLite write-ahead log `log` has commits after the part that its checksums verify. A
+/// crash leaves no such commits, so the log is damaged.
 bool log_is_damaged(const std::filesystem::path& log);
 
-/// Returns whether `file` uses a write-ahead log and none exists: it was copied without. Must not be called
-/// by a process that has the file open: closing it here would release that process's locks.
+/// Returns whether the SQLite file uses a write-ahead log and none exists, because the file was copied
+/// without it. Must not be called by a process that has the file open: closing it here would release that
+/// process's locks.
 bool log_is_missing(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -11,7 +11,8 @@ namespace prosector {
 
 class WalMover {
  public:
-  /// Starts the mover. `file` must exist as long as it runs.
+  /// Starts a thread that periodically moves the write-ahead log of `file`, a SQLite file, into the file
+  /// itself. The file must exist until this object is destroyed.
   explicit WalMover(std::filesystem::path file);
   ~WalMover();
   WalMover(const WalMover&) = delete;

@@ -19,18 +19,20 @@ class ReleasedHolds {
     BodyId body = 0;
   };
 
-  /// Sets for how many ticks a loss is remembered.
+  /// Remembers lost holds of hands for `ticks` ticks.
   explicit ReleasedHolds(std::uint64_t ticks) : ticks_(ticks) {}
 
-  /// Stores the body that a hand lost at `tick`.
+  /// Stores that the hand lost `body`, which it held, at `tick`, so that it can grasp it again.
   void note(const HandRef& hand, BodyId body, std::uint64_t tick) { lost_[hand] = {body, tick}; }
-  /// Forgets the loss of a hand: its user opened it, or grasped something else.
+  /// Forgets the body that a hand lost, since its user opened the hand or grasped another body.
   void forget(const HandRef& hand) { lost_.erase(hand); }
-  /// Returns the body that a returned hand may grasp again, and forgets it; nullopt: none.
+  /// Returns the body that a hand lost and may grasp again now that its client is back, and forgets it.
+  /// Returns nullopt if there is none.
   std::optional<BodyId> take(const HandRef& hand);
-  /// Returns the losses of a participant's hands.
+  /// Returns the bodies that the participant's hands lost, each with the hand.
   std::vector<Lost> of(ParticipantId participant) const;
-  /// Forgets old losses, and losses of bodies that a hand holds now. Returns the latter.
+  /// Forgets bodies that were lost too long ago, and those that any hand holds now. Returns the latter.
+  /// `tick` is the current tick.
   std::vector<Lost> follow(std::span<const HandState> hands, std::uint64_t tick);
 
  private:

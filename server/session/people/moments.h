@@ -23,15 +23,17 @@ class Moments {
 
   explicit Moments(std::size_t budget = moments_budget) : budget_(budget) {}
 
-  /// Stores the state in which these bodies had just reached these revisions. Calls are in the order of
-  /// ticks. Beyond the budget, older states are dropped where they are densest for their age. The first and
-  /// the newest stay.
+  /// Stores the simulation's state at `tick`, in which these bodies had just reached these topology
+  /// revisions. Calls are in the order of ticks. Beyond the memory budget, older states are dropped where
+  /// they are densest for their age. The first and the newest are always stored.
   void keep(std::uint64_t tick, std::vector<Revision> revisions, std::vector<std::uint8_t> state);
-  /// Returns the state; null: not stored.
+  /// Returns the saved state in which the body had just reached that topology revision. Null if it is not
+  /// stored.
   State find(BodyId body, std::uint32_t revision) const;
-  /// Returns the first state that was stored; null: none.
+  /// Returns the saved state that was stored first. Null if there is none.
   State first() const { return moments_.empty() ? nullptr : moments_.front().state; }
-  /// Returns, as text, the revisions of a body of which states are stored: "0, 3 to 7 and 9".
+  /// Returns, as text, the topology revisions of a body for which states are stored, such as "0, 3 to 7 and
+  /// 9".
   std::string kept(BodyId body) const;
   std::size_t bytes() const { return bytes_; }
 

@@ -6,7 +6,8 @@ namespace prosector {
 
 Refusal Pacing::obey(const SetPace& command) {
   if (command.pace != 0 && (command.pace < min_pace || command.pace > most_))
-    return fmt::format("pace: {:g} of real time; allowed: 0, or {:g} to {:g}", command.pace, min_pace, most_);
+    return fmt::format("pace: {:g} times real time was requested; allowed: 0 (stopped), or {:g} to {:g}",
+                       command.pace, min_pace, most_);
   set(command.pace);
   return {};
 }

@@ -10,24 +10,29 @@ namespace prosector {
 
 class Pacing {
  public:
-  /// Sets the largest pace that may be requested, simulated seconds per real second.
+  /// Starts at real-time pace. `most` is the largest pace that may be requested, in simulated seconds per
+  /// real second.
   explicit Pacing(double most = 1) : most_(most) {}
 
-  /// Sets the pace. Refuses values out of bounds.
+  /// Sets the pace that the host requested, in simulated seconds per real second; 0 stops time. Returns the
+  /// reason if the value is out of bounds.
   Refusal obey(const SetPace& command);
-  /// Stops time after the requested ticks. Refuses numbers out of bounds.
+  /// Stops simulated time after the number of further ticks that the host requested. Returns the reason if
+  /// the number is out of bounds.
   Refusal obey(const StepTicks& command);
-  /// Runs the next tick even if time is stopped.
+  /// Makes the next tick run even if simulated time is stopped.
   void run_one_tick() { steps_ += stands() ? 1 : 0; }
 
-  /// Sets the pace from now on, whatever the host set before; 0: stopped.
+  /// Sets the pace, in simulated seconds per real second, and drops the host's earlier requests. 0 stops
+  /// simulated time.
   void set(double pace) { pace_ = pace, steps_ = 0; }
 
-  /// Returns simulated seconds per real second.
+  /// Returns the pace, in simulated seconds per real second. 0 means that simulated time is stopped, except
+  /// for single ticks that the host requests.
   double pace() const { return pace_; }
-  /// Returns whether time is stopped and the host has requested no tick.
+  /// Returns whether simulated time is stopped and no further tick has been requested.
   bool stands() const { return pace_ == 0 && steps_ == 0; }
-  /// Counts a tick that was run.
+  /// Counts a tick that was run: while time is stopped, reduces the number of requested ticks by one.
   void finish_tick() { steps_ -= pace_ == 0 && steps_ > 0 ? 1 : 0; }
 
  private:

@@ -31,7 +31,8 @@ Refusal PanelInputs::take(ParticipantId who, const OpenPanel& command) {
     event.kind = placing == PanelPlacement::put ? PanelEvent::Kind::put : PanelEvent::Kind::put_back;
     return ask_of_open(event);
   }
-  if (body >= parts_.size()) return fmt::format("no body {}: the scene has {}", body, parts_.size());
+  if (body >= parts_.size())
+    return fmt::format("no body {}: the scene has {} bodies, numbered from 0", body, parts_.size());
   if (!parts_[body]) return "only parts of the anatomy have a panel";
   asked_.push_back(event);
   return {};

@@ -14,22 +14,28 @@ namespace prosector {
 
 class PanelInputs {
  public:
-  /// Sets for each body whether it is a part of the anatomy. `held_timeout`: ticks without an update after
-  /// which a held object counts as lost.
+  /// Starts with the scene's bodies: `parts` has, by body, whether it is a part of the anatomy.
+  /// `held_timeout` is the number of ticks without an update after which a held tablet or stylus counts as
+  /// gone.
   PanelInputs(std::vector<bool> parts, std::uint64_t held_timeout)
       : parts_(std::move(parts)), held_timeout_(held_timeout) {}
 
-  /// Adds the next body.
+  /// Adds the body with the next id, such as a piece that was cut off. `is_part`: whether it is a part of the
+  /// anatomy, which has a panel.
   void add_body(bool is_part) { parts_.push_back(is_part); }
 
-  /// Processes a panel command of a participant that may touch. Returns the reason if it is refused.
+  /// Queues a panel command of participant `who`, a member with the right to touch bodies, for the next tick.
+  /// Returns the reason if the command is refused.
   Refusal take(ParticipantId who, const OpenPanel& command);
   Refusal take(ParticipantId who, const ClosePanel& command);
   Refusal take(ParticipantId who, const SetControl& command);
-  /// Processes a participant's newest input. `has_hands`: one of its hands is in the room.
+  /// Stores the places of the participant's head and held objects from its newest input, for the next tick.
+  /// `has_hands`: whether any of its hands is in the room.
   void see(ParticipantId who, const HandInput& input, bool has_hands);
 
-  /// Appends the inputs of this tick. `may_touch(who)`: the participant is in the session, and no observer.
+  /// Appends the queued panel events, head places and places of held objects to the inputs `out` of this
+  /// tick. `may_touch(who)` returns whether the participant is in the session and not an observer; the panels
+  /// and held objects of others are removed.
   template <class MayTouch>
   void consume(const MayTouch& may_touch, TickInput& out) {
     for (const ParticipantId who : open_)
@@ -38,7 +44,8 @@ class PanelInputs {
       if (!may_touch(held.first)) unseen = held_timeout_;
     move_into(out);
   }
-  /// Updates, after the step, the list of participants with an open panel.
+  /// Updates the list of participants with an open panel after the step. `panels` are the panels that are
+  /// open now.
   void finish_tick(std::span<const Panel> panels);
 
  private:

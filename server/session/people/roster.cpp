@@ -27,24 +27,28 @@ bool has_control_character(const std::string& text) {
 Refusal Roster::refusal(const Presence& p) const {
   if (p.version != protocol_version)
     return fmt::format(
-        "this server speaks protocol {}, your client speaks {}: install the same release on both",
+        "this server uses protocol version {}, your client version {}: install the same release on both",
         protocol_version, p.version);
   if (p.name.find_first_not_of(' ') == std::string::npos) return "a name is needed (--name NAME)";
   if (has_control_character(p.name)) return "the name has control characters";
   for (const auto& [id, other] : members_)
-    if (other.presence.name == p.name) return fmt::format("the name \"{}\" is taken in this session", p.name);
+    if (other.presence.name == p.name)
+      return fmt::format("the name \"{}\" is taken in this session: choose another name", p.name);
   if (p.role != Role::observer && p.role != Role::dissector && p.role != Role::host)
     return fmt::format("no such role: {}", static_cast<int>(p.role));
   if (p.role == Role::host)
     for (const auto& [id, other] : members_)
       if (other.role == Role::host)
-        return fmt::format("the session already has a host: \"{}\"", other.presence.name);
+        return fmt::format("the session already has a host: \"{}\". Join without the role of host",
+                           other.presence.name);
   if (members_.size() >= static_cast<std::size_t>(rules_.capacity))
     return fmt::format(
         "session full: {} participants, observers included. Ask the host to raise `session.capacity`",
         rules_.capacity);
   if (p.role == Role::observer && observers() >= static_cast<std::uint32_t>(rules_.observers))
-    return fmt::format("no free place for an observer: all {} are taken", rules_.observers);
+    return fmt::format(
+        "no free place for an observer: all {} are taken. Ask the host to raise `session.observers`",
+        rules_.observers);
   return {};
 }
 
@@ -58,7 +62,9 @@ Refusal Roster::role_refusal(const Participant& subject, Role role) const {
   if (rules_.recording && role == Role::dissector) return "this is a recording: join as an observer";
   if (role == Role::observer && subject.role != Role::observer &&
       observers() >= static_cast<std::uint32_t>(rules_.observers))
-    return fmt::format("no free place for an observer: all {} are taken", rules_.observers);
+    return fmt::format(
+        "no free place for an observer: all {} are taken. Ask the host to raise `session.observers`",
+        rules_.observers);
   return {};
 }
 

@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// Limits and timeouts of a session. Times are in ticks: a replay must not depend on a clock.
+/// Limits and timeouts of a session, and properties of its bodies. Times are in ticks, because a replay must
+/// not depend on a clock.
 struct SessionRules {
   std::string session;
   int capacity = 64;                     // members, observers included
@@ -42,12 +43,13 @@ class Roster {
  public:
   explicit Roster(const SessionRules& rules) : rules_(rules) {}
 
-  /// Returns why `presence` may not join now.
+  /// Returns the reason why the sender of `presence` may not join the session now. Empty if it may.
   Refusal refusal(const Presence& presence) const;
-  /// Returns whether another member is in the way, by its name or as the host. If that member is dead, this
-  /// will be known shortly.
+  /// Returns whether another member prevents this join, because it has the same name or both are to be the
+  /// host. If that member's client has crashed, the session finds out shortly.
   bool in_anothers_place(const Presence& presence) const;
-  /// Returns why a member may not get that role. The session checks whether the sender may assign it.
+  /// Returns the reason why the member `subject` may not get that role. Empty if it may. The session checks
+  /// separately whether the sender of the request may assign roles.
   Refusal role_refusal(const Participant& subject, Role role) const;
   const Participant& admit(const Presence& presence, std::uint64_t writer);
   void remove(ParticipantId id) { members_.erase(id); }

@@ -78,7 +78,8 @@ void Session::take(const Presence& presence, const Received& received) {
                                 : it != visitors_.end() ? it->second.writer
                                                         : 0;
     if (owner == 0) return;  // of a visitor that was forgotten
-    if (received.writer != owner) return drop("Presence: ended by another process");
+    if (received.writer != owner)
+      return drop("Presence: discarded, because another process than the participant's reported its end");
     if (member != nullptr)
       leave(id, SessionEvent::Kind::lost);
     else
@@ -88,7 +89,7 @@ void Session::take(const Presence& presence, const Received& received) {
   if (member != nullptr) {
     if (member->writer != received.writer) return drop("Presence: another process's participant");
     if (presence.name != member->presence.name || presence.role != member->presence.role)
-      return drop("Presence: name or role changed while in the session");
+      return drop("Presence: discarded, because it changes the name or role of a participant in the session");
     member->presence = presence;  // a role assigned since then stays
     outgoing_.push_back({Roster::entry(*member)});
     return;
@@ -102,7 +103,8 @@ void Session::take(const HandInput& input, std::uint64_t writer) {
   if (member == nullptr) {
     // Samples may arrive before their Presence, or after their sender has left.
     const auto it = visitors_.find(input.participant);
-    if (it == visitors_.end()) return drop("HandInput: participant not in the session");
+    if (it == visitors_.end())
+      return drop("HandInput: discarded, because its participant is not in the session");
     if (it->second.writer != writer) return drop("HandInput: another process's participant");
     return;
   }
@@ -119,7 +121,8 @@ void Session::take(const Command& command, std::uint64_t writer) {
   if (member == nullptr) return take_of_visitor(command, writer);
   if (member->writer != writer) return drop("Command: another process's participant");
   Seat& seat = seats_[command.participant];
-  if (++seat.commands > max_commands_per_tick) return drop("Command: too many in one tick");
+  if (++seat.commands > max_commands_per_tick)
+    return drop("Command: discarded, because its participant sent too many commands in one tick");
   obey(command, *member, seat);
 }
 
@@ -134,7 +137,7 @@ void Session::take_of_visitor(const Command& command, std::uint64_t writer) {
   }
   const auto it = visitors_.find(command.participant);
   if (it == visitors_.end() || it->second.writer != writer)
-    return drop("Command: participant not in the session");
+    return drop("Command: discarded, because its participant is not in the session");
   answer(command, std::holds_alternative<Leave>(command.body) ? Refusal() : "join first");
 }
 
@@ -189,7 +192,7 @@ void Session::try_join(ParticipantId id, Visitor& v) {
     if (roster_.in_anothers_place(*v.presence) && tick_ - v.join_tick < rules_.death_timeout) return;
   } else {
     if (tick_ - v.join_tick < rules_.presence_timeout) return;
-    refusal = "your Presence message has not arrived";
+    refusal = "your client's Presence message has not arrived in time: check the network and join again";
   }
   answer(*v.join, refusal);
   v.join.reset();
@@ -227,7 +230,8 @@ void Session::take(const ArmForce& force, std::uint64_t writer) {
   if (member == nullptr) return;  // it arrived before Presence, or its sender is leaving
   if (member->writer != writer) return drop("ArmForce: another process's participant");
   if (member->role == Role::observer) return drop("ArmForce: from an observer");
-  if ((member->presence.arms >> force.hand & 1) == 0) return drop("ArmForce: no arm moves this hand");
+  if ((member->presence.arms >> force.hand & 1) == 0)
+    return drop("ArmForce: discarded, because its participant has announced no haptic arm for this hand");
   Reaction& reaction = seats_[force.participant].reactions[force.hand];
   if (!admits(reaction.sequences, force.sequence, "ArmForce: numbering restarted")) return;
   reaction.tick = tick_;
@@ -374,7 +378,7 @@ void Session::tell_of_loss(const LetGo& let_go) {
   if (hand.loss == Loss::none) return;
   tell(let_go.participant, fmt::format("your hand released the {}: {}", name_of(let_go.body),
                                        hand.loss == Loss::stalled ? "your client sent nothing for too long"
-                                                                  : "it was no longer tracked"));
+                                                                  : "your hand was no longer tracked"));
 }
 
 /// Informs users if a hand could not grasp again what it lost in a stall.
@@ -393,7 +397,8 @@ void Session::finish_hands(std::span<const HandState> hands) {
 }
 
 void Session::tell(ParticipantId participant, const std::string& words) {
-  if (outgoing_.size() >= max_outgoing) return drop("too many messages to send");
+  if (outgoing_.size() >= max_outgoing)
+    return drop("a message to a participant was discarded, because too many are waiting to be sent");
   outgoing_.push_back({CommandResult{participant, 0, false, words}});
 }
 
@@ -447,7 +452,8 @@ const HandInput* Session::newest_input(ParticipantId id) const {
 }
 
 void Session::answer(const Command& command, const Refusal& refusal) {
-  if (outgoing_.size() >= max_outgoing) return drop("too many command replies to send");
+  if (outgoing_.size() >= max_outgoing)
+    return drop("a reply to a command was discarded, because too many are waiting to be sent");
   CommandCount& count = commands_[command.body.index()];
   ++(refusal ? count.refused : count.granted);
   outgoing_.push_back({CommandResult{command.participant, command.sequence, !refusal, refusal.why()}});

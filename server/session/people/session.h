@@ -28,25 +28,25 @@
 
 namespace prosector {
 
-/// A message that the server publishes, in the order of creation.
+/// A message that the server publishes to clients, or the end (disposal) of the message's DDS instance.
 struct Outgoing {
   Message message;
   bool dispose = false;  // dispose of the instance instead
 };
 
-/// A participant, and the number of its newest sample that a tick consumed.
+/// A participant, and the sequence number of its newest input that the tick consumed.
 struct InputKey {
   ParticipantId participant = 0;
   std::uint64_t sequence = 0;
 };
 
-/// Everything that a tick consumes, as the journal stores it.
+/// All inputs that a tick consumes, in the form that is stored in the journal.
 struct ConsumedInput {
   TickInput input;
   std::vector<InputKey> keys;
 };
 
-/// An entry of the session's log.
+/// An entry of the session's log, such as a join, a refusal or a changed role.
 struct SessionEvent {
   enum class Kind : std::uint8_t {
     joined,
@@ -68,7 +68,7 @@ struct SessionEvent {
   std::string detail;  // by kind: the role, the reason, the hand, or the target
 };
 
-/// The host's request for the accuracy of a body.
+/// A request of the host to change the accuracy with which a body is simulated.
 struct AccuracyRequest {
   ParticipantId participant = 0;
   SetAccuracy wanted;
@@ -78,50 +78,55 @@ class Session {
  public:
   explicit Session(const SessionRules& rules);
 
-  /// Processes the samples that arrived before `tick`. Returns the inputs of that tick's step, in canonical
-  /// order.
+  /// Processes the messages that were received before `tick`. Returns the inputs of that tick's step, in
+  /// canonical order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
-  /// Processes the samples that arrived while time is stopped: joins, leaves, and the host's control of time.
+  /// Processes messages that were received while simulated time is stopped: joins, leaves, and the host's
+  /// control of time.
   void listen(std::span<const Received> received);
-  /// Answers commands after the step: grasps by what the hands hold now, commands for parts and cuts by
-  /// `report`.
+  /// Answers participants' commands after the step. Whether a grasp succeeded follows from the bodies that
+  /// `hands` hold now; commands for anatomical parts and cuts are answered from `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
 
-  /// Updates, after the step, the list of open panels. Panels whose owner may not use them close at the next
-  /// tick.
+  /// Updates the list of open control panels after the step. Panels that their owner may no longer use close
+  /// at the next tick.
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
   const Pacing& pacing() const { return pacing_; }
-  /// Sets the pace until a participant changes it; 0: stopped.
+  /// Sets the pace (simulated seconds per real second) until a participant changes it; 0: simulated time is
+  /// stopped.
   void set_pace(double pace) { pacing_.set(pace); }
-  /// Returns the tick of a recording that was requested most recently since the last call; nullopt: none was.
+  /// Returns the tick of the played recording to which a viewer asked to jump most recently since the last
+  /// call. Returns nullopt if there was no such request.
   std::optional<std::uint64_t> take_seek() { return std::exchange(seek_, std::nullopt); }
   std::size_t bodies() const { return rules_.bodies; }
-  /// Adds a body that a cut made, with the next id.
+  /// Adds a body that a cut has created; it gets the next id. `is_part`: whether it is a part of the anatomy.
   void add_body(const std::string& name, bool is_part);
-  /// Returns the requests for accuracy since the last call, in order.
+  /// Returns, in order, the host's requests since the last call to change the accuracy of bodies.
   std::vector<AccuracyRequest> take_accuracy_wishes() { return std::exchange(accuracy_wishes_, {}); }
-  /// Sends a participant a message that is not the answer to a command.
+  /// Queues a message with text `words` for a participant. It is not the answer to a command.
   void tell(ParticipantId participant, const std::string& words);
-  /// Returns the states to which the host can rewind.
+  /// Returns the stored states of the simulation to which the host can rewind.
   Moments& moments() { return moments_; }
-  /// Returns the bodies for which clients requested a keyframe since the last call.
+  /// Returns the bodies for which clients requested a keyframe (the complete surface) since the last call.
   std::set<BodyId> take_keyframe_requests();
 
-  /// Makes the hands of a restored state, which no member owns, vanish at the next tick.
+  /// Makes these hands vanish at the next tick. They come from a restored state, and no member of the session
+  /// owns them.
   void vanish(std::span<const HandState> hands);
 
   std::vector<Outgoing> take_outgoing();
   std::vector<SessionEvent> take_events();
 
   const Roster& roster() const { return roster_; }
-  /// Returns the newest input of a participant, for UserState; null before the first.
+  /// Returns the newest hand input of a participant, from which its published UserState is made. Null before
+  /// the first input.
   const HandInput* newest_input(ParticipantId id) const;
   std::uint64_t hand_timeouts() const { return hand_timeouts_; }
-  /// Returns how many samples were dropped as invalid, by reason.
+  /// Returns the number of received messages that were dropped as invalid, by reason.
   const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
   std::uint64_t dropped_total() const { return dropped_total_; }
-  /// Returns how many commands were answered.
+  /// Returns the numbers of commands that were granted and refused, by kind of command.
   const CommandCounts& commands() const { return commands_; }
 
  private:

@@ -117,15 +117,18 @@ class CommandHandler : MemberCommand {
 
 namespace {
 
-constexpr HostOnly roles{"only the host can assign roles", "Command: only the host assigns roles"};
-constexpr HostOnly rewinding{"only the host can rewind", "Command: only the host rewinds"};
-constexpr HostOnly time_control{"only the host can stop, slow or step time",
-                                "Command: invalid time control, or not from the host"};
-constexpr HostOnly seeking{"only the host can seek", nullptr};
+constexpr HostOnly roles{"only the host can assign roles",
+                         "Command: refused, because only the host can assign roles"};
+constexpr HostOnly rewinding{"only the host can rewind",
+                             "Command: refused, because only the host can rewind"};
+constexpr HostOnly time_control{
+    "only the host can stop, slow or step time",
+    "Command: time control refused, because the sender is not the host or the requested pace is not allowed"};
+constexpr HostOnly seeking{"only the host can move to another position of the recording", nullptr};
 constexpr HostOnly efforts{"only the host can change the solver effort",
-                           "Command: only the host sets the solver effort"};
+                           "Command: refused, because only the host can change the solver effort"};
 constexpr HostOnly accuracies{"only the host can set the accuracy",
-                              "Command: only the host sets the accuracy"};
+                              "Command: refused, because only the host can set the accuracy"};
 
 template <class Kind>
 constexpr CommandRule rule(CommandSender sender, WhenStopped stopped, CommandTarget target,
@@ -181,20 +184,23 @@ constexpr bool all_rules(Condition condition) {
 static_assert(all_rules([](std::size_t i, const CommandRule& r) {
                 return r.number == i && r.obey != nullptr;
               }),
-              "commands: a row for each kind, in the order of CommandBody");
+              "the table of commands must have one row for each kind, in the order of CommandBody, each with "
+              "a handler");
 static_assert(all_rules([](std::size_t, const CommandRule& r) {
                 return r.is_reserved() == (r.host_only.refusal != nullptr);
               }),
-              "commands: a text for each that is reserved to the host");
+              "each command that is reserved to the host, and no other, must have a refusal text in the "
+              "table of commands");
 static_assert(all_rules([](std::size_t, const CommandRule& r) {
                 return r.target != On::scene || r.sender != From::anyone;
               }),
-              "commands: observers don't change the scene");
+              "the table of commands must not allow observers to send a command that changes the scene");
 
 Refusal effort_refusal(std::uint32_t steps_down) {
   if (steps_down <= max_steps_down) return {};
-  return fmt::format("effort: {} steps; allowed: 0 (as configured) to {} (coarse)", steps_down,
-                     max_steps_down);
+  return fmt::format(
+      "effort: a reduction by {} steps was requested; allowed: 0 (as configured) to {} (coarsest)",
+      steps_down, max_steps_down);
 }
 
 }  // namespace
@@ -224,14 +230,14 @@ Refusal MemberCommand::guard(const CommandRule& rule) {
   const bool recording = session_.rules_.recording;
   if (recording && rule.target == On::scene) return "this is a recording: it cannot be changed";
   if (!recording && rule.target == On::recording)
-    return "this session is live: only recordings can be sought";
+    return "this session is live: seeking is possible only in the playback of a recording";
   if (rule.target == On::scene && member_.role == Role::observer) {
     session_.drop("Command: from an observer");
     return "observers cannot change anything: join as a dissector";
   }
   const bool runs_a_tick = rule.stopped == Stop::runs_a_tick && acts_as_host(rule);
   if (session_.pacing_.stands() && rule.stopped != Stop::runs && !runs_a_tick)
-    return "time is stopped by the host";
+    return "time is stopped by the host: wait until the host lets it run";
   if (!rule.is_reserved() || acts_as_host(rule)) return {};
   if (rule.host_only.counted != nullptr) session_.drop(rule.host_only.counted);
   return rule.host_only.refusal;
@@ -246,7 +252,8 @@ bool MemberCommand::acts_as_host(const CommandRule& rule) const {
 
 Refusal MemberCommand::missing_body(BodyId body) const {
   const std::size_t bodies = session_.rules_.bodies;
-  return body < bodies ? Refusal() : fmt::format("no body {}: the scene has {}", body, bodies);
+  return body < bodies ? Refusal()
+                       : fmt::format("no body {}: the scene has {} bodies, numbered from 0", body, bodies);
 }
 
 /// Forgets the body that the hand lost: a user that opens the hand or grasps something else no longer wants
@@ -258,7 +265,7 @@ bool MemberCommand::use_hand(std::uint8_t hand) {
 
 void CommandHandler::obey(const Grasp& grasp) {
   if (grasp.hand > right_hand) return answer(fmt::format("no hand {}", grasp.hand));
-  if (!use_hand(grasp.hand)) return answer("the hand is not tracked");
+  if (!use_hand(grasp.hand)) return answer("the hand cannot grasp, because it is not tracked");
   const auto kind = grasp.body ? HandEvent::Kind::grasp_body : HandEvent::Kind::grasp;
   seat_.asked.push_back({kind, sender(), grasp.hand, grasp.body.value_or(0)});
   seat_.grasps.push_back({command_, grasp.hand});
@@ -285,9 +292,12 @@ void CommandHandler::obey(const Leave&) {
 /// Assigns a role. A host that assigns the host's role gives up its own.
 void CommandHandler::obey(const SetRole& wanted) {
   const Participant* subject = session_.roster_.find(wanted.subject);
-  if (subject == nullptr) return answer("no participant with that id is in the session");
+  if (subject == nullptr)
+    return answer("the role cannot be assigned: no participant with that id is in the session");
   if (wanted.subject == sender() && wanted.role != Role::host)
-    return answer("make another participant the host first: you then become a dissector");
+    return answer(
+        "you are the host and cannot give up this role: make another participant the host, then you become a "
+        "dissector");
   const Refusal refusal = session_.roster_.role_refusal(*subject, wanted.role);
   answer(refusal);
   if (refusal || subject->role == wanted.role) return;
@@ -306,8 +316,9 @@ void CommandHandler::obey(const Rewind& rewind) {
   if (const Refusal refusal = missing_body(body)) return answer(refusal);
   const Moments::State state = session_.moments_.find(body, revision);
   if (!state)
-    return answer(fmt::format("the state of revision {} is no longer stored; stored for this body: {}",
-                              revision, session_.moments_.kept(body)));
+    return answer(
+        fmt::format("the state of revision {} is no longer stored; revisions stored for this body: {}",
+                    revision, session_.moments_.kept(body)));
   std::string text = fmt::format("revision {} of body {}", revision, body);
   CutEvent event{CutEvent::Kind::rewind, sender(), body, revision, state};
   seat_.cuts.push_back({command_, std::move(event), std::move(text)});
@@ -315,7 +326,7 @@ void CommandHandler::obey(const Rewind& rewind) {
 
 void CommandHandler::obey(const ResetAll&) {
   const Moments::State state = session_.moments_.first();
-  if (!state) return answer("the initial state of the session is no longer stored");
+  if (!state) return answer("the session cannot be reset: its initial state is no longer stored");
   seat_.cuts.push_back({command_, {CutEvent::Kind::rewind, sender(), BodyId{0}, 0, state}, "its beginning"});
 }
 
@@ -333,8 +344,9 @@ void CommandHandler::set_time(const Time& command) {
   answer(refusal);
   if (refusal) return session_.drop(time_control.counted);
   if (pacing.pace() == before) return;
-  log(SessionEvent::Kind::pace,
-      pacing.pace() == 0 ? "stopped time" : fmt::format("lets time run at {:g} of its pace", pacing.pace()));
+  log(SessionEvent::Kind::pace, pacing.pace() == 0
+                                    ? "stopped time"
+                                    : fmt::format("lets time run at {:g} times real time", pacing.pace()));
 }
 
 void CommandHandler::obey(const Seek& seek) {
@@ -371,14 +383,15 @@ void CommandHandler::set_efforts(std::size_t first, std::size_t end, std::uint32
 /// Queues a request for a body's accuracy.
 void CommandHandler::obey(const SetAccuracy& accuracy) {
   const auto& [body, percent] = accuracy;
-  if (!session_.rules_.remodels) return answer("this server cannot remodel bodies while it runs");
+  if (!session_.rules_.remodels)
+    return answer("this server cannot remodel bodies while it runs: set accuracy in the scene file");
   if (const Refusal refusal = missing_body(body)) return answer(refusal);
   if (body < session_.rules_.rigid_bodies)
     return answer("that body is rigid: accuracy applies only to soft bodies");
   if (percent != 0 && !(percent >= min_accuracy && percent <= max_accuracy))
-    return answer(
-        fmt::format("accuracy: {:g} %; allowed: {:g} to {:g}, or 0 to list the available accuracies", percent,
-                    min_accuracy, max_accuracy));
+    return answer(fmt::format(
+        "accuracy: {:g} % was requested; allowed: {:g} to {:g} %, or 0 to list the available accuracies",
+        percent, min_accuracy, max_accuracy));
   session_.accuracy_wishes_.push_back({sender(), accuracy});
   answer({});
   if (percent == 0) return;

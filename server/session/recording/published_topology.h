@@ -14,14 +14,16 @@ namespace prosector {
 
 class PublishedTopology {
  public:
-  /// Starts with the content that was announced, which describes the simulation as it is now. All arguments
-  /// outlive this.
+  /// Starts with the scene content that was announced to clients, which must describe the simulation's
+  /// current state. All arguments must outlive the object.
   PublishedTopology(const SceneContent& content, const Simulation& simulation, const RecordingIndex& index);
 
-  /// Follows a tick that was run; `people`: the recorded participants. Appends the messages, in order.
+  /// Processes the topology changes of a recorded tick that was run. Appends the messages for clients to
+  /// `out`, in order. `people` are the recorded participants.
   void follow(std::span<const TopologyChange> changes, SimTime time, const Roster& people,
               std::vector<Outgoing>& out);
-  /// Follows a jump to another time of the recording. Appends the messages, in order.
+  /// Processes a jump to another time of the recording: bodies whose topology differs there get a new
+  /// revision. Appends the messages for clients to `out`, in order. `people` are the recorded participants.
   void jump(SimTime time, const Roster& people, std::vector<Outgoing>& out);
 
   TopologyLog& log() { return log_; }

@@ -16,18 +16,22 @@ namespace prosector {
 
 class RecordingIndex {
  public:
-  /// Reads the journal to its end. `progress` is called with each tick; may be empty. Throws InputError when
-  /// a tick is missing or damaged, or there is none.
+  /// Reads the journal from its first to its last tick and indexes it. `progress` is called with each tick;
+  /// it may be empty. Throws InputError if a tick is missing or damaged, or the journal has no tick.
   RecordingIndex(const JournalReader& journal, const std::function<void(std::uint64_t tick)>& progress);
 
   std::uint64_t last_tick() const { return last_tick_; }
-  /// Returns the description of the recording for clients, with at most max_recording_marks of its marks.
+  /// Returns the description of the recording that is sent to clients. It has at most max_recording_marks
+  /// marks (events on the timeline).
   Recording recording() const;
-  /// Returns the participants and observers at the end of `tick`, with their colours.
+  /// Returns the recorded participants and observers that are in the session at the end of `tick`, with their
+  /// colours.
   Roster people_at(std::uint64_t tick) const;
-  /// Returns the position of a person's eyes at the end of `tick`, m, world frame; nullopt: not known.
+  /// Returns the recorded position of a participant's eyes at the end of `tick`, m, world frame. Returns
+  /// nullopt if it is not known.
   std::optional<Vec3> head_at(ParticipantId who, std::uint64_t tick) const;
-  /// Returns the first revision of a piece that was cut off; null: no such piece.
+  /// Returns the first topology revision of a piece that was cut off in the recording. Null if there is no
+  /// such piece.
   const TopologyRevision* beginning_of(BodyId piece) const;
 
  private:

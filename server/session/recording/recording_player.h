@@ -21,29 +21,33 @@ class RecordingPlayer {
   // this, every second one is dropped.
   static constexpr std::size_t kept_budget = 256 * 1024 * 1024;  // bytes
 
-  /// Prepares playback with a simulation at its beginning; both arguments outlive the player. Throws
-  /// InputError when the simulation was not compiled from what the journal recorded.
+  /// Prepares playback of the journal with a simulation that is at the recording's first state. Both
+  /// arguments must outlive the player. Throws InputError if the simulation was not compiled from the
+  /// recorded scene.
   RecordingPlayer(const JournalReader& journal, Simulation& simulation);
 
   std::uint64_t tick() const { return simulation_.time().tick; }
   std::uint64_t last_tick() const { return last_tick_; }
-  /// Returns whether the next tick can't be run: there is none, or the last one differs from the recorded
-  /// one.
+  /// Returns whether playback can't continue: the recording has no further tick, or the current state differs
+  /// from the recorded one.
   bool at_end() const { return tick() >= last_tick_ || differs(); }
-  /// Returns whether the present state is not the recorded one: another build or machine ran the recording.
+  /// Returns whether the current state is not the recorded one, because another build or machine recorded the
+  /// session.
   bool differs() const { return difference_.has_value(); }
-  /// Returns the tick that differs.
+  /// Returns the first tick after which the state differs from the recorded one. Returns nullopt if there is
+  /// none.
   std::optional<std::uint64_t> difference() const { return difference_; }
 
-  /// Returns whether playback went back to the beginning and has met no known state since. A scene's first
-  /// ticks run on caches from its compilation. After a restore the last bits may differ, so hashes are not
-  /// compared.
+  /// Returns whether playback went back to the beginning and has not reached a stored state or checkpoint
+  /// since. A scene's first ticks run on caches from its compilation. After a restore the last bits may
+  /// differ, so hashes are not compared.
   bool is_near_enough() const { return near_enough_; }
 
-  /// Runs the next tick. Throws InputError when it can't be read.
+  /// Runs the next recorded tick and returns its report. Throws InputError if the tick can't be read from the
+  /// journal.
   const StepReport& step();
-  /// Restores the known state that is nearest before `tick`, unless the present state is nearer. The caller
-  /// runs the remaining ticks.
+  /// Restores the stored state or checkpoint that is nearest before `tick`, unless the current state is
+  /// nearer. The caller runs the remaining ticks up to `tick`.
   void approach(std::uint64_t tick);
 
  private:

@@ -17,10 +17,11 @@
 
 namespace prosector {
 
-/// Returns the expected error and cost of bodies that were chosen by need, by name.
+/// Returns the expected error and cost, by body name, of the bodies whose model was chosen for a required
+/// accuracy or budget.
 std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choices);
 
-/// A press by hands, and the error of its force.
+/// A press of hands on a soft body: its force, and the estimated relative error of that force.
 struct MeteredPress {
   double force = 0;   // N
   double error = -1;  // relative
@@ -28,25 +29,27 @@ struct MeteredPress {
 
 class BodyMeter {
  public:
-  /// Starts with the `expected` errors and costs, by body name. Bodies without an entry were not chosen by
-  /// need.
+  /// Starts with the scene's soft bodies. `expected` has the expected error and cost, by body name, of those
+  /// whose model was chosen for a required accuracy or budget.
   BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected);
 
-  /// Adds a soft body, for instance one that a cut made. `expected`: null when it wasn't chosen by need.
+  /// Adds a soft body, for instance one that a cut created. `expected` is its expected error and cost; null
+  /// if its model was not chosen for a required accuracy or budget.
   void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
-  /// Sets the errors and costs that a body can have. They are sent with its next status.
+  /// Sets the pairs of error and cost from which the host can choose for a body. They are sent with its next
+  /// status.
   void set_prices(BodyId body, std::vector<Price> prices);
-  /// Adds a tick, and continues the error estimates.
+  /// Adds a tick's solver statistics to those of each soft body, and continues the error estimates.
   void add(const Simulation& simulation, const StepReport& report);
-  /// Returns the statuses that are due after the tick added last; in the first call, those of all bodies. A
-  /// body that falls asleep is reported immediately. Other bodies are reported at 2 Hz if they were awake
-  /// since their last report, or have a new estimate.
+  /// Returns the status messages of soft bodies that are due after the last tick; in the first call, those of
+  /// all bodies. A body that falls asleep is reported immediately. Other bodies are reported at 2 Hz if they
+  /// were awake since their last report, or have a new error estimate.
   std::vector<BodyStatus> take(const Simulation& simulation);
-  /// Returns the newest status of each body, sent or not.
+  /// Returns the newest status of each soft body that take() has returned.
   const std::map<BodyId, BodyStatus>& newest() const { return newest_; }
-  /// Returns the largest error that is known of a body; below 0: none is known.
+  /// Returns the largest estimated relative error of any soft body. Below 0 if no error is known.
   double worst_error() const;
-  /// Returns the strongest press on each body whose error is known.
+  /// Returns, by soft body, the strongest press by hands for which the error of the force is known.
   const std::map<BodyId, MeteredPress>& presses() const { return presses_; }
 
  private:

@@ -11,12 +11,14 @@ namespace prosector {
 
 class EffortDial {
  public:
-  /// Stores the host's setting for a body. Returns the setting that applies from now on.
+  /// Stores the host's setting of how many steps a body's solver effort is reduced. Returns the setting that
+  /// applies from now on: the larger reduction of host and governor.
   EffortChange host(const EffortChange& wanted) {
     steps_[wanted.body].host = wanted.steps_down;
     return counts(wanted.body);
   }
-  /// Stores the governor's setting for a body. Returns the setting that applies from now on.
+  /// Stores the setting of the governor (the load controller) of how many steps a body's solver effort is
+  /// reduced. Returns the setting that applies from now on: the larger reduction of host and governor.
   EffortChange overload(const EffortChange& wanted) {
     steps_[wanted.body].overload = wanted.steps_down;
     return counts(wanted.body);

@@ -8,15 +8,16 @@
 
 namespace prosector {
 
-/// Polls files and reports a change once it is complete: editors write in pieces.
+/// Monitor of files that polls them and reports a change once it is complete, because editors write files in
+/// several steps.
 class FileWatch {
  public:
-  /// Watches the files that `files` returns at each poll; one that doesn't exist counts as missing. Their
-  /// present state is no change.
+  /// Watches the files whose list `files` returns at each poll. A file of the list that doesn't exist counts
+  /// as missing, so its creation is a change. The files' current state is no change.
   explicit FileWatch(std::function<std::vector<std::filesystem::path>()> files);
 
-  /// Polls the files. Returns true once per change: when the files are as at the poll before, but not as they
-  /// were when this last returned true.
+  /// Polls the files. Returns true once per change: when the files are as in the previous poll, but not as
+  /// they were when the function last returned true.
   bool changed();
 
  private:

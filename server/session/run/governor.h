@@ -26,11 +26,13 @@ class Governor {
   static constexpr double vain_seconds = 5;       // s: overload this soon after a step up: it was in vain
   static constexpr double longest_patience = 60;  // s: most ticks with room before a step up
 
-  /// Starts with the bodies whose scene allows stepping down, and how many steps each is down already.
+  /// Starts with the bodies whose solver effort the scene allows to reduce. `may` has, by body, the number of
+  /// steps by which it is reduced already.
   Governor(double tick_rate, std::map<BodyId, int> may);
 
-  /// Processes a tick that took `seconds`, in which each body took `work` (in any common unit; missing:
-  /// asleep). Returns the change for the next tick.
+  /// Processes the duration of a tick. It took `seconds`, of which each body took a share in proportion to
+  /// `work`; bodies that are missing there were asleep. Returns a change of a body's solver effort for the
+  /// next tick, or nothing.
   std::optional<EffortChange> tick(double seconds, const std::map<BodyId, double>& work);
 
   const std::map<BodyId, int>& steps_down() const { return steps_; }

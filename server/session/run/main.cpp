@@ -13,7 +13,6 @@
 
 #include "common/error.h"
 #include "common/process_limits.h"
-#include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
 #include "common/session_name.h"
 #include "server/calibration/table_file.h"
@@ -87,9 +86,10 @@ void describe(const Simulation& simulation) {
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  say(fmt::format("{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB",
-                  scene.name, scene.rigid.size(), scene.soft.size(), tet_count(simulation), nodes, triangles,
-                  usage.ru_maxrss / 1024));
+  say(fmt::format(
+      "{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB of memory",
+      scene.name, scene.rigid.size(), scene.soft.size(), tet_count(simulation), nodes, triangles,
+      usage.ru_maxrss / 1024));
   for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
   for (const std::string& hint : scene_hints(scene)) say("  " + hint);
 }
@@ -138,7 +138,8 @@ int replay_journal(const ServerOptions& options) {
     if (tick % 600 == 0) say(fmt::format("  tick {} of {}", tick, last));
   });
   if (!result) {
-    say(fmt::format("DIFFERENT: the first tick whose state hash differs is {}", *result.first_difference));
+    say(fmt::format("DIFFERENT: the first tick whose state hash differs from the recorded one is {}",
+                    *result.first_difference));
     if (const auto& value = result.differing_value)
       say(fmt::format("the first value that differs at the checkpoint of tick {} is: {}", value->tick,
                       value->name));
@@ -236,11 +237,11 @@ std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& 
 void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulation& simulation,
             const Journal* journal) {
   const RunFigures f = loop.figures();
-  say(fmt::format(
-      "ended after {} ticks: x{:.3f} real time, step {:.1f} ms p50, {:.1f} p99, {} late, {} dropped, "
-      "state hash {}",
-      f.ticks, f.real_time_factor, loop.meter().all().quantile(0.5), loop.meter().all().quantile(0.99),
-      f.late_ticks, f.invalid_dropped, to_hex(f.state_hash)));
+  say(
+      fmt::format("ended after {} ticks: x{:.3f} real time, step {:.1f} ms p50, {:.1f} p99, {} late ticks, "
+                  "{} messages dropped, state hash {}",
+                  f.ticks, f.real_time_factor, loop.meter().all().quantile(0.5),
+                  loop.meter().all().quantile(0.99), f.late_ticks, f.invalid_dropped, to_hex(f.state_hash)));
   if (!options.summary.empty() &&
       !write_summary(options.summary, loop, simulation, journal ? journal->file() : std::filesystem::path()))
     throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
@@ -390,7 +391,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "prosector-server: internal error: {}. Please report this.\n", e.what());
     return 1;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "prosector-server: out of memory\n");
+    fmt::print(stderr, "prosector-server: out of memory, so the session ended\n");
     return 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "prosector-server: {}\n", e.what());

@@ -17,20 +17,21 @@ BusConfig ServerOptions::bus() const {
   return config;
 }
 
-std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
-  CLI::App app{
-      "prosector-server: hosts a session on a scene. Participants join it with prosector-client.\n\n  "
-      "prosector-server deploy/scenes/abdomen.toml               this machine only\n  prosector-server "
-      "deploy/scenes/abdomen.toml --lan         also the local network\n"};
-  app.set_version_flag("--version",
-                       version_line("prosector-server") + ", protocol " + std::to_string(protocol_version));
-  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/look-up/scene.md)")->type_name("");
+namespace {
 
+/// Options of the session that some options of journals exclude.
+struct RunOptions {
+  CLI::Option *summary, *check, *watch;
+};
+
+/// Adds the options of the session: its name, duration, threads and summary, and whether the scene is only
+/// checked, or reloaded when it changes.
+RunOptions add_run_options(CLI::App& app, ServerOptions& o) {
   const char* run = "Session";
-  app.add_option("--session", o.session, "Session name, by which clients find it; default: the scene's name")
+  app.add_option("--session", o.session, "Name by which clients find the session; default: the scene's name")
       ->type_name("NAME")
       ->group(run);
-  app.add_option("--seconds", o.seconds, "End the session after this time; default: run until Ctrl-C")
+  app.add_option("--seconds", o.seconds, "End the session after this many seconds; default: run until Ctrl-C")
       ->check(CLI::PositiveNumber)
       ->type_name("S")
       ->group(run);
@@ -51,30 +52,35 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
                    "Reload the scene when it or a referenced file changes. Participants stay connected. If "
                    "loading fails, the error is printed and the old scene continues.");
   watch->group(run);
+  return {summary, check, watch};
+}
 
+/// Adds the options that record, replay, continue, play back and copy journals, and declares which options
+/// exclude each other. A journal contains its scene, so `scene` can't be given with one that is read.
+void add_journal_options(CLI::App& app, ServerOptions& o, CLI::Option* scene, const RunOptions& run) {
   const char* record = "Journal";
   auto* journal =
       app.add_option("--journal", o.journal, "Record inputs, state hashes and checkpoints to this new file");
   journal->type_name("FILE")->group(record);
-  app.add_option("--journal-mb", o.journal_mb, "Stop recording the journal at this size (0 = no limit)")
+  app.add_option("--journal-mb", o.journal_mb, "Stop recording at this file size, MB (0 = no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->type_name("MB")
       ->group(record);
-  auto* replay = app.add_option("--replay", o.replay, "Replay a journal and compare every state hash");
+  auto* replay = app.add_option("--replay", o.replay, "Replay a journal and check every recorded state hash");
   auto* resume =
       app.add_option("--resume", o.resume, "Continue a session from the end of a journal, in the same file");
   auto* play =
       app.add_option("--play", o.play, "Play back a journal for clients, who can seek, pause and step");
-  watch->excludes(journal)->excludes(replay)->excludes(resume)->excludes(play);  // one scene per journal
+  run.watch->excludes(journal)->excludes(replay)->excludes(resume)->excludes(play);  // one scene per journal
   play->type_name("FILE")->group(record)->excludes(journal)->excludes(replay)->excludes(resume)->excludes(
       scene);
-  play->excludes(summary)->excludes(check);  // only for live sessions
+  play->excludes(run.summary)->excludes(run.check);  // only for live sessions
   replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 
   app.add_option("--export-journal", o.export_journal,
-                 "Export a journal to one new file; works for a journal in use or left by a crash")
+                 "Copy the journal FROM to one new file TO; works for a journal in use or left by a crash")
       ->expected(2)
       ->type_name("FROM TO")
       ->group(record)
@@ -83,12 +89,15 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->excludes(replay)
       ->excludes(resume)
       ->excludes(scene);
+}
 
+/// Adds the options of the network. Returns the option --lan, whose value is written to `lan`: the name of a
+/// network interface, empty for the only one.
+CLI::Option* add_network_options(CLI::App& app, ServerOptions& o, std::string& lan) {
   const char* network = "Network (default: this machine only)";
-  std::string lan;
-  auto* reach = app.add_option(
-      "--lan", lan,
-      "Also serve the local network, through this interface or address if there are several, e.g. eth0");
+  auto* reach = app.add_option("--lan", lan,
+                               "Also serve the local network; if there are several network interfaces, name "
+                               "one or its address, e.g. eth0");
   reach->expected(0, 1)->type_name("[IFACE]")->group(network);
   app.add_option(
          "--profile", o.profile,
@@ -105,7 +114,11 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->check(CLI::Range(0, 9))
       ->type_name("0..9")
       ->group(network);
+  return reach;
+}
 
+/// Adds the options for the folders of data and of the cache, and sets the cache folder to its default.
+void add_folder_options(CLI::App& app, ServerOptions& o) {
   const char* files = "Files";
   app.add_option(
          "--data", o.data,
@@ -114,15 +127,31 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->type_name("DIR")
       ->group(files);
   o.cache = default_cache_dir();
-  app.add_option("--cache", o.cache, "Cache of compiled meshes; may be deleted at any time")
+  app.add_option("--cache", o.cache, "Folder of the cache of compiled meshes; may be deleted at any time")
       ->capture_default_str()
       ->type_name("DIR")
       ->group(files);
+}
 
+}  // namespace
+
+std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
+  CLI::App app{
+      "prosector-server: hosts a session on a scene. Participants join it with prosector-client.\n\n  "
+      "prosector-server deploy/scenes/abdomen.toml               this machine only\n  prosector-server "
+      "deploy/scenes/abdomen.toml --lan         also the local network\n"};
+  app.set_version_flag("--version",
+                       version_line("prosector-server") + ", protocol " + std::to_string(protocol_version));
+  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/look-up/scene.md)")->type_name("");
+  const RunOptions run = add_run_options(app, o);
+  add_journal_options(app, o, scene, run);
+  std::string lan;
+  const CLI::Option* reach = add_network_options(app, o, lan);
+  add_folder_options(app, o);
   try {
     app.parse(argc, argv);
     if (o.scene.empty() && o.play.empty() && o.replay.empty() && o.resume.empty() && o.export_journal.empty())
-      throw CLI::RequiredError("SCENE (or --play, --replay, --resume or --export-journal)");
+      throw CLI::RequiredError("SCENE (a scene file), or --play, --replay, --resume or --export-journal,");
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }

@@ -27,11 +27,13 @@ struct ServerOptions {
   bool check = false;
   bool watch = false;  // reload the scene when its files change
 
-  /// Returns network settings. The final name of the session and the index are set later.
+  /// Returns the network settings that the command line specifies. The caller sets the session's final name
+  /// and the server index later.
   BusConfig bus() const;
 };
 
-/// Parses the command line. Returns the exit status when no run follows (--help, --version, an error).
+/// Parses the command line into `options`. Returns the exit status if the program should end (after --help,
+/// --version or an error), and nothing if it should run.
 std::optional<int> parse_options(int argc, char** argv, ServerOptions& options);
 
 }  // namespace prosector

@@ -11,66 +11,67 @@
 #include <string>
 #include <vector>
 
+#include "server/session/recording/displayed_time.h"
 #include "server/session/recording/published_topology.h"
+#include "server/session/recording/recorded_people.h"
 #include "server/session/recording/recording_index.h"
 #include "server/session/recording/recording_player.h"
-#include "server/session/run/body_meter.h"
+#include "server/session/run/body_reports.h"
 #include "server/session/run/step_meter.h"
-#include "server/session/sending/part_sender.h"
-#include "server/session/sending/publisher.h"
+#include "server/session/sending/snapshot_feed.h"
 
 namespace prosector {
 
 class Playback {
  public:
-  /// The journal to play, and the simulation that was compiled from it.
+  /// Journal to play, and the simulation that was compiled from its scene.
   struct Source {
     const JournalReader& journal;
     Simulation& simulation;  // at the journal's beginning
   };
-  /// Reads the whole journal, and announces the session on the bus. All arguments outlive the playback. `say`
-  /// gets lines of text. Throws InputError when the journal is damaged or of another scene or build.
+  /// Reads the whole journal, and announces the session on the bus. All arguments must outlive the playback.
+  /// `say` is called with lines of text for the console. Throws InputError if the journal is damaged or of
+  /// another scene or build.
   Playback(const Source& source, Bus& bus, const std::string& session,
            std::function<void(const std::string&)> say);
 
-  /// Processes received messages, and runs a tick, or some ticks of a seek. Time starts when the first viewer
-  /// joins, and stops at the end.
+  /// Processes received messages, and runs one tick, or several ticks during a jump to another time. Playback
+  /// starts when the first viewer joins, and stops at the end.
   void turn();
-  /// Runs turns at the pace that viewers set until `stop`, or for `seconds` of wall time when above 0.
-  /// `each_second` gets a line for the console.
+  /// Runs turns at the pace that viewers set until `stop` is true, or for `seconds` of wall time if above 0.
+  /// `each_second` is called once a second with a line for the console.
   void run(const std::atomic<bool>& stop, double seconds,
            const std::function<void(const std::string&)>& each_second);
 
   std::string console_line() const;
-  std::uint64_t server_run() const { return publisher_.info().server_run; }
+  std::uint64_t server_run() const { return feed_.publisher().info().server_run; }
   const Session& session() const { return session_; }
   const RecordingPlayer& player() const { return player_; }
-  Publisher& publisher() { return publisher_; }
+  Publisher& publisher() { return feed_.publisher(); }
 
  private:
+  struct Seek {  // a jump to another tick that is not complete yet
+    std::uint64_t tick = 0;
+    std::int64_t begun_ns = 0;
+  };
   Simulation& simulation_;
   Bus& bus_;
   std::function<void(const std::string&)> say_;
   RecordingPlayer player_;
   RecordingIndex index_;
-  SceneContent content_;
+  std::shared_ptr<const SceneContent> content_;
   PublishedTopology topology_;
   Session session_;
   StepMeter meter_;
-  std::map<std::string, Prospect> expected_;
-  BodyMeter body_meter_;
-  std::size_t metered_;  // number of bodies in body_meter_
-  PartSender parts_;
-  Roster people_;  // recorded participants at the present tick
-  std::optional<std::uint64_t> way_to_;
-  std::uint32_t epoch_shift_ = 0;  // added to the simulation's epoch for clients
-  std::uint32_t epoch_left_ = 0;   // epoch last sent to clients before the seek began
+  BodyReports bodies_;
+  RecordedPeople people_;
+  DisplayedTime shown_;
+  std::optional<Seek> seek_;
   std::uint64_t turns_ = 0;
   bool begun_ = false, reported_difference_ = false;
   std::vector<Received> received_;
-  std::shared_ptr<const Snapshot> last_snapshot_;
-  std::int64_t offered_ns_ = 0, status_ns_ = 0, way_begun_ns_ = 0;
-  Publisher publisher_;  // last member: its thread ends before the data that it reads
+  std::int64_t offered_ns_ = 0;  // time of the last snapshot
+  SnapshotFeed feed_;
 
   bool hear();
   void begin_with_the_first();
@@ -78,13 +79,10 @@ class Playback {
   std::vector<Outgoing> play_tick();
   std::vector<Outgoing> go_on_the_way();
   std::vector<Outgoing> arrive();
-  void meet_people(std::vector<Outgoing>& out);
   bool stand_at_the_end();
-  void meter(const StepReport& report, std::int64_t begun_ns);
-  std::vector<Outgoing> words_of_bodies();
   void offer_snapshot(bool news);
   std::shared_ptr<Snapshot> reported_snapshot() const;
-  SimTime displayed_time() const;
+  SimTime displayed_time() const { return shown_.of(simulation_.time()); }
   ServerStatus status() const;
 };
 

@@ -10,9 +10,8 @@
 namespace prosector {
 
 inline constexpr std::int64_t second_ns = 1'000'000'000;
-inline constexpr std::int64_t status_period_ns = second_ns / 10;  // between two ServerStatus messages
 
-/// Moves the messages of `more` to the end of `out`.
+/// Moves the messages of `more` to the end of the list `out`.
 inline void append(std::vector<Outgoing>& out, std::vector<Outgoing> more) {
   out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }

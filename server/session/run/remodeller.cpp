@@ -123,12 +123,16 @@ void Remodeller::prove(const std::stop_token& stop) {
       if (!differ(told[i], proved[i])) continue;
       const auto body = std::find_if(scene.soft.begin(), scene.soft.end(),
                                      [&](const SoftDesc& desc) { return desc.name == proved[i].body; });
-      hooks_.say(fmt::format("{}, verified with finer elements: {}; used from the next start", proved[i].body,
-                             explain(proved[i], *body)));
+      hooks_.say(
+          fmt::format("{}: its model configuration was verified with finer elements: {}; the result is used "
+                      "from the next start",
+                      proved[i].body, explain(proved[i], *body)));
     }
   } catch (const PutOff&) {
   } catch (const std::exception& error) {
-    if (hooks_.say) hooks_.say(fmt::format("cannot verify the chosen configurations: {}", error.what()));
+    if (hooks_.say)
+      hooks_.say(fmt::format("the chosen model configurations cannot be verified with finer elements: {}",
+                             error.what()));
   }
 }
 

@@ -19,7 +19,7 @@
 
 namespace prosector {
 
-/// A host's request for the accuracy of a body.
+/// A host's request to simulate a body with another accuracy.
 struct AccuracyWish {
   ParticipantId asker = 0;
   BodyId body = 0;
@@ -27,7 +27,7 @@ struct AccuracyWish {
   double percent = 0;  // largest error allowed; 0: only report what is possible
 };
 
-/// The result of a request.
+/// The answer to a host's request to simulate a body with another accuracy.
 struct AccuracyAnswer {
   AccuracyWish wish;
   std::string words;  // text for the asker
@@ -45,14 +45,16 @@ class Remodeller {
 
   explicit Remodeller(Hooks hooks);
 
-  /// Sets the choices with which the session runs now, and starts to verify those of the scene.
+  /// Sets the model configurations with which the session runs now. Starts to verify, on a background thread,
+  /// whether the configurations that were chosen for the scene meet the accuracy that it requests.
   void begin(std::vector<Choice> choices);
   void ask(AccuracyWish wish);
-  /// Returns the errors and costs that bodies can have, of those that were asked about, by name.
+  /// Returns, by body name, the errors and costs that are available for the bodies of earlier requests.
   std::map<std::string, std::vector<Price>> prices() const;
-  /// Returns the results of requests since the last call.
+  /// Returns the answers to requests for other accuracies that were completed since the last call.
   std::vector<AccuracyAnswer> take_answers();
-  /// Returns the scene in which a body is modelled as requested; none: there is none, or it was taken.
+  /// Returns the compiled scene in which a body is modelled as requested. Returns none if no such scene is
+  /// ready or it was already taken.
   std::optional<ReadyScene> take();
 
  private:

@@ -10,7 +10,6 @@
 #include "common/anatomy/search_paths.h"
 #include "common/error.h"
 #include "common/scene/load_scene.h"
-#include "common/scene/scene_files.h"
 #include "server/session/run/file_watch.h"
 
 namespace prosector {

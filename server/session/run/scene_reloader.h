@@ -21,11 +21,13 @@ class SceneReloader {
     std::function<void(const std::string&)> say;
   };
 
-  /// Watches the scene's file, the tables and meshes that it names, and the folders where they would be
-  /// (`data_dirs`). Loads on a separate thread. A failure to load is reported once per change.
+  /// Watches the scene's file, the tables and meshes that it names, and the folders where these would be
+  /// searched (`data_dirs`). After a change it loads the scene on a separate thread. A failure to load is
+  /// reported once per change.
   SceneReloader(const SceneDesc& scene, std::vector<std::filesystem::path> data_dirs, Hooks hooks);
 
-  /// Returns the new scene; none: there is none, or it was taken.
+  /// Returns the newly compiled scene after its files changed. Returns none if there is none or it was
+  /// already taken.
   std::optional<ReadyScene> take();
 
  private:

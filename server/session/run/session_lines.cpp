@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "common/count_text.h"
+#include "common/percent_text.h"
+
 namespace prosector {
 
 std::string line_of(const SessionEvent& e) {
@@ -13,11 +16,12 @@ std::string line_of(const SessionEvent& e) {
     case SessionEvent::Kind::left:
       return fmt::format("{} leaves", e.name);
     case SessionEvent::Kind::lost:
-      return fmt::format("{} is disconnected (left or connection lost)", e.name);
+      return fmt::format("{} is disconnected (the client ended or the connection was lost)", e.name);
     case SessionEvent::Kind::hand_timeout:
       return fmt::format("{}: {} no longer tracked, released", e.name, e.detail);
     case SessionEvent::Kind::hand_stalled:
-      return fmt::format("{}: {} released, its client sent nothing for too long", e.name, e.detail);
+      return fmt::format("{}: {} released, because the participant's client sent nothing for too long",
+                         e.name, e.detail);
     case SessionEvent::Kind::role:
       return fmt::format("{} is now {}", e.name, e.detail);
     case SessionEvent::Kind::let_go:
@@ -32,6 +36,28 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} {}", e.name, e.detail);
   }
   return {};
+}
+
+std::string line_of(const ServerStatus& s, const Simulation& simulation, const BodyMeter& bodies) {
+  std::string line = fmt::format(
+      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {}, {} | {} messages dropped | {} "
+      "bodies awake, {} asleep",
+      static_cast<double>(s.time.tick) / simulation.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
+      s.step_ms_p99, counted(s.participants, "participant"), counted(s.observers, "observer"),
+      s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
+  for (const auto& [body, told] : bodies.newest())
+    if (told.error >= 0 && !told.asleep) {
+      line += fmt::format(" | {}: {}, residual {:.0e}", simulation.name(body),
+                          is_known_error(told.error) ? fmt::format("about {} off", percent_text(told.error))
+                                                     : "error not known",
+                          told.residual);
+      if (told.press_error >= 0)
+        line += is_known_error(told.press_error)
+                    ? fmt::format(", pressed: force within {}", percent_text(told.press_error))
+                    : ", pressed: error not known";
+    }
+  if (!s.degraded.empty()) line += " | degraded: " + s.degraded;
+  return line;
 }
 
 }  // namespace prosector

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Returns the status without the time, the state's hash, the error and what is degraded.
+/// Returns a server's status, except for the time, the state's hash, the error and the degraded bodies, which
+/// the caller sets.
 ServerStatus status_of(const StepMeter& meter, const Session& session, const Bus& bus);
 
 }  // namespace prosector

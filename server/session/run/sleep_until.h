@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// Waits until monotonic_ns() is `ns`. Returns immediately if it is later already.
+/// Waits until the monotonic clock reads `ns` nanoseconds. Returns immediately if that time has passed.
 inline void sleep_until(std::int64_t ns) {
   constexpr std::int64_t second_ns = 1'000'000'000;
   const timespec due{static_cast<time_t>(ns / second_ns), static_cast<long>(ns % second_ns)};

@@ -12,11 +12,12 @@
 
 namespace prosector {
 
-/// Quantiles of positive durations within 1 %, in constant memory: logarithmic bins.
+/// Histogram of positive durations in constant memory, from which quantiles are read to within 1 %. Its bins
+/// are logarithmic.
 class DurationHistogram {
  public:
   void add(double ms);
-  /// Returns the quantile; 0 when empty.
+  /// Returns the quantile `q` (0 to 1) of the added durations, ms; 0 if there are none.
   double quantile(double q) const;
   std::uint64_t count() const { return count_; }
 
@@ -34,7 +35,7 @@ struct LastSecond {
   std::string degraded;                        // bodies and what is wrong with them; empty: nothing
 };
 
-/// State of the bodies after the last step.
+/// Energy of all bodies, and numbers of awake and sleeping bodies, after the last step.
 struct LastStep {
   double energy = 0;                    // J: kinetic, elastic and gravitational
   std::uint32_t awake = 0, asleep = 0;  // bodies
@@ -44,8 +45,9 @@ class StepMeter {
  public:
   explicit StepMeter(double tick_rate) : dt_(1 / tick_rate) {}
 
-  /// Adds a tick. `begun_ns` and `ended_ns`: start and end of the whole tick with intake and snapshot,
-  /// monotonic clock.
+  /// Adds a tick's durations and report. `begun_ns` and `ended_ns` are the start and end of the whole tick,
+  /// including the processing of messages and the snapshot, on the monotonic clock. `tissue_awake`: whether
+  /// any soft body was awake.
   void add(const StepReport& report, bool tissue_awake, std::int64_t begun_ns, std::int64_t ended_ns);
   LastSecond last_second() const;
   const LastStep& last_step() const { return last_step_; }
@@ -53,7 +55,8 @@ class StepMeter {
   const DurationHistogram& all() const { return all_; }
   const DurationHistogram& awake() const { return awake_; }  // ticks with tissue awake
   std::uint64_t late() const { return late_; }               // ticks longer than their period
-  /// Returns, by body, the ticks in which it was reset or did not converge, over the run.
+  /// Returns, by body name, the number of ticks of the run in which the body was reset or its solver did not
+  /// converge.
   const std::map<std::string, std::uint64_t>& troubles() const { return troubles_; }
 
  private:

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Writes the summary. Returns false when the file cannot be written.
+/// Writes the run's statistics as JSON to `file`. `journal` is the path of the journal, which is included.
+/// Returns false if the file cannot be written.
 bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, const Simulation& simulation,
                    const std::filesystem::path& journal);
 

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// A fixed rate at which lag does not accumulate. A late tick may be caught up by the following ones while
-/// the lag is at most one period; beyond that the schedule slips, which slows simulated time.
+/// Schedule of ticks at a fixed rate at which lag does not accumulate. The following ticks catch up a late
+/// tick while the lag is at most one period. Beyond that the schedule slips, which slows simulated time.
 class TickSchedule {
  public:
   TickSchedule(double tick_rate, std::int64_t start_ns)
@@ -16,15 +16,15 @@ class TickSchedule {
         period_ns_(static_cast<std::int64_t>(period_at_full_pace_ns_)),
         due_ns_(start_ns) {}
 
-  /// Sets the simulated seconds per real second, from the tick after the next on.
+  /// Sets the pace (simulated seconds per real second), from the tick after the next on.
   void set_pace(double pace) {
     PROSECTOR_ASSERT(pace > 0);
     period_ns_ = static_cast<std::int64_t>(period_at_full_pace_ns_ / pace);
   }
 
-  /// Returns when the current tick should start.
+  /// Returns the time (ns, monotonic clock) at which the current tick should start.
   std::int64_t due_ns() const { return due_ns_; }
-  /// Records that the current tick ended at `now_ns`.
+  /// Records that the current tick ended at `now_ns`, and schedules the next one.
   void finished(std::int64_t now_ns) {
     due_ns_ += period_ns_;
     const std::int64_t slip = now_ns - due_ns_ - period_ns_;

@@ -1,8 +1,8 @@
 #include "server/session/sending/collision_model.h"
 
+#include "common/fidelity.h"
 #include "common/scene/primitives.h"
 #include "server/physics/mechanics/collision/outlines/bounding.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
 namespace prosector {
@@ -28,7 +28,7 @@ TriangleMesh outline(const BoxShape& box) {
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface) {
   if (surface.positions.empty()) return std::nullopt;
   const Cloud cloud{surface.positions};
-  switch (fidelity_of(body.collision)) {
+  switch (body.collision) {
     case Fidelity::none:
     case Fidelity::mesh:
       return std::nullopt;

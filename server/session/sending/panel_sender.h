@@ -11,8 +11,8 @@ namespace prosector {
 
 class PanelSender {
  public:
-  /// Appends the changes since the last call. Closed panels go to `ended`, so that their instances are
-  /// disposed of.
+  /// Appends messages for control panels, and for the room's light and pace, that changed since the last call
+  /// to `out`. Panels that were closed are appended to `ended`, so that their DDS instances are disposed of.
   void update(const Snapshot& now, std::vector<Message>& out, std::vector<Message>& ended);
 
  private:

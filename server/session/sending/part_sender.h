@@ -10,7 +10,8 @@ namespace prosector {
 
 class PartSender {
  public:
-  /// Returns the states that changed since the last call. A body that was never changed or held has none.
+  /// Returns messages for the bodies whose part state (changes by participants, and hands that hold the body)
+  /// differs from the last call. A body that was never changed or held has no message.
   std::vector<Outgoing> take(const Simulation& simulation);
 
  private:

@@ -1,6 +1,7 @@
 #include "server/session/sending/publisher.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace prosector {
 namespace {
@@ -11,10 +12,11 @@ constexpr std::chrono::milliseconds longest_felt{250};  // older planes are not 
 
 }  // namespace
 
-Publisher::Publisher(Bus& bus, const SessionInfo& info, const SceneContent& content)
-    : bus_(bus), info_(info), content_(content) {
-  for (BodyId b = 0; b < content.scene.bodies.size(); ++b) {
-    const SceneBody& body = content.scene.bodies[b];
+Publisher::Publisher(Bus& bus, const SessionInfo& info, std::shared_ptr<const SceneContent> content)
+    : bus_(bus), info_(info), content_(std::move(content)) {
+  const std::vector<SceneBody>& bodies = content_->scene.bodies;
+  for (BodyId b = 0; b < bodies.size(); ++b) {
+    const SceneBody& body = bodies[b];
     if (body.kind == BodyKind::rigid && body.moves) rigid_.try_emplace(b, b, body.pose);
   }
   thread_ = std::thread([this] { run(); });
@@ -100,9 +102,9 @@ void Publisher::run() {
 
 void Publisher::announce() {
   publish(info_);
-  publish(content_.scene);
-  for (const TopologyRevision& revision : content_.topology) publish(revision);
-  for (const Asset& asset : content_.assets)
+  publish(content_->scene);
+  for (const TopologyRevision& revision : content_->topology) publish(revision);
+  for (const Asset& asset : content_->assets)
     for (const AssetChunk& chunk : chunks_of(asset)) publish(chunk);
 }
 

@@ -35,17 +35,17 @@ struct PublisherCounters {
 
 class Publisher {
  public:
-  /// Publishes the session, the scene, the topology log and the assets, in this order, before any state.
-  /// `bus` and `content` outlive the publisher.
-  Publisher(Bus& bus, const SessionInfo& info, const SceneContent& content);
-  /// Sends what is queued, removes the session from the network, and ends the thread.
+  /// Starts the thread, which first publishes the session, the scene, the topology log and the assets, in
+  /// this order, and then states. `bus` must outlive the publisher.
+  Publisher(Bus& bus, const SessionInfo& info, std::shared_ptr<const SceneContent> content);
+  /// Sends all queued messages, removes the session from the network, and ends the thread.
   ~Publisher();
   Publisher(const Publisher&) = delete;
   Publisher& operator=(const Publisher&) = delete;
 
   void say(std::vector<Outgoing> messages);
   void offer(std::shared_ptr<const Snapshot> snapshot);
-  /// Waits until everything queued has been sent.
+  /// Waits until all queued messages and snapshots have been sent.
   void flush();
   PublisherCounters counters() const;
   const SessionInfo& info() const { return info_; }
@@ -53,7 +53,7 @@ class Publisher {
  private:
   Bus& bus_;
   SessionInfo info_;
-  const SceneContent& content_;
+  std::shared_ptr<const SceneContent> content_;
   std::map<BodyId, RigidSender> rigid_;
   std::map<BodyId, SoftSender> soft_;
   HandSender hands_;

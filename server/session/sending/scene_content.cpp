@@ -7,8 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "common/fidelity.h"
+#include "common/scene/body_groups.h"
 #include "common/server_run.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 #include "server/physics/mechanics/soft/rungs.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 #include "server/session/sending/collision_model.h"
@@ -32,7 +33,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.pose = kind == BodyKind::rigid ? desc.pose : Pose{};
   body.appearance = desc.appearance;
   body.part = desc.part;
-  body.fidelity = fidelity_of(desc.collision);
+  body.fidelity = contact_of(desc).collision;
   body.names = desc.names;
   body.term = desc.term;
   return body;
@@ -135,8 +136,9 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
                                .piece_of = {}};
     const SurfaceLog& log =
         out.surfaces
-            .try_emplace(b, soft.anatomy(), simulation.numbering(b), begin, simulation.time(),
-                         soft.desc().refine == SoftDesc().refine ? Streamed::fewest : Streamed::vertices)
+            .try_emplace(
+                b, soft.anatomy(), simulation.numbering(b), begin, simulation.time(),
+                soft.desc().refinement.at == SoftDesc().refinement.at ? Streamed::fewest : Streamed::vertices)
             .first->second;
     SceneBody body = describe_soft(simulation, b, log);
     for (const Choice& c : choices)

@@ -25,26 +25,29 @@ struct SceneContent {
   std::size_t triangles = 0;
 };
 
-/// Returns the announcement of a session that runs on the simulation from now on; `reign`: see
-/// common/server_run.h.
+/// Returns the announcement of a session that runs on the simulation from now on. `reign` is the number of
+/// starts and resumes of the session: see common/server_run.h.
 SessionInfo describe_session(const Simulation& simulation, const std::string& session, std::uint32_t reign);
 
-/// Makes the scene's content for clients. `choices`: of bodies that were chosen by need.
+/// Makes the data that clients need to show the scene: scene graph, meshes, and streamed surfaces. `choices`
+/// are the model configurations of bodies for which they were chosen by accuracy or budget.
 SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices = {});
 
-/// Describes a soft body for clients, with its surface from `log`; without the hashes of its meshes.
+/// Returns the description of a soft body for clients, with its surface from `log`. The hashes of its meshes
+/// are not set.
 SceneBody describe_soft(const Simulation& simulation, BodyId body, const SurfaceLog& log);
 
-/// Returns a free name for a piece: the organ's, with a number if it is taken.
+/// Returns a name that no body of the scene has, for a piece that was cut off: `wanted`, or `wanted` with a
+/// number if that name is taken.
 std::string free_name(const SceneInfo& scene, const std::string& wanted);
-/// Gives a piece names that no other body has. In each language, the number that `free_name` finds is
-/// appended.
+/// Gives a piece that was cut off names that no other body of the scene has. In each language, the number
+/// that `free_name` finds is appended.
 void name_piece(SceneBody& piece, const SceneInfo& scene);
 
-/// Returns the longest prefix of at most `bytes` bytes that ends at a character of UTF-8.
+/// Returns the longest prefix of `text` of at most `bytes` bytes that does not end within a UTF-8 character.
 std::string beginning(const std::string& text, std::size_t bytes);
 
-/// Returns the asset in chunks that fit into a message.
+/// Returns the asset divided into chunks, each of which fits into a message.
 std::vector<AssetChunk> chunks_of(const Asset& asset);
 
 }  // namespace prosector

@@ -44,8 +44,8 @@ struct Snapshot {
   std::optional<ServerStatus> status;
 };
 
-/// Takes a snapshot. `topology` has followed the simulation to now. `previous` provides the shapes of bodies
-/// that slept since; may be null.
+/// Makes a snapshot of the simulation's current state for clients. `topology` must already have processed the
+/// last step's changes. `previous` provides the shapes of bodies that slept since; it may be null.
 std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
                                         const TopologyLog& topology, const Snapshot* previous);
 

@@ -25,7 +25,8 @@ class SoftSender {
  public:
   SoftSender(BodyId body, double tick_rate);
 
-  /// Appends the samples to send for `now`. `everything`: all chunks, for a client that has just joined.
+  /// Appends the messages for one soft body to `out`: the chunks of points that have moved or are due, or the
+  /// body's settled shape. `everything`: sends all chunks, for a client that has just joined.
   void update(const SoftSnapshot& now, SimTime time, bool everything, std::vector<Message>& out);
 
  private:

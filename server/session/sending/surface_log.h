@@ -17,32 +17,38 @@ namespace prosector {
 
 class SurfaceLog {
  public:
-  /// Starts with the body's present state, at `change.revision`.
+  /// Starts with the body's current surface, as topology revision `change.revision`.
   SurfaceLog(const Anatomy& anatomy, const Numbering& numbering, const TopologyChange& change, SimTime time,
              Streamed streamed = Streamed::fewest);
 
-  /// Updates the surface to the body that `change` made, whose nodes are at `x` now.
+  /// Updates the streamed surface to the body's new mesh after the topology change `change`. The mesh's nodes
+  /// are at `x` (3n, m) now.
   void follow(const Anatomy& anatomy, const Numbering& numbering, const VecX& x, const TopologyChange& change,
               SimTime time);
 
-  /// Returns the newest revision for clients, without a keyframe's assets.
+  /// Returns the newest topology revision as sent to clients, without the assets (meshes) that a keyframe
+  /// adds.
   const TopologyRevision& newest() const { return newest_; }
   const DrawnSurface& surface() const { return surface_; }
-  /// Returns all slots as the assets of a keyframe: rest mesh and map.
+  /// Returns the whole surface, with all its slots (permanent indices), as the two assets of a keyframe: the
+  /// rest mesh, and the map from streamed points to its vertices.
   std::array<Asset, 2> keyframe() const { return {encode(surface_.rest), encode(surface_.streamed)}; }
-  /// Returns the stream. It is never changed once made: the publisher's thread reads it.
+  /// Returns the current selection of streamed points. The object is never changed once made, because the
+  /// publisher's thread reads it.
   std::shared_ptr<const SurfaceStream> stream() const { return stream_; }
 
  private:
-  /// Slots by number.
+  /// Slots (indices on the client that are never reused) by permanent number of a node, vertex or triangle.
   struct Slots {
     std::vector<std::uint32_t> of;
     std::uint32_t count = 0;
-    /// Returns the slot of a number; a number without one gets the next free slot.
+    /// Returns the client's slot for the node, vertex or triangle with that permanent number. A number
+    /// without a slot gets the next free one.
     std::uint32_t at(std::uint32_t number);
   };
-  /// Slots of the nodes on edges of quadratic elements, which have no numbers: by rest position, in the order
-  /// of appearance. Nodes on both sides of a cut have the same rest position.
+  /// Client's slots of the nodes on edges of quadratic elements, which have no permanent numbers. They are
+  /// identified by rest position, and where several have the same one (on both sides of a cut), by the order
+  /// of appearance.
   using EdgeSlots = std::map<std::array<float, 3>, std::vector<std::uint32_t>>;
   Slots points_, vertices_, triangles_;
   EdgeSlots edge_points_;
@@ -50,7 +56,8 @@ class SurfaceLog {
   std::shared_ptr<const SurfaceStream> stream_;
   TopologyRevision newest_;
 
-  /// Returns the slots by carrier, node or vertex, of the given `carriers` only.
+  /// Returns the client's slots by carrier (node or surface vertex of the body). Only the given `carriers`
+  /// have one.
   std::vector<std::uint32_t> slots_of(std::span<const std::uint32_t> carriers, bool of_nodes,
                                       const Anatomy& anatomy, const Numbering& numbering);
   void place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,

@@ -23,9 +23,9 @@ struct SurfaceStream {
   std::uint32_t chunk_points = 0;
   bool of_nodes = false;                // true: nodes are streamed; false: surface vertices
   std::vector<std::uint32_t> carriers;  // by point: its node or vertex; ~0: the point was removed
-  /// By point: the point whose displacement it takes. This is the point itself, except for a removed point:
-  /// following another keeps its chunk's box small. ~0: no point is left, it stays at rest. Empty: all points
-  /// are in use.
+  /// By streamed point: the point whose displacement it copies. This is the point itself, unless it was
+  /// removed by a cut: following another point keeps its chunk's box small. ~0 means that no point is left
+  /// and it stays at rest. Empty if all points are in use.
   std::vector<std::uint32_t> leaders;
 
   std::uint32_t chunks() const { return (points + chunk_points - 1) / chunk_points; }
@@ -33,11 +33,12 @@ struct SurfaceStream {
 
 enum class Streamed : std::uint8_t { fewest, vertices };
 
-/// Returns the rows by which the streamed vertices follow from the body's nodes, after these have changed.
+/// Returns the matrix that maps the body's nodes to streamed surface vertices, after the nodes have changed.
+/// `embedding` maps the nodes to all vertices of the surface.
 SparseMap sources_of(const SurfaceStream& of_vertices, const SparseMap& embedding);
 
-/// Makes the stream. Chunks are compact in space: a hand presses only a few of them, and each has a small box
-/// for quantisation.
+/// Selects and orders the points of a soft body that are streamed, `chunk_points` per chunk. Chunks are
+/// compact in space: a hand presses only a few of them, and each has a small box for quantisation.
 SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points,
                                   Streamed what = Streamed::fewest);
 

@@ -20,7 +20,7 @@ namespace prosector {
 inline constexpr std::uint32_t keyframe_revisions = 16;
 inline constexpr double keyframe_interval = 1;  // s: least time between two requested keyframes of a body
 
-/// Interface through which the log reads the present shapes of soft bodies.
+/// Interface through which the topology log reads the current shapes of soft bodies.
 class SoftShapes {
  public:
   struct Shape {
@@ -30,24 +30,28 @@ class SoftShapes {
   };
   virtual ~SoftShapes() = default;
   virtual Shape shape(BodyId body) const = 0;
-  /// Describes a piece for clients.
+  /// Returns the description for clients of a piece that was cut off, whose surface is `surface`.
   virtual SceneBody describe(BodyId body, const SurfaceLog& surface) const = 0;
 };
 
 class TopologyLog {
  public:
-  /// Starts with the content that was announced.
+  /// Starts with the scene content that was announced to clients. `tick_rate` is in 1/s.
   TopologyLog(const SceneContent& content, double tick_rate);
 
-  /// Follows the changes of a step that ended at `time`. Appends the messages, in order.
+  /// Processes the topology changes of a step that ended at `time`. Appends the messages for clients to
+  /// `out`, in order. `roster` provides the names of the authors of cuts.
   void follow(const SoftShapes& shapes, std::span<const TopologyChange> changes, SimTime time,
               const Roster& roster, std::vector<Outgoing>& out);
-  /// Records that a client's copy of the body does not match.
+  /// Requests a keyframe (the complete surface) of the body, because a client's copy of the body does not
+  /// match.
   void ask_keyframe(BodyId body);
-  /// Appends the requested keyframes that are due.
+  /// Appends the requested keyframes (complete surfaces) to `out`. A body's keyframe waits until
+  /// keyframe_interval has passed since its last one.
   void send_keyframes(SimTime now, std::vector<Outgoing>& out);
 
-  /// Returns the revisions that follow() made since the last call, without patches, for the journal.
+  /// Returns the topology revisions that follow() created since the last call, for the journal. They have no
+  /// patches (differences of the surface).
   std::vector<TopologyRevision> take_records();
 
   bool knows(BodyId body) const { return bodies_.contains(body); }

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "common/fidelity.h"
 #include "server/physics/mechanics/collision/narrow/collision_piece.h"
 #include "server/physics/mechanics/collision/outlines/rigid_outline.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 
 namespace prosector {
 

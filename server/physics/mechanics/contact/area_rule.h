@@ -18,23 +18,29 @@ struct AreaPoint {
   double share = 0;             // fraction of the triangle's area
 };
 
-/// How a triangle is divided: corners only; centroid rule on the whole triangle; centroid rule on its
-/// quarters.
+/// Division of a surface triangle into quadrature points for contact that is integrated over its area.
+/// `corners`: points at the corners only. `whole`: corners and centroid. `quarters`: corners and centroids of
+/// the triangle's four quarters.
 enum class Division { corners, whole, quarters };
 
 inline constexpr std::uint32_t most_face_points = 8;  // number of points off the corners, of both divisions
 
-/// Returns the division for a triangle of area `area` (m²) under a body of that curvature (1/m). `quadratic`:
-/// whether the elements are quadratic.
+/// Returns the division into quadrature points for a triangle of area `area` (m²) that a body presses.
+/// `curvature`, 1/m: sum of the body's principal curvatures at the contact, 0 for a flat body. `quadratic`:
+/// whether the tissue's elements are quadratic.
 Division division_for(double area, double curvature, bool quadratic);
-/// Returns the fraction of the triangle's area that each corner has.
+/// Returns the fraction of the triangle's area that each of its three corners represents as a quadrature
+/// point under this division.
 double corner_share(Division division);
-/// Returns the points that are not corners.
+/// Returns the quadrature points that a pressed triangle has under this division, without those at its
+/// corners. Division::corners has no others.
 std::span<const AreaPoint> face_points(Division division);
-/// Returns the index of the division's first point among the points of all divisions. Indices of different
-/// points differ.
+/// Returns the offset of this division's points in the numbering of all points off the corners. `whole` has
+/// point 0, `quarters` has points 1 to 7, so that indices of different points differ.
 std::uint32_t first_face_point(Division division);
-/// Returns the barycentric weights of the points of `quarters`.
+/// Returns the barycentric weights of the seven quadrature points of the division `quarters` that are not
+/// corners of the triangle. `quarters` divides a triangle into four of equal size; the last point is the
+/// triangle's centroid.
 std::span<const Vec3> places_on_quarters();
 
 }  // namespace prosector

@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// A material point, given by the body or the nodes that carry it.
+/// One side of a contact: a point that moves with a rigid body, or with the nodes of a soft body.
 struct ContactSide {
   static constexpr std::size_t most_nodes = 12;  // a point of a triangle: three surface vertices of 4 nodes
   enum class Kind : std::uint8_t { fixed, soft, rigid } kind = Kind::fixed;
@@ -22,7 +22,8 @@ struct ContactSide {
   Vec3 arm = Vec3::Zero();    // rigid: m, from the centre of mass to the point, at the tick's start
   Vec3 moved = Vec3::Zero();  // fixed: m, its kinematic motion over the tick
 
-  /// Adds a surface vertex with weight `share`.
+  /// Adds a surface vertex of a soft body to the point: the nodes that carry the vertex (`row`), with their
+  /// weights times `share`.
   void add(const SparseMap::Row& row, double share) {
     for (std::size_t k = 0; k < row.node.size(); ++k) {
       if (row.weight[k] == 0) continue;
@@ -35,19 +36,19 @@ struct ContactSide {
   }
 };
 
-/// A contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)², or the
+/// Contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)², or the
 /// mean of that over g ± spread (EvenSpring). Here g = gap + normal·(u_a − u_b), with u the sides'
 /// displacements over the tick. Friction is smoothed Coulomb friction (Li et al. 2020, "Incremental Potential
 /// Contact", 5). It acts on the slip: the tangential part of u_a − u_b, measured from the point where
-/// friction last stuck (memory.h). The normal is constant over a tick.
+/// friction last stuck (contact_memory.h). The normal is constant over a tick.
 struct Contact {
   ContactSide a, b;
   Vec3 point = Vec3::Zero();    // m, world frame, at the tick's start
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
   double gap = 0;               // m, at the tick's start, minus `rest`; < 0 presses
-  double rest = 0;       // m, <= 0: gap between the surfaces at which the contact force is zero, see memory.h
-  double stiffness = 0;  // N/m
-  double spread = 0;     // m: the gap varies by ± this over the area that the point represents
+  double rest = 0;              // m, <= 0: gap at which the contact force is zero, see contact_memory.h
+  double stiffness = 0;         // N/m
+  double spread = 0;            // m: the gap varies by ± this over the area that the point represents
   double friction = 0;
   // 0: an ordinary contact; n > 0: a friction-only point of a finger pad (contact/pad.h). Its normal force is
   // 1/patch_points of that of the contact n positions before it in the island.
@@ -63,13 +64,14 @@ struct Contact {
   double gripped = 0;        // N: normal force of the contact at that time
   // Results:
   double force = 0;  // N, normal, at the tick's end
-  /// N, mean over the tick, on a, with friction: the force that changed the bodies' momenta.
+  /// Mean force over the tick on side a, friction included, N, world frame: the force that changed the
+  /// bodies' momenta.
   Vec3 exchanged = Vec3::Zero();
   Vec3 grip_after = Vec3::Zero();  // as grip, at the tick's end
 };
 
-/// A bounded spring between a point of side a and a point of side b: a hand's hold, or tissue that resists a
-/// blade.
+/// Spring of bounded force between a point of side a and a point of side b. It models a hand's hold, or
+/// tissue that resists a blade.
 struct Tie {
   ContactSide a, b;
   Vec3 offset = Vec3::Zero();  // m: a − b − rest, at the tick's start

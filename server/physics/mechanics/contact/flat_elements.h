@@ -14,7 +14,7 @@
 
 namespace prosector {
 
-/// Parameters of the search in one body.
+/// Parameters of the search of one soft body for tetrahedra that are flat or inverted.
 struct FlatElementSearch {
   std::size_t body = 0;  // as in ContactSide::body
   // Elastic modulus, Pa. A contact's stiffness is the modulus times a third of the face's area over the
@@ -23,16 +23,20 @@ struct FlatElementSearch {
   double h = 0;  // s: look-ahead
 };
 
-/// Appends contacts of elements that are flat or inverted, or may become so within h s. `mesh`: linear
-/// tetrahedra at rest. x, v: 3n, m and m/s, of their nodes.
+/// Appends contacts that keep tetrahedra of a soft body from inverting. Each is between an element's vertex
+/// and its largest face. Elements get one if they are flat or inverted, or may become so within the
+/// look-ahead time `search.h`. `mesh`: linear tetrahedra at rest. x, v: three coordinates per node, m and
+/// m/s.
 void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const FlatElementSearch& search,
                         std::vector<Contact>& out);
 
-/// Marks (1) the nodes of inverted elements, with mesh and x as in find_flat_elements(). `marks`: one per
-/// node. Returns whether any element is inverted.
+/// Marks with 1 the nodes of inverted tetrahedra. `mesh`: linear tetrahedra at rest. `x`: current node
+/// positions, three coordinates per node, m. `marks`: one entry per node, or empty if no element is inverted.
+/// Returns whether any element is inverted.
 bool mark_inverted(const TetMesh& mesh, const VecX& x, std::vector<char>& marks);
 
-/// Returns whether the contact is one of find_flat_elements(), at which no two bodies touch.
+/// Returns whether the contact is within one tetrahedron, which it keeps from inverting
+/// (find_flat_elements()), so that no two bodies touch there.
 inline bool within_element(const Contact& c) {
   return c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft && c.a.body == c.b.body &&
          c.feature == Contact::no_feature;

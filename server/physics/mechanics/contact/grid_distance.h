@@ -9,10 +9,10 @@
 
 namespace prosector {
 
-/// Signed distance to a triangle mesh, sampled on a grid. Samples within a band of some cells around the
-/// surface are exact. Samples beyond the band are a lower bound. The sign is the majority of ray parities
-/// along the three axes, so small holes do no harm. Interpolation is trilinear; the normal is the
-/// interpolant's gradient.
+/// Signed distance to a triangle mesh, sampled on a grid and interpolated trilinearly; the normal is the
+/// interpolant's gradient. Samples within a few cells of the surface are exact, samples farther away are a
+/// lower bound. Inside and outside are decided by the majority of ray parities along the three axes, so that
+/// small holes have no effect.
 class GridDistance final : public SignedDistance {
  public:
   explicit GridDistance(const TriangleMesh& mesh);

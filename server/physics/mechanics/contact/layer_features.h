@@ -18,12 +18,14 @@ struct LayerElement {
   const Triangle& now;
 };
 
-/// Returns whether the elements get feature contacts instead of a nearest-point contact: true for two
-/// parallel triangles, and for a triangle and a rope segment.
+/// Returns whether contact of two elements of thin bodies is taken between their corners, edges and faces
+/// instead of at their nearest points. This is true for two nearly parallel triangles, and for a triangle and
+/// a rope segment.
 bool meet_by_features(const LayerElement& a, const LayerElement& b);
 
-/// Appends the feature contacts of two elements that don't intersect, up to `limit` (m) apart. Where one
-/// surface meets itself, the corner's element is a.
+/// Appends the contacts between corners, edges and faces of two elements of thin bodies that do not
+/// intersect, up to `limit` (m) apart. `thickness`, m: distance at which the elements touch, subtracted from
+/// the gaps. Where one surface meets itself, side a is the element with the corner.
 void meet_features(const LayerElement& a, const LayerElement& b, double limit, double thickness,
                    std::vector<LayerMeeting>& out);
 

@@ -8,11 +8,13 @@
 
 namespace prosector {
 
-/// Kind of a layer contact. For parallel layers: a corner of one element against any point of the other, or
-/// two edges (layer_features.h). Otherwise: the nearest points.
+/// Kind of a contact between elements of sheets or ropes. For parallel elements it is a corner of one element
+/// against any point of the other, or two edges (layer_features.h). Otherwise it is between the nearest
+/// points.
 enum class LayerMeet : std::uint8_t { corner_of_a, corner_of_b, edges, nearest };
 
-/// A contact point between elements of two surfaces, or of one surface.
+/// Contact point between two elements of sheets or ropes, which belong to two surfaces a and b or to the same
+/// one.
 struct LayerMeeting {
   LayerMeet kind = LayerMeet::nearest;
   std::uint32_t a = 0, b = 0;                               // element indices
@@ -21,38 +23,43 @@ struct LayerMeeting {
   double gap = 0;                                           // m, minus the thickness
 };
 
-/// Swaps sides a and b of the meeting.
+/// Swaps sides a and b of a contact between two elements, and reverses its normal. The kind is not changed.
 inline void swap_sides(LayerMeeting& m) {
   std::swap(m.a, m.b);
   std::swap(m.weights_a, m.weights_b);
   m.normal = -m.normal;
 }
 
-/// The side of b's element on which a's element was when they were last apart. Elements that passed through
-/// are sent back to this side.
+/// Stored side of b's element on which a's element was when they were last apart. Elements that passed
+/// through each other are pushed back to this side.
 struct LayerSide {
   std::uint32_t a = 0, b = 0;
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
 };
 
-/// Parameters of the layer search.
+/// Parameters of the search for contacts of sheets and ropes: thickness, margin, and which elements of one
+/// body count as neighbours.
 struct LayerSearch {
   double thickness = 0;  // m: distance at which the layers touch, the sum of both half thicknesses
   double margin = 0;     // m: larger gaps are ignored
-  /// Distance (m) at rest below which elements, connected by elements that are as near, count as neighbours,
-  /// not as layers. 0: for two different sheets.
+  /// Distance (m) at rest below which two elements of a body count as neighbours, which make no contact. They
+  /// must also be connected by a chain of elements that are as close. 0 for contact of two different bodies.
   double apart_at_rest = 0;
-  /// Distance (m) at rest of points on both sides of a cut, which do not touch there. From this distance on,
-  /// the contact distance grows with the distance at rest, up to the thickness. So a cut creates no overlap.
+  /// Distance (m) at rest between points on both sides of a cut; points at this distance do not touch. From
+  /// it on, the contact distance grows with the distance at rest, up to `thickness`. So the sides of a cut do
+  /// not overlap initially.
   double seam = 0;
 };
 
-/// Finds speculative contacts: near elements get a contact on their current side before they can pass (cf.
+/// Finds contacts between the elements of two thin bodies, or of one with itself (pass the same surface
+/// twice). Close elements get a contact on their current side before they can pass through each other (cf.
 /// Bridson, Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth
-/// animation"). Elements that passed nevertheless are sent back. They are recognised by intersection, or by
-/// being nearer than the thickness on the other side than in `sides`. Replaces `sides` (ascending by element)
-/// by those of this tick. Appends the meetings, each pair of features once, in a fixed order. Returns the
-/// number of element pairs that have passed. For self-contact, pass the same surface twice.
+/// animation"). Elements that passed nevertheless are pushed back. They are recognised by intersection, or by
+/// being closer than the thickness on the other side than in `sides`.
+///
+/// Replaces `sides` (ascending by element) by the sides of this tick. Appends the contacts to `out`, each
+/// pair of features once, in a fixed order. Returns the number of element pairs that have passed through each
+/// other.
 int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSearch& search,
                 std::vector<LayerSide>& sides, std::vector<LayerMeeting>& out);
 

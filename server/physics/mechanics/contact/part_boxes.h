@@ -11,14 +11,16 @@ namespace prosector {
 
 struct Collider;
 
-/// World-frame bounding boxes of a collider's parts.
+/// Bounding boxes of the parts of a rigid body or hand, aligned with the world axes, to find the parts close
+/// to a region.
 class PartBoxes {
  public:
-  /// Builds a box around each of the collider's parts, grown by `margin` (m).
+  /// Computes a box around each of the collider's parts, enlarged by `margin` (m) on each side.
   PartBoxes(const Collider& collider, double margin);
 
-  /// Returns the parts, ascending, whose boxes overlap the box from lo to hi. All other parts are farther
-  /// than the margin from any point in there. Valid until the next call.
+  /// Returns the indices, ascending, of the parts whose enlarged boxes overlap the box from lo to hi (m,
+  /// world frame). All other parts are farther than the margin from every point of that box. The reference is
+  /// valid until the next call.
   const std::vector<std::uint32_t>& meeting(const Vec3& lo, const Vec3& hi);
 
  private:

@@ -19,7 +19,8 @@
 
 namespace prosector {
 
-/// The part of a solid's surface that is inside another solid.
+/// Part of a solid's surface that is inside another solid: the vertices, the largest depth, and the area with
+/// its mean direction.
 struct Immersion {
   std::vector<VertexMeeting> vertices;  // inside; gap and point as of find_meetings(), at any depth
   double deepest = 0;                   // m
@@ -27,43 +28,47 @@ struct Immersion {
   double area = 0;                      // m²: area of the surface there
 };
 
-/// Two solids that have overlapped for a while. Once begun, they are led until they are apart, because a
-/// vertex that is half out seems to have entered from another side.
+/// State of the separation of two solids that have overlapped for a while. It continues until they are apart,
+/// because a vertex that is half out seems to have entered from another side.
 struct Entanglement {
   Vec3 way = Vec3::Zero();  // unit, from the second body to the first
   bool whole = false;       // whether all vertices inside are led, not only those that came through
   double seconds = 0;
 };
 
-/// Marks of surface vertices, 1: embedded in inverted tissue, whose position is unreliable. Empty: no marks.
+/// One mark per surface vertex: 1 if the vertex is embedded in inverted tissue, so that its position is
+/// unreliable. Empty if no vertex is marked.
 using Unsure = std::span<const char>;
 
-/// Lists the vertices of `from` inside the solid `to`, at any depth. Leaves out unsure vertices and vertices
-/// nearest to an unsure face. One mark per vertex of each body.
+/// Lists the surface vertices of solid `from` that are inside solid `to`, at any depth. Leaves out vertices
+/// marked in `of_from` as unreliable (see Unsure), and vertices whose nearest face of `to` has a corner
+/// marked in `of_to`.
 Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to);
 
-/// Returns whether a vertex of one body is deeper in the other than contacts leave it. `cell`: m, the smaller
-/// of both cells.
+/// Returns whether a vertex of solid a in b, or of b in a, is deeper than ordinary contacts leave it: by half
+/// of `cell`. `cell`: m, the smaller of both surfaces' mean edge lengths.
 bool is_deep(const Immersion& of_a, const Immersion& of_b, double cell);
 
-/// Returns whether find_immersion() is needed, given the contacts near the surfaces (`found`, of `from` with
-/// `to`). It is needed where a contact is deeper than contacts leave it. It is needed too where no contact
-/// was found but the first vertex is inside.
+/// Returns whether `from` may be so deep inside `to` that find_immersion() is needed. `found`: the contacts
+/// of vertices of `from` with `to`. It is needed if a contact is deeper than half an edge length, or if there
+/// is no contact but the first vertex of `from` is inside `to`. Returns false unless both are solids.
 bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const VertexMeeting> found);
 
-/// Returns the direction (unit, from b to a) in which two bodies are separated. `between_middles`: from b's
-/// centre to a's, m.
+/// Returns the unit direction, from b to a, in which two overlapping solids a and b are separated.
+/// `between_middles`: vector from b's centre to a's, m, used where the surfaces inside define no direction.
 Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles);
 
-/// Returns whether the vertex is deep and its nearest way out opposes the separation direction `along`.
+/// Returns whether a vertex inside the other solid is deep (by more than half of `cell`, m) and its shortest
+/// way out opposes the separation direction `along`. Such a vertex came through to another side of the solid.
 bool came_through(const VertexMeeting& inside, const Vec3& along, double cell);
 
-/// Returns how the bodies are led apart in this tick of h s, given their previous entanglement `before`.
-/// Returns none where contacts suffice to separate them. `cell`: m, the smaller of both cells. All vertices
-/// inside are led
-///   where one is deeper than contact search reaches,
-///   where a vertex that came through has not soon returned,
-///   and where the bodies stay deep although nobody presses them (`pressed`).
+/// Returns how two overlapping solids are to be separated in this tick of h s. Returns none where ordinary
+/// contacts suffice. `before`: their state of separation in the last tick, or null. `pressed`: whether other
+/// bodies press them together. `cell`: m, the smaller of both surfaces' mean edge lengths.
+///
+/// All vertices inside are moved out if one of them is deeper than contact search reaches. They are also
+/// moved if a vertex that came through to another side has not returned within 0.25 s, or if unpressed solids
+/// stay deep for 0.5 s. Otherwise only vertices that came through are moved.
 std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& of_b,
                                        const Vec3& between_middles, const Entanglement* before, bool pressed,
                                        double cell, double h);

@@ -6,21 +6,21 @@
 
 namespace prosector {
 
-/// Potential of a spring whose force never exceeds F (Huber): φ(d) = ½kd² for d ≤ F/k, then linear with slope
-/// F.
+/// Potential of a spring whose force never exceeds a bound F (Huber function of the displacement d): ½kd² up
+/// to d = F/k, then linear with slope F.
 struct BoundedSpring {
   double stiffness, max_force;
   double energy(double d) const {
     const double knee = max_force / stiffness;
     return d <= knee ? stiffness * d * d / 2 : max_force * (d - knee / 2);
   }
-  /// Returns φ′(d)/d. Multiplied with the displacement vector it gives the force; it is an upper bound of the
-  /// second derivative.
+  /// Returns φ′(d)/d, N/m, the derivative of the energy φ over the displacement d (m). Multiplied with the
+  /// displacement vector it gives the force. It is an upper bound of the second derivative.
   double secant(double d) const { return d * stiffness <= max_force ? stiffness : max_force / d; }
 };
 
-/// Smoothed Coulomb friction (Li et al. 2020, eq. 15): the slope of the energy rises to 1 over the slip
-/// `threshold`.
+/// Smoothed Coulomb friction (Li et al. 2020, eq. 15), per unit of maximum friction force. The slope of the
+/// energy over the slip rises from 0 to 1 while the slip rises from 0 to `threshold`.
 struct FrictionNorm {
   double threshold;  // m
   double energy(double slip) const {
@@ -33,8 +33,8 @@ struct FrictionNorm {
   }
 };
 
-/// Contact potential ½k·min(g, 0)², averaged over an area on which g varies linearly by ± spread about its
-/// mean. So contact forces start and end without a jump. With spread 0 it is a one-sided spring.
+/// Contact potential ½k·min(g, 0)² of a gap g, averaged over an area on which g varies linearly by ± spread
+/// about its mean. So contact forces start and end without a jump. With spread 0 it is a one-sided spring.
 struct EvenSpring {
   double k;       // N/m
   double spread;  // m
@@ -44,12 +44,14 @@ struct EvenSpring {
     const double d = spread - g;
     return k * d * d * d / (12 * spread);
   }
-  /// Returns the derivative of the energy, N: never positive.
+  /// Returns the derivative, N, of the energy with respect to the gap g (m). It is never positive; its
+  /// negative is the contact force.
   double slope(double g) const {
     if (g >= spread) return 0;
     return g <= -spread ? k * g : -k * (spread - g) * (spread - g) / (4 * spread);
   }
-  /// Returns the second derivative of the energy, N/m: k times the fraction of the area on which g < 0.
+  /// Returns the second derivative, N/m, of the energy with respect to the gap g (m): k times the fraction of
+  /// the area on which the gap is negative.
   double stiffness(double g) const {
     if (g >= spread) return 0;
     return g <= -spread ? k : k * (spread - g) / (2 * spread);

@@ -3,28 +3,29 @@
 
 #include <memory>
 
+#include "common/fidelity.h"
 #include "server/physics/mechanics/collision/narrow/collision_piece.h"
 #include "server/physics/mechanics/collision/outlines/bounding.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 #include "server/physics/mechanics/contact/shape_matching.h"
 
 namespace prosector {
 
-/// The proxy shape with which a body collides, refitted to the moved surface in each tick:
-///   aabb    a box that is aligned to the room's axes at rest
-///   obb     a box along the principal axes at rest
-///   sphere  around the centre of the aabb, out to the farthest vertex
-///   hull    convex hull of the vertices
+/// Proxy shape that replaces a soft body in contact detection, refitted to the moved surface in each tick:
+///   aabb: a box that is aligned with the room's axes at rest;
+///   obb: a box along the principal axes at rest;
+///   sphere: a sphere around the centre of the aabb, out to the farthest vertex;
+///   hull: the convex hull of the vertices.
 ///
 /// Boxes rotate with the mean rotation of the body, so a rotation makes no box grow into its neighbours. For
 /// a sheet or rope, each shape is enlarged by half the thickness. Contact forces move the body as a whole,
-/// and squeeze and shear it evenly (hanger.h): they make no dents.
+/// and squeeze and shear it evenly (shape_matching.h): they make no dents.
 class ProxyShape {
  public:
-  /// Builds the shape at rest. Accepts every fidelity except none and mesh. hull requires a surface with
-  /// triangles.
+  /// Builds the proxy shape of a soft body at rest. Accepts every fidelity except `none` and `mesh`. The
+  /// fidelity `hull` requires a surface with triangles.
   ProxyShape(const Anatomy& anatomy, Fidelity fidelity);
-  /// Fits the shape to the node positions x (3n, m) and the surface positions (m).
+  /// Fits the proxy shape to the soft body's current node positions x (three coordinates per node, m) and
+  /// surface vertex positions (m).
   void fit(const VecX& x, std::span<const Vec3> surface);
 
   const CollisionPiece& piece() const { return piece_; }

@@ -2,8 +2,9 @@
 
 namespace prosector {
 
-/// Returns the stiffness (N/m) of contacts between rigid bodies for a tick of h s. `heaviest`: mass of the
-/// island's heaviest body, kg. That body may then rest on a light one, no deeper than 0.2 mm.
+/// Returns the stiffness (N/m) of contacts between rigid bodies of an island (bodies solved together) for a
+/// tick of h s. `heaviest`: mass of the island's heaviest body, kg. The stiffness is so large that this body
+/// may rest on a light one and sink in no deeper than 0.2 mm.
 inline double rigid_contact_stiffness(double heaviest, double h) {
   constexpr double rigid_contact_factor = 20;
   return rigid_contact_factor * heaviest / (h * h);

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Parts of a rigid body with their distance functions, in its centre-of-mass frame.
+/// Collision parts of a rigid body, in its centre-of-mass frame, each with its signed distance function.
 struct RigidShape {
   std::vector<ShapePart> parts;
   std::vector<std::unique_ptr<SignedDistance>> distances;

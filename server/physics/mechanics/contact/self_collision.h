@@ -8,22 +8,26 @@
 
 namespace prosector {
 
-/// Finds contacts of a solid's surface with itself. The rest shape determines which parts may touch: distant
-/// parts, except the two sides of a wall, and parts that face each other across a gap. Near pairs are stored
-/// in a list with a spare distance, which is reused until the surface may have moved by that distance (Verlet
-/// 1967, "Computer 'experiments' on classical fluids"). So a search without near parts costs almost nothing.
-/// The result does not depend on when, or in how many updates, the list was built.
+/// Search for contacts of a solid's surface with itself. The rest shape determines which parts may touch:
+/// distant parts, except the two sides of a wall, and parts that face each other across a gap.
+///
+/// Near pairs of vertices and triangles are stored in a list with a spare distance. The list is reused until
+/// the surface may have moved by that distance (Verlet 1967, "Computer 'experiments' on classical fluids").
+/// So a search without near parts costs almost nothing. The result does not depend on when, or in how many
+/// updates, the list was built.
 class SelfCollision {
  public:
-  /// Initialises from a solid, whose surface is closed; `anatomy` outlives this. `cell`: m, from mean_edge().
+  /// Prepares the search for a solid with a closed surface. Keeps a pointer to `anatomy`, which must outlive
+  /// this object. `cell`: mean edge length of the surface, m (see mean_edge()).
   SelfCollision(const Anatomy& anatomy, double cell);
-  /// Updates after an edit that `anatomy` and `vertices` have taken in. From then on find() returns what a
-  /// new object would. Unchanged pairs are at most moved or renumbered, and stay in the list.
+  /// Updates after an edit of the surface, such as a cut, that `anatomy` and `vertices` already contain. From
+  /// then on find() returns what a newly constructed object would. Unchanged pairs of the list are only
+  /// renumbered.
   void follow(const SurfaceEdit& edit, const SurfaceDetector& vertices);
 
-  /// Appends the vertices, ascending, whose gap to another part of the surface is at most `margin`, with
-  /// their nearest points. The margin is limited to two cells. Vertices inside are found to a depth of one
-  /// cell or half a wall thickness.
+  /// Appends, ascending, the vertices whose gap to another part of the surface is at most `margin` (m), with
+  /// their nearest points there. The margin is limited to twice the mean edge length. Vertices inside the
+  /// solid are found to a depth of one mean edge length, or half a wall thickness if that is less.
   void find(const SoftSkin& own, double margin, std::vector<VertexMeeting>& out);
 
  private:
@@ -40,8 +44,8 @@ class SelfCollision {
   bool may_meet(std::uint32_t vertex, std::uint32_t triangle) const;
   bool share_nodes(std::uint32_t vertex, std::uint32_t triangle) const;
   void place_new_ones(std::span<const Vec3> positions);
-  /// Returns an upper bound (m) of how much any two points have approached each other since the list was
-  /// built.
+  /// Returns an upper bound (m) of how much any two vertices have approached each other since the list of
+  /// near pairs was built. `positions`: current vertex positions, m.
   double neared(std::span<const Vec3> positions) const;
   void list(const SoftSkin& own, double reach);
   void list_vertex(const SoftSkin& own, std::uint32_t vertex, double reach, Pairs& out) const;
@@ -57,12 +61,12 @@ class SelfCollision {
   Pairs near_;                   // candidate pairs, ascending
   std::vector<Vec3> listed_at_;  // m, by vertex: positions when the list was built; empty: no list
   double reach_ = 0;             // m: all pairs nearer than this are in the list
-  /// The last edit's new vertices, and changed vertices and faces that are not yet in the list. Ascending;
-  /// cleared by the next search.
+  /// New vertices of the last edit, and changed vertices and triangles whose pairs are not yet in the list of
+  /// near pairs. Indices are ascending; the next search clears all three.
   std::vector<std::uint32_t> new_vertices_, changed_vertices_, changed_faces_;
 };
 
-/// Returns the mean edge length (m) of a surface at rest.
+/// Returns the mean edge length (m) of a surface at rest, taken over the edges of all triangles.
 double mean_edge(const TriangleMesh& surface);
 
 }  // namespace prosector

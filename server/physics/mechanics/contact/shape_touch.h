@@ -8,18 +8,17 @@
 
 namespace prosector {
 
-/// A contact point of two shapes.
+/// Point at which two shapes a and b touch or nearly touch, with normal and gap.
 struct ShapeTouch {
   Vec3 point = Vec3::Zero();    // m
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
   double gap = 0;               // m, < 0: depth
 };
 
-/// Appends the contact points whose gap is at most `margin` (m), in a fixed order:
-///   with a sphere: the deepest point
-///   two boxes: the corners of the clipped face
-///   with a mesh: the mesh's vertices and the other shape's corners
-///   others: the deepest point, and the support points of both in eight directions tilted from its normal
+/// Appends the contact points of two shapes whose gap is at most `margin` (m), in a fixed order. If one is a
+/// sphere, this is the deepest point only. For two boxes, these are the corners of the clipped contact face.
+/// For a mesh b, these are the mesh's vertices and the other shape's corners. For other pairs, these are the
+/// deepest point and the support points of both shapes in eight directions, tilted from its normal.
 void find_touches(const CollisionPiece& a, const CollisionPiece& b, double margin,
                   std::vector<ShapeTouch>& out);
 

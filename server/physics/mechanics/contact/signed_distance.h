@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Distance from a point to a surface.
+/// Signed distance from a point to the surface of a body, with the surface's normal and curvature there.
 struct Distance {
   double value = 0;             // m, < 0 inside
   Vec3 normal = Vec3::UnitY();  // unit, outwards
@@ -17,13 +17,14 @@ struct Distance {
 class SignedDistance {
  public:
   virtual ~SignedDistance() = default;
-  /// Returns the distance at a point in the part's own frame.
+  /// Returns the signed distance of the part's surface at the point x (m); point and normal are in the part's
+  /// own frame.
   virtual Distance at(const Vec3& x) const = 0;
 };
 
-/// Creates the distance function of a part. It is exact outside and inside for box, sphere, capsule and
-/// cylinder. For an ellipsoid it is exact on the surface and of first order near it. For meshes it is
-/// trilinear between samples (see GridDistance).
+/// Creates the signed distance function of a collision part. It is exact outside and inside for a box,
+/// sphere, capsule and cylinder. For an ellipsoid it is exact on the surface and accurate to first order near
+/// it. For a mesh it is interpolated between samples on a grid (see GridDistance).
 std::unique_ptr<SignedDistance> make_signed_distance(const ShapePart& part);
 
 }  // namespace prosector

@@ -1,8 +1,8 @@
 #pragma once
 // Compiled collision settings of a soft body.
 
+#include "common/fidelity.h"
 #include "server/physics/mechanics/collision/broad/collision_mask.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 #include "server/physics/mechanics/rigid/room.h"
 
 namespace prosector {

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Contacts of two soft bodies, or of one soft body with itself.
+/// Contacts of two soft bodies a and b, or of one soft body with itself (a = b).
 struct SoftPair {
   std::size_t a = 0, b = 0;  // a <= b
   std::vector<Contact> contacts;

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// A soft body's surface for contact, in one consistent pose.
+/// Surface of a soft body in its current shape, for contact detection: the spatial index of its vertices, the
+/// tree of its triangles, and their mean size.
 struct SoftSkin {
   const SurfaceDetector* vertices = nullptr;
   const TriangleSurface* faces = nullptr;  // null: a rope has no faces
@@ -17,7 +18,7 @@ struct SoftSkin {
   double cell = 0;  // m: approximate edge length of its triangles
 };
 
-/// Contact of a vertex of one surface with a point of another.
+/// Contact of a surface vertex of one soft body with a point of another soft surface.
 struct VertexMeeting {
   std::uint32_t vertex = 0;
   SurfacePoint at;              // on the other surface
@@ -25,13 +26,14 @@ struct VertexMeeting {
   double gap = 0;               // m, < 0 penetrates
 };
 
-/// Search depth in cells; deeper vertices are handled by parting.h.
+/// Largest depth to which find_meetings() finds vertices inside a solid, in mean edge lengths of its
+/// triangles. Deeper vertices are handled by parting.h.
 inline constexpr double deepest_meeting = 3;
 
-/// Appends, in a fixed order, the vertices of `from` whose gap to the faces of `to` is at most `margin`.
-/// Finds none unless `to` has an inside. Vertices inside are found to a depth of some cells; their way out is
-/// the shortest (Bærentzen and Aanæs 2005). Skips vertices outside whose own surface normal does not point
-/// towards `to`.
+/// Appends, in a fixed order, the vertices of `from` whose gap to the triangles of `to` is at most `margin`
+/// (m). Appends none unless `to` is a solid with a closed surface. Vertices inside are found to a depth of
+/// `deepest_meeting` mean edge lengths, and their normal is the shortest way out (Bærentzen and Aanæs 2005).
+/// If `from` is a solid, a vertex outside is skipped if its own surface normal does not point towards `to`.
 void find_meetings(const SoftSkin& from, const SoftSkin& to, double margin, std::vector<VertexMeeting>& out);
 
 }  // namespace prosector

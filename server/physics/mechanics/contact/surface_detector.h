@@ -23,7 +23,8 @@ namespace prosector {
 
 class RigidOutline;
 
-/// Collision state of a rigid body, a hand or a side of the room, for contact with soft bodies.
+/// Rigid body, hand or side of the room as seen by contact detection with soft bodies: pose, velocity, parts
+/// and contact properties in the current tick.
 struct Collider {
   std::size_t slot = 0;
   Pose pose;                                           // of the centre of mass, in the room frame
@@ -43,7 +44,8 @@ struct Collider {
   const RigidOutline* outline = nullptr;  // for bodies that collide as proxy shapes; null: none
 };
 
-/// A contact of a surface triangle, off its corners, with a thin part or a part's corner.
+/// Contact of a surface triangle with a thin part of a rigid body or with a corner of a box. The contact
+/// point is inside the triangle or on an edge, not at a corner of the triangle.
 struct TriangleTouch {
   std::uint32_t triangle = 0;
   Vec3 weights = Vec3::Zero();  // barycentric
@@ -53,70 +55,82 @@ struct TriangleTouch {
   double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
 };
 
-/// A function that returns the known direction out of the rigid part for a triangle of a sheet, or none. A
-/// sheet has no inside that would determine the side.
+/// Function that returns, for a triangle of a sheet, the known unit direction out of the rigid part, or none
+/// if it is unknown. A sheet has no inside that would determine on which side of it the part is.
 using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
 
-/// Spatial index of one soft surface: vertices and triangles in a spatially coherent order, with a bounding
-/// box around each run.
+/// Spatial index of one soft body's surface for contact detection. Vertices and triangles are sorted so that
+/// neighbours are close to each other, and each run of them has a bounding box.
 class SurfaceDetector {
  public:
-  /// Keeps references: both outlive this. `two_sided`: the surface is a sheet's, not a solid's.
+  /// Builds the index from the surface at rest and its embedding in the simulation nodes. Keeps references to
+  /// both, which must outlive this object. `two_sided`: whether the surface is that of a sheet, which has no
+  /// inside.
   SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided = false);
-  /// Updates after an edit of the embedding and the surface, whose addresses stay. The result equals a new
-  /// object before its first update(). Unchanged entries are at most moved or renumbered.
+  /// Updates the index after an edit of the embedding and the surface to which this object refers. The result
+  /// equals a newly constructed object before its first update(). Unchanged entries are only moved or
+  /// renumbered.
   void follow(const SurfaceEdit& edit);
 
-  /// Moves the surface to the node positions `x` (3n) and refits the boxes.
+  /// Moves the surface to the node positions `x` (three coordinates per node, m) and refits the bounding
+  /// boxes.
   void update(const double* x);
   const Vec3& lo() const { return lo_; }
   const Vec3& hi() const { return hi_; }
   std::span<const Vec3> positions() const { return positions_; }
-  /// Returns the outward normal of the tissue at the vertex, unit: the area-weighted mean of its triangles'
-  /// normals. Zero: they cancel.
+  /// Returns the unit outward normal of the surface at a vertex: the area-weighted mean of the normals of its
+  /// triangles. Returns zero if they cancel.
   Vec3 outward_at(std::uint32_t vertex) const;
-  /// Returns the largest stretch (length over rest length) of the edges of the triangles around the vertex.
+  /// Returns the largest stretch (current length over rest length) among the edges of all triangles at the
+  /// vertex.
   double stretch_at(std::uint32_t vertex) const;
 
-  /// Calls f, in a fixed order, for every vertex inside the box.
+  /// Calls f(vertex), in a fixed order, for each vertex inside the box from lo to hi (m, world frame).
   template <class F>
   void in_box(const Vec3& lo, const Vec3& hi, const F& f) const;
-  /// Calls f, in a fixed order, for every vertex whose gap to the collider is at most `margin`, with the
-  /// distance to the closest part.
+  /// Calls f(vertex, distance), in a fixed order, for each vertex whose signed distance to the collider's
+  /// nearest part is at most `margin` (m). `distance` contains this distance and the part's normal.
   template <class F>
   void near(const Collider& collider, double margin, const F& f) const;
-  /// Calls f, in a fixed order, for contacts of spheres, capsules and cylinders with points inside faces and
-  /// edges, at most `margin` away. Vertex contacts alone would let such parts slip between them. The points
-  /// are clearly deeper than the face's corners and than `others`: further contact points of the face, by
-  /// their barycentric weights. Reports the deepest part per triangle. On a two-sided surface the contact is
-  /// on the known side, or else on the nearer one.
+  /// Calls f(TriangleTouch), in a fixed order, for each triangle that a sphere, capsule or cylinder of the
+  /// collider touches, up to `margin` (m) away. Only contacts inside a face or on an edge count: contacts at
+  /// vertices alone would let such thin parts pass between the vertices. For each triangle, the deepest part
+  /// is reported.
+  ///
+  /// A contact is reported only if it is clearly deeper than the triangle's corners and than `others`, the
+  /// triangle's further contact points as barycentric weights. On a sheet, the contact is on the side given
+  /// by `known`, or else on the nearer side.
   template <class F>
   void near_thin(const Collider& collider, double margin, const KnownSide& known,
                  std::span<const Vec3> others, const F& f) const;
-  /// Calls f, in a fixed order, for every triangle whose bounding box, grown by `margin`, overlaps the
-  /// collider's.
+  /// Calls f(triangle), in a fixed order, for each triangle whose bounding box overlaps the collider's
+  /// bounding box, enlarged by `margin` (m) on all sides.
   template <class F>
   void near_triangles(const Collider& collider, double margin, const F& f) const;
-  /// Returns the contact of a corner of the collider's boxes, `at` in the room frame, with the nearest face
-  /// or edge. The corner is at most `margin` away or `depth` inside. The contact is clearly deeper than those
-  /// of the face's corners and of `others` (as in near_thin()), which alone would let the corner sink in.
+  /// Returns the contact of a corner of one of the collider's boxes, at `at` (m, room frame), with the
+  /// nearest face or edge of the surface. The corner must be at most `margin` (m) outside or `depth` (m)
+  /// inside. Returns none unless the contact is clearly deeper than those of the face's corners and of
+  /// `others`, the face's further contact points as barycentric weights. Contacts at these points alone would
+  /// let the box's corner sink in.
   std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
                                            double depth, std::span<const Vec3> others) const;
-  /// Returns the positions of a triangle's corners, m.
+  /// Returns the current positions of a triangle's corners, m, world frame.
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-  /// Returns the triangle's outward normal, unit.
+  /// Returns the triangle's unit outward normal in its current position.
   Vec3 outward(std::uint32_t triangle) const;
-  /// Returns the largest stretch (length over rest length) of the triangle's edges.
+  /// Returns the largest stretch (current length over rest length) of the triangle's three edges.
   double stretch(std::uint32_t triangle) const;
-  /// Returns the triangle across each edge, or the triangle itself at a boundary.
+  /// Returns for each edge k (from corner k to k + 1) the index of the neighbouring triangle across it, or
+  /// `triangle` itself if the edge is on a boundary.
   const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
     return neighbours_[triangle];
   }
-  /// Returns the triangles around a vertex, ascending.
+  /// Returns the indices of the triangles that have this vertex as a corner, ascending.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
-  /// Returns the triangles in search order.
+  /// Returns all triangle indices in the order of the spatial index, in which neighbours are close to each
+  /// other.
   std::span<const std::uint32_t> triangle_order() const { return triangle_order_.order(); }
-  /// Returns whether the surface is within `margin` of the collider.
+  /// Returns whether the collider touches the surface, or is at most `margin` (m) from it.
   bool touches(const Collider& collider, double margin) const;
 
  private:
@@ -136,24 +150,26 @@ class SurfaceDetector {
   std::size_t triangle_chunk_end(std::size_t chunk) const {
     return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
   }
-  /// Calls f(chunk, vertices) for each run of vertices whose bounding box overlaps the given box, in order.
-  /// vertices(g) calls g for each vertex of the run inside the given box.
+  /// Calls f(chunk, vertices), in order, for each run of vertices (chunk) whose bounding box overlaps the box
+  /// from lo to hi. `vertices` is a function: vertices(g) calls g(vertex) for each vertex of the run inside
+  /// that box.
   template <class F>
   void in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const;
   void fit_chunks();
   std::array<std::uint32_t, 3> neighbours_of(std::uint32_t triangle) const;
-  /// Returns the radius (m) of the largest ball that passes between the corners of a right-angled triangle.
-  /// `longest`: squared longest edge, m².
+  /// Returns the radius (m) of the largest ball that passes between the corners of a right-angled triangle:
+  /// half its longest edge. `longest`: square of the longest edge, m².
   static double gauge(double longest) { return std::sqrt(longest) / 2; }
-  /// Returns the contact of the triangle with the rod. Returns none if another triangle or a vertex reports
-  /// it.
+  /// Returns the contact of a triangle with a thin part, given as a capsule. Returns none if they are more
+  /// than `margin` (m) apart, or if a vertex, another triangle or a point of `others` reports the contact.
   std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
                                      const KnownSide& known, std::span<const Vec3> others) const;
 
   const SparseMap* embedding_;
   const TriangleMesh* rest_;
   bool two_sided_;
-  /// By triangle and edge (k, k+1): the triangle across the edge, or the triangle itself.
+  /// For each triangle and each edge k (from corner k to k + 1), the index of the neighbouring triangle
+  /// across the edge. It is the triangle's own index if there is no neighbour.
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
   SpaceOrder triangle_order_;  // by centroid at rest
   std::vector<TriangleChunk> triangle_chunks_;
@@ -165,11 +181,12 @@ class SurfaceDetector {
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
 };
 
-/// Returns the distance from x (room frame) to the nearest part of the collider; the normal is in the world
-/// frame. Parts farther than `margin` may be skipped: the returned value is then larger than the margin.
+/// Returns the signed distance from x (m, room frame) to the nearest part of the collider, with the part's
+/// normal in the room frame. Parts farther than `margin` may be skipped: if all are, the returned value is
+/// larger than the margin.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin);
 
-/// A corner of one of the collider's boxes.
+/// Corner of a box-shaped part of a collider.
 struct BoxCorner {
   std::uint32_t index = 0;  // 8 · part + corner
   Vec3 at = Vec3::Zero();   // m, world frame
@@ -177,7 +194,8 @@ struct BoxCorner {
 };
 constexpr std::uint32_t corners_per_part = 8;
 
-/// Calls f for each box corner within `margin` of the box from lo to hi.
+/// Calls f(BoxCorner) for each corner of the collider's box-shaped parts that is inside the box from lo to hi
+/// (m, world frame) after that was enlarged by `margin` (m).
 template <class F>
 void box_corners(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi, const F& f) {
   for (std::uint32_t i = 0; i < collider.parts->size(); ++i) {
@@ -193,11 +211,13 @@ void box_corners(const Collider& collider, double margin, const Vec3& lo, const 
   }
 }
 
-/// Returns the distance to the nearest of these parts only; `parts` is ascending.
+/// Returns the signed distance from x (m, room frame) to the nearest of those parts of the collider whose
+/// indices are in `parts` (ascending). Parts farther than `margin` (m) may be skipped.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin,
                      std::span<const std::uint32_t> parts);
 
-/// Returns the collider's thin parts as rods, if their boxes, grown by `margin`, overlap the given one.
+/// Returns the collider's spheres, capsules and cylinders as capsules in the room frame. Leaves out those
+/// whose boxes, enlarged by `margin` (m), do not overlap the box from lo to hi.
 std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);
 
 inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, const Vec3& other_hi) {

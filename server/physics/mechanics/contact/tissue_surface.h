@@ -13,47 +13,61 @@
 
 namespace prosector {
 
-/// Contact geometry of a soft body: spatial index, face tree, self-collision, thin-shell elements and proxy
-/// shape.
+/// Contact geometry of a soft body: the spatial index of its surface, the tree of its triangles, the search
+/// for self-contact, the elements of thin bodies, and the proxy shape.
 class TissueSurface {
  public:
-  /// Builds the spatial index of the vertices. `anatomy` outlives this and stays at its address.
+  /// Builds the spatial index of the soft body's surface. Keeps a pointer to `anatomy`, which must outlive
+  /// this object and stay at its address.
   explicit TissueSurface(const Anatomy& anatomy);
 
   // ---- When the mesh is made or has changed
-  /// Updates after an edit that the anatomy has taken in. `cut`: whether the mesh is numbered by a cut. Faces
-  /// are updated only from one numbered mesh to another; otherwise they are rebuilt on demand.
+  /// Updates the contact geometry after an edit of the surface, such as a cut, that the anatomy already
+  /// contains. `cut`: whether the mesh has the numbering of a cut mesh, whose triangle order can be updated.
+  /// The tree of triangles and the self-contact search are updated if it had this numbering before, too;
+  /// otherwise they are discarded.
   void follow(const SurfaceEdit& edit, bool cut);
-  /// Rebuilds the spatial index after a change of the anatomy without an edit.
+  /// Rebuilds the spatial index, and discards the tree of triangles and the self-contact search. To be called
+  /// if the anatomy changed in another way than by a known edit.
   void remake();
-  /// Invalidates self-collision after the surface was re-embedded in other nodes. fit() and
-  /// fit_self_collision() must follow.
+  /// Discards the self-contact search after the surface was embedded in other simulation nodes. The caller
+  /// must call fit() and fit_self_collision() afterwards.
   void rehang() { self_collision_.reset(); }
-  /// Rebuilds the proxy shape, and invalidates elements and moved positions. Call before place().
+  /// Rebuilds the proxy shape for these collision settings, and marks the elements of thin bodies and the
+  /// moved triangles as outdated. Must be called before place(). `cut`: whether the mesh has the numbering of
+  /// a cut mesh.
   void fit(const SoftCollision& how, bool cut);
-  /// Prepares self-collision of a solid. Returns false, and prepares nothing, if the surface is open.
+  /// Prepares the self-contact search of a solid. `cell`: mean edge length of its surface, m. Returns false,
+  /// and discards the search, if the surface is not closed.
   bool fit_self_collision(double cell);
-  /// Sets whether contacts with other thin shells use thin-shell contact.
+  /// Sets whether the body's contacts with other thin bodies are found by thin-shell contact (layers.h).
   void set_thin_shell(bool thin_shell) { thin_shell_ = thin_shell; }
 
   // ---- In a tick
-  /// Marks faces and elements as outdated, so that they are moved on demand.
+  /// Marks the triangles and the elements of thin bodies as not yet moved in this tick, so that they are
+  /// moved on first use.
   void begin_tick() { faces_moved_ = elements_moved_ = false; }
-  /// Moves vertices and proxy shape to the node positions `x` (3n, m).
+  /// Moves the surface vertices and the proxy shape to the node positions `x` (three coordinates per node,
+  /// m).
   void place(const VecX& x);
-  /// Moves the vertices only.
+  /// Moves the surface vertices to the node positions `x` (three coordinates per node, m), but not the proxy
+  /// shape.
   void place_vertices(const VecX& x) { vertices_.update(x.data()); }
 
   const SurfaceDetector& vertices() const { return vertices_; }
-  /// Returns the tree of faces in its current position, built at rest on first use; null: a rope has none.
+  /// Returns the tree of surface triangles in the position to which it was last moved. It is built at rest on
+  /// first use. Returns null for a rope, which has no triangles.
   const TriangleSurface* faces();
-  /// Returns the tree of faces, moved to the vertices once a tick.
+  /// Returns the tree of surface triangles, moved to the current vertices once per tick; null for a rope,
+  /// which has no triangles.
   const TriangleSurface* moved_faces();
-  /// Returns the thin-shell elements, moved to `x` once a tick.
+  /// Returns the elements (triangles or segments) of a sheet or rope, moved to the node positions `x` (m)
+  /// once per tick.
   const ElementSurface& elements(const VecX& x);
-  /// Returns the self-contact search; null: the body has none.
+  /// Returns the search for contacts of the body's surface with itself; null if the body has none.
   SelfCollision* self_collision() { return self_collision_ ? &*self_collision_ : nullptr; }
-  /// Returns the proxy shape with which the body collides; null: it collides as its mesh.
+  /// Returns the proxy shape that replaces the body in contact detection; null if the body collides as its
+  /// mesh.
   const ProxyShape* proxy() const { return proxy_ ? &*proxy_ : nullptr; }
   bool thin_shell() const { return thin_shell_; }
 

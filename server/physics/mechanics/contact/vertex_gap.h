@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// Geometry and history of a vertex near a collider.
+/// Position, normals and last contact of a tissue vertex that is close to a rigid collider.
 struct Approach {
   Vec3 at = Vec3::Zero();        // m, world frame
   Distance nearest;              // to the collider, from there
@@ -21,7 +21,8 @@ struct Approach {
   double lip = 0;                // m: vertices that an edge overlaps by less than this are treated as grazed
 };
 
-/// Returns the contact's gap and normal. Returns none if the collider's edge only grazes the vertex.
+/// Returns gap and normal of the contact between a tissue vertex and a collider, on the side from which the
+/// vertex came. Returns none if the collider's edge only grazes the vertex.
 std::optional<Distance> side_of(const Collider& collider, const Approach& vertex);
 
 }  // namespace prosector

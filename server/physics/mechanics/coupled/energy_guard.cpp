@@ -69,7 +69,7 @@ double EnergyGuard::allowed(std::size_t m, double work) const {
   PROSECTOR_ASSERT(island_ != nullptr && m < before_.size());
   const SoftMember& s = island_->soft[m];
   const SoftDesc& desc = s.body->desc();
-  const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
+  const double stiffness = desc.material.youngs_modulus * s.body->total_mass() / desc.material.density;  // J
   return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
          fall_energy(s.body->node_mass(), s.body->stepper().remembered().x, s.state->motion.x, s.weight) +
          least_strain * least_strain * stiffness;

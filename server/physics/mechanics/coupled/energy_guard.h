@@ -20,29 +20,39 @@
 
 namespace prosector {
 
-/// Limits node velocities relative to the body's mean to ten of its diagonals per tick of h s, and sets
-/// `limited` in the member. No sensible input causes higher speeds, and no step could resolve them.
+/// Limits the velocity of each node of a soft body, relative to the body's mean velocity, to ten diagonals of
+/// the body per tick of h s. Sets `limited` in the member if a velocity was reduced. No sensible input causes
+/// higher speeds, and no time step could resolve them.
 void limit_speed(SoftMember& member, double h);
 
-/// Compares the energy of each soft body with its bound, and shortens ticks that exceed it.
+/// Energy safeguard: compares the energy of each soft body of an island after a tick with its bound, the
+/// energy before plus external work. Shortens the motion of bodies that exceed it.
 class EnergyGuard {
  public:
-  /// Starts a tick: stores the soft members' motion. The island must outlive this tick.
+  /// Starts a tick: stores the motion and the energy of the island's soft bodies, for rewind() and for the
+  /// comparison after the tick. `island` must outlive the tick.
   void begin(Island& island);
 
-  /// Returns whether all energies at the tick's start are finite.
+  /// Returns whether the energies of all soft bodies of the island were finite at the start of the tick. If
+  /// not, their states are unusable.
   bool sound() const;
-  /// Returns the energy of all soft members at the tick's start, J.
+  /// Returns the energy (elastic and kinetic, in J) of all soft bodies of the island at the start of the
+  /// tick.
   double before() const;
-  /// Returns after the tick whether some member has more energy than its bound. `work`: J, by joints, on each
-  /// member.
+  /// Returns whether, after the tick, some soft body of the island has more energy than its bound. `work`:
+  /// work (J) of contacts and ties on each soft body during the tick.
   bool gained(const std::vector<double>& work);
-  /// Restores the members' state at the tick's start.
+  /// Restores the motion of the island's soft bodies at the start of the tick, so that the tick can be
+  /// repeated.
   void rewind();
-  /// Shortens the tick of the members that gained energy until they have not. Motion relative to the body's
-  /// mean motion is scaled by ½, ¼, … or 0.
+  /// Reduces the motion of each soft body that gained energy in this tick until it is within its energy
+  /// bound. The motion relative to the body's mean motion is scaled by ½, ¼ and so on, and finally by 0. If
+  /// that does not suffice, the body stops at its position of the tick's start. `work`: work (J) of contacts
+  /// and ties on each soft body during the tick.
   void shorten(const std::vector<double>& work);
-  /// Accepts the tick of h s and updates the energy slack.
+  /// Accepts the tick of h s. Updates each soft body's energy slack, the amount by which its energy may rise
+  /// next, from the difference between bound and energy. `work`: work (J) of contacts and ties on each soft
+  /// body.
   void finish(const std::vector<double>& work, double h);
 
  private:

@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Inputs of a tick. All referenced data outlives the call.
+/// Inputs for stepping an island's substepped bodies through one tick: the soft bodies' states at its start,
+/// the contacts and ties to solve, and the number of substeps. All referenced data must outlive the call.
 struct SubstepTick {
   std::span<const SoftBodyState> start;         // state of each soft member at the tick's start
   std::span<const char> substepped;             // by soft member: whether it is substepped here
@@ -18,37 +19,39 @@ struct SubstepTick {
   double h = 0;                                 // s
 };
 
-/// Work of impulses on a soft member within the tick, J.
+/// Work (J) of contact and tie impulses on one soft body within a tick, and the part that its contacts
+/// created by pushing overlapping bodies apart.
 struct SubstepWork {
   double done = 0;  // on the member
   // By the member's contacts on both of their sides together; positive only where overlaps open.
   double made = 0;
 };
 
-/// Largest speeds at which overlaps open, m/s. The second is for sheets and ropes, which are light compared
-/// with the bodies that press on them.
+/// Largest speeds (m/s) at which contact impulses push overlapping bodies apart. `thin_opening_speed` applies
+/// to sheets and ropes, which are light compared with the bodies that press on them.
 inline constexpr double opening_speed = 0.25, thin_opening_speed = 0.06;
 
-/// Steps substepped bodies through a tick. Reuses its buffers: allocates only when there are more bodies,
-/// contacts or ties than before.
+/// Steps the bodies of an island that are integrated in substeps (explicit or position-based) through a tick,
+/// with contacts and ties solved by impulses. Its buffers are reused, and grow only with the number of
+/// bodies, contacts or ties.
 class ImpulseCoupling {
  public:
   ImpulseCoupling();
   ~ImpulseCoupling();
   ImpulseCoupling(ImpulseCoupling&&) noexcept;
 
-  /// Advances the substepped soft members by the tick. Rigid members start with velocity twist/h and constant
-  /// inertia; their twists are set to the result of the impulses. An impulse changes the momenta of both
-  /// sides by equal and opposite amounts.
+  /// Advances the island's substepped soft bodies by one tick. Rigid bodies start with velocity twist/h and
+  /// have constant inertia; their twists are set to the result of the impulses. Each impulse changes the
+  /// momenta of both sides by equal and opposite amounts.
   ///
-  /// Contacts act before each substep and change velocities only, since moving single nodes would strain the
-  /// surrounding elements. They set velocities that bring the gap to 0 at the substep's end, without
-  /// restitution. The bodies' own velocity change is predicted from the last substep, so resting bodies
-  /// neither sink nor creep. Overlaps open at the opening speeds at most.
+  /// Contact impulses act before each substep and change velocities only, since moving single nodes would
+  /// strain the surrounding elements. They bring the gap to 0 at the substep's end, without restitution.
+  /// Overlaps open at most at `opening_speed`. Each body's velocity change without impulses is predicted from
+  /// its last substep, so resting bodies neither sink nor creep.
   ///
-  /// Ties act after each substep, implicitly from its start. A hand's pull, and the ties of its held bodies,
-  /// count as inertia k·h²; their effect is spread evenly over the tick, like that of impulses. Contact
-  /// forces are means over the tick. `work`: by soft member.
+  /// Tie impulses act after each substep and are integrated implicitly from its start. A hand's pull, and the
+  /// ties of bodies that it holds, count as inertia k·h² (k: stiffness) and are spread evenly over the tick.
+  /// Contact forces are set to means over the tick. `work` receives the work of impulses on each soft body.
   void run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work);
 
  private:

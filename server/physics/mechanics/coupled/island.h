@@ -56,8 +56,9 @@ struct Island {
   bool driven = false;  // a kinematic body touches it, so it does not sleep
 };
 
-/// Sets the gravity of every soft member under `gravity`, m/s². On bodies with attachments, contacts or ties,
-/// gravity is distributed by shape functions.
+/// Sets in each soft body of the island the weight that acts in this tick under `gravity`, m/s². For bodies
+/// with attachments, contacts or ties, quadratic elements distribute it to nodes by shape functions,
+/// otherwise by nodal masses.
 void weigh(Island& island, const Vec3& gravity);
 
 struct IslandReport {

@@ -11,42 +11,53 @@ namespace prosector {
 // m: slip over which friction builds up; sticking contacts yield by less.
 inline constexpr double slip_threshold = 2e-5;
 
-/// Evaluates all contacts and ties of an island.
+/// Energy, forces and stiffnesses of all contacts and ties of an island, as functions of its unknowns. Also
+/// records which momentum the Newton steps exchange through contacts.
 class IslandJoints {
  public:
-  /// Sets the island's contacts and ties for a tick of h s. Island and layout must outlive their use here.
+  /// Sets up the contacts and ties of `island` for a tick of h s and resets the record of exchanged forces.
+  /// Stores pointers to `island` and `layout`, which must outlive their use here.
   void begin(Island& island, const IslandLayout& layout, double h);
 
   const std::vector<Joint>& contacts() const { return contacts_; }
   const std::vector<Joint>& ties() const { return ties_; }
 
-  /// Sets friction limits from the normal forces at q, until the next call.
+  /// Sets each contact's friction limit to its friction coefficient times its normal force at the unknowns q.
+  /// The limits stay constant (lagged) until the next call.
   void lag_friction(const VecX& q);
-  /// Adds the joints' energy at q to the sum, J, one by one: the order of additions is part of the result.
+  /// Adds the energies (J) of all contacts and ties at the unknowns q to `sum`. They are added one after the
+  /// other, because the result depends, through rounding, on the order.
   void add_energy(const VecX& q, double& sum) const;
-  /// Adds the gradient of the joints' energy at q, N.
+  /// Adds the gradient of the contacts' and ties' energy at the unknowns q to g: N, or N·m for rotations of
+  /// rigid bodies.
   void add_gradient(const VecX& q, VecX& g) const;
-  /// Computes the contacts' forces and all stiffnesses at q.
+  /// Computes and stores, for the next Newton step from the unknowns q, the contact forces and the 3×3
+  /// stiffnesses of contacts and ties.
   void linearise(const VecX& q);
 
-  /// Adds the work (J) of the joints on each soft member between `start` and q, with the forces at q.
+  /// Adds to `work`, for each soft body, the work (J) of contacts and ties for the displacement from the
+  /// unknowns `start` to q. Uses the forces at q.
   void work(const VecX& start, const VecX& q, std::vector<double>& work) const;
-  /// Records that `length` of a Newton step was taken from the point of linearisation. The bodies' momenta
-  /// then result from the linearised forces, not from the contact forces at the step's end.
+  /// Records that the fraction `length` (0 to 1) of the Newton step `step` was taken. Updates the force that
+  /// each contact has exchanged so far from the linearised force. The bodies' momenta result from these
+  /// linearised forces and not from the contact forces at the step's end.
   void take(double length, const VecX& step);
-  /// Records that the forces at the point of linearisation are already balanced. The exchanged forces are
-  /// then the contacts' forces there, even if little of the next step is taken.
+  /// Records that the forces are balanced at the current point of linearisation, so no Newton step is needed
+  /// to balance them. Sets the exchanged force of each contact to its force there.
   void take_balanced();
-  /// Returns whether contacts have not yet adapted to the last step. At q, the step's end, their forces
-  /// (friction as lagged) differ from the step's prediction by more than a share of the forces on some body.
+  /// Returns whether contacts have not yet adapted to the last Newton step, so that another is needed. `q`:
+  /// the unknowns after that step. True if on some body the contact forces differ by more than a tolerance
+  /// from those that the step predicted.
   bool unsettled(const VecX& q);
-  /// Sets the results of contacts and ties: forces at q, and exchanged forces. `all_held`: every rigid body
-  /// of the island is pulled, so momentum need not be conserved. The exchanged forces are then scaled up for
-  /// the part of the Newton steps that was not taken.
+  /// Writes the results of a tick into the island's contacts and ties: their forces at the unknowns q, and
+  /// the forces exchanged over the tick. `all_held`: every rigid body is pulled by a hand, so momentum need
+  /// not be conserved. The exchanged forces are then scaled up to make up for the part of the Newton steps
+  /// that was not taken.
   void tell_joints(const VecX& q, bool all_held) const;
 
  private:
-  /// Sums of contact forces on a body and of their prediction errors, N.
+  /// Sums over the contacts of one body, N: normal forces, friction limits, and the absolute errors of the
+  /// normal and friction forces that the last Newton step predicted.
   struct Load {
     double normal = 0, normal_off = 0, friction = 0, friction_off = 0;
   };

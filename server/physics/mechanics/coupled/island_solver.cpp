@@ -175,7 +175,7 @@ struct IslandSolver::Limits {
 IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   Limits limits;
   const bool soft = !island.soft.empty();
-  const std::string name = soft ? island.soft.front().body->desc().solver : rigid_solver;
+  const std::string name = soft ? island.soft.front().body->desc().configuration.solver : rigid_solver;
   std::unique_ptr<LinearSolver>& solver = solvers_[name];
   if (!solver) solver = make_solver(name);
   limits.solver = solver.get();
@@ -188,7 +188,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   if (!soft) return limits;
   int steps_down = static_cast<int>(max_steps_down);
   for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
-  const Effort effort = effort_of(island.soft.front().body->desc(), steps_down);
+  const Effort effort = effort_of(island.soft.front().body->desc().configuration, steps_down);
   limits.newton = effort.newton_iterations;
   limits.settings = {effort.solver_iterations, effort.solver_tolerance};
   return limits;
@@ -290,7 +290,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
     const SoftBody& body = *island.soft[m].body;
     const Stage& stage = body.stepper().stage();
     force += g_.segment(system_.layout().soft[m], 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
-    inertia += (stage.alpha + body.desc().damping_mass / stage.dxdv) * body.total_mass();
+    inertia += (stage.alpha + body.desc().material.damping_mass / stage.dxdv) * body.total_mass();
   }
   for (std::size_t m = 0; m < island.rigid.size(); ++m) {
     force += g_.segment<3>(system_.layout().rigid(m));

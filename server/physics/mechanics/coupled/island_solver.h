@@ -9,36 +9,40 @@
 
 namespace prosector {
 
-/// A rigid body without a pull, and whether it rests on tissue, directly or through other bodies.
+/// Rigid body that no hand pulls, by its slot, and whether it rests on soft tissue, directly or through other
+/// rigid bodies.
 struct BorneBody {
   std::size_t slot;
   bool on_tissue;
 };
 
-/// Minimises an island's energy. Buffers are reused, so the next tick of the same island allocates nothing;
-/// they are not state.
+/// Projected-Newton solver that advances an island (soft and rigid bodies connected by contacts and ties) by
+/// minimising its incremental energy. Buffers are reused, so the next tick of the same island allocates
+/// nothing; they do not affect results.
 class IslandSolver {
  public:
-  /// Minimises the island's energy over one tick of h seconds. Then finishes the soft bodies' stages and sets
-  /// the rigid twists and the contact forces.
+  /// Advances the island by one tick of h seconds, by minimising its incremental energy. Updates the soft
+  /// bodies' states, the rigid bodies' twists and the contact forces, and returns the solver's report.
   ///
-  /// Each Newton step uses the first soft body's linear solver and settings (an island without soft bodies:
-  /// conjugate gradients). The line search follows Armijo's rule, so a linear solve that stops early still
-  /// gives a descent direction. The report has its residual.
+  /// Each Newton step uses the linear solver and the settings of the first soft body, or conjugate gradients
+  /// without soft bodies. The line search follows Armijo's rule, so a linear solve that stops early still
+  /// gives a descent direction.
   ///
   /// Rigid bodies take the whole tick in every stage of a multi-stage integrator; the result of the last
   /// stage counts. Where several bodies are coupled, rigid or soft, all are stepped by implicit Euler. Other
   /// methods weight forces differently than a rigid body does, so momentum would be lost.
   ///
-  /// A tick is repeated more carefully if it is not finite, or if a soft body has more energy than its bound.
-  /// The repetition uses implicit Euler and is shortened if necessary (energy_guard.h). Where solid bodies
-  /// are in contact or tied, the island's energy is checked, and the tick is repeated in the same way.
-  /// Momentum of islands that nothing holds in the room is exact even if solves stop early.
+  /// A tick is repeated more carefully, with implicit Euler, if a soft body without contacts gained more
+  /// energy than allowed or became non-finite. If it still gains energy, its motion is shortened
+  /// (energy_guard.h). For solid bodies in contact or tied, the island's total energy is checked, and the
+  /// tick is repeated in the same way. The momentum of islands that nothing holds in the room is exact even
+  /// if solves stop early.
   IslandReport solve(Island& island, double h);
 
  private:
   struct Limits;
-  /// Energy balance of an island, J: kinetic, in tissue, contacts, ties and pulls.
+  /// Energy balance of an island over a tick, J: its energy at the start and at the end, and gravity's work.
+  /// The energy is the sum of kinetic energy and of that in tissue, contacts, ties and pulls.
   struct Account {
     double had = 0;    // at the tick's start
     double given = 0;  // work of gravity

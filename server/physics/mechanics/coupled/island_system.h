@@ -11,44 +11,56 @@
 
 namespace prosector {
 
-/// The Newton system of an island.
+/// Newton system of an island: the energy, gradient and matrix-free Hessian of its soft bodies, rigid bodies,
+/// contacts and ties. Also the operator and the preconditioners for the linear solver.
 class IslandSystem final : public LinearOperator {
  public:
-  /// Sets the island, which must outlive its use here, for a tick of h s. Displacements are measured from its
-  /// current positions. Allocates only for an island that is larger than those before.
+  /// Sets up the system for a tick of h s. Displacements of soft nodes are measured from their current
+  /// positions. Stores a pointer to `island`, which must outlive its use here. Allocates memory only for an
+  /// island that is larger than those before.
   void begin(Island& island, double h);
 
   const IslandLayout& layout() const { return layout_; }
   IslandJoints& joints() { return joints_; }
   const IslandJoints& joints() const { return joints_; }
 
-  /// Sets q to a warm start: the soft bodies' own guess, and constant velocity for rigid bodies. With free
-  /// fall instead, contacts would be deep, and friction under such forces would stop sliding bodies.
+  /// Sets the unknowns q to the starting point of the Newton iteration: the soft bodies' own prediction, and
+  /// motion at constant velocity for rigid bodies. With free fall instead, contacts would start deep, and
+  /// friction under such forces would stop sliding bodies.
   void initial_guess(VecX& q) const;
-  /// Sets q to the tick's start for soft bodies, and to the prediction for rigid bodies.
+  /// Sets the unknowns q to the positions at the tick's start for soft nodes. For rigid bodies, sets them to
+  /// the displacement that they would have without contacts.
   void start(VecX& q) const;
 
-  /// Returns the energy at q, J.
+  /// Returns the island's incremental energy (J) at the unknowns q: soft bodies, rigid bodies, contacts and
+  /// ties, with the friction limits last set.
   double energy(const VecX& q);
-  /// Returns the energy at the q of the last energy() after joints().lag_friction() changed the friction.
-  /// Does not visit elements.
+  /// Returns the island's energy (J) after joints().lag_friction() changed the friction limits. `q` must be
+  /// the same unknowns as in the last call of energy(), whose soft-body energy is reused instead of visiting
+  /// the elements.
   double energy_with_new_friction(const VecX& q) const { return soft_energy_ + energy_but_soft(q); }
-  /// Returns the energy (J) in tissue and its attachments at the q of the last energy(), including
-  /// stiffness-proportional damping of the tick.
+  /// Returns the energy (J) stored in tissue and its attachments, including the tick's dissipation by
+  /// stiffness-proportional damping, without inertia. `q` must be the same unknowns as in the last call of
+  /// energy().
   double stored_in_tissue(const VecX& q) const;
-  /// Returns the energy (J) in contacts, ties and pulls at q, with friction as lagged.
+  /// Returns the energy (J) stored in contacts, ties and hands' pulls on rigid bodies at the unknowns q, with
+  /// the friction limits last set by joints().lag_friction().
   double stored_in_joints(const VecX& q) const;
 
-  /// Prepares the soft bodies for the evaluation of energy, gradient and Hessian at q.
+  /// Computes the deformation data of the soft bodies' elements at the unknowns q, which the evaluation of
+  /// energy, gradient and Hessian at q uses.
   void linearise(const VecX& q);
   void gradient(const VecX& q, VecX& g);
-  /// Computes the Hessian at q. If not `exact`, soft bodies that moved little since the tick's start keep
-  /// their matrix from there. Returns whether some did.
+  /// Computes the island's Hessian at the unknowns q, projected to be positive definite. If not `exact`, a
+  /// soft body that moved little since its last matrix or since the tick's start uses an approximation from
+  /// there. Returns whether at least one did.
   bool assemble(const VecX& q, bool exact);
 
-  /// Converts the full right side into that of the linear solver, see RigidElimination.
+  /// Converts g, the right side of the full Newton system, into that of the linear solver, from which the
+  /// rigid bodies are eliminated (Schur complement). Does nothing if they are not eliminated.
   void condense(VecX& g) const { rigid_.condense(g); }
-  /// Computes the full step for the right side g. `solved`: solution for the right side from condense().
+  /// Computes the full Newton step, including the eliminated rigid bodies. `g`: the full right side;
+  /// `solved`: the linear solver's solution for the right side from condense().
   void expand(const VecX& g, const VecX& solved, VecX& step) const { rigid_.expand(g, solved, step); }
 
   Eigen::Index size() const override { return layout_.size; }

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// A side of a contact or tie in terms of the unknowns. A fixed side has none.
+/// Side of a contact or tie, as a linear map of the island's unknowns. It is a weighted sum of soft nodes, or
+/// a point of a rigid body at an arm from its centre of mass. A fixed side has no unknowns.
 struct JointSide {
   std::size_t nodes = 0;                                       // soft: number of nodes
   std::array<Eigen::Index, ContactSide::most_nodes> offset{};  // soft: index of each node's first unknown
@@ -18,7 +19,8 @@ struct JointSide {
   Vec3 arm = Vec3::Zero();  // rigid: m, from the centre of mass
 };
 
-/// The displacement of side a relative to side b, as a linear map of the unknowns, and its 3×3 stiffness.
+/// Linearised contact or tie of an island. It gives the displacement of its side a relative to side b as a
+/// linear map of the island's unknowns, and its 3×3 stiffness.
 struct Joint {
   JointSide a, b;
   // m: relative position at the tick's start by the linear map, minus kinematic motion in the tick.
@@ -31,7 +33,8 @@ struct Joint {
   Mat3 D = Mat3::Zero();          // N/m
 };
 
-/// Returns the side's displacement for displacement unknowns q, or its position for node positions, m.
+/// Returns the displacement (m) of a side of a contact or tie, where q has displacements of nodes and twists
+/// of rigid bodies. If q has node positions, returns the side's position instead.
 inline Vec3 moved_by(const JointSide& side, const VecX& q) {
   Vec3 u = Vec3::Zero();
   for (std::size_t k = 0; k < side.nodes; ++k) u += side.weight[k] * q.segment<3>(side.offset[k]);
@@ -42,17 +45,20 @@ inline Vec3 moved_by(const JointSide& side, const VecX& q) {
   return u;
 }
 
-/// Returns the displacement of side a relative to side b since the tick's start, m.
+/// Returns the displacement (m, world frame) of the joint's side a relative to its side b since the tick's
+/// start, for the island's unknowns q.
 inline Vec3 displacement(const Joint& joint, const VecX& q) {
   return moved_by(joint.a, q) - moved_by(joint.b, q) - joint.at_start;
 }
 
-/// Adds the force f (N) on the side to the forces on its soft nodes only.
+/// Adds the force f (N) on a side of a contact or tie to the soft nodes of that side, by their weights.
+/// Ignores a rigid side. `out`: generalised forces by unknown.
 inline void add_to_nodes(const JointSide& side, const Vec3& f, VecX& out) {
   for (std::size_t k = 0; k < side.nodes; ++k) out.segment<3>(side.offset[k]) += side.weight[k] * f;
 }
 
-/// Adds the force f (N) on the side to the generalised forces on all its unknowns.
+/// Adds the force f (N) on a side of a contact or tie to the generalised forces `out`. A soft side
+/// distributes it to its nodes by their weights; a rigid body gets force and moment.
 inline void add_force(const JointSide& side, const Vec3& f, VecX& out) {
   add_to_nodes(side, f, out);
   if (side.rigid >= 0) {

@@ -10,23 +10,28 @@
 
 namespace prosector {
 
-/// Packed stiffness matrix of an island's joints.
+/// Stiffness matrix of an island's contacts and ties, packed for fast products with vectors in the linear
+/// solver's iterations.
 class JointProduct {
  public:
-  /// Packs these joints with their stiffnesses, in order. Allocates only for more joints than before.
+  /// Packs the contacts and ties `joints`, in this order, with their 3×3 stiffnesses. Allocates memory only
+  /// if there are more joints than before.
   void set(const IslandLayout& layout, std::span<const Joint* const> joints);
 
-  /// Adds the joints' stiffness times p to Hp; both have the island's unknowns.
+  /// Adds the product of the stiffness matrix of contacts and ties with p to Hp. Both vectors have all
+  /// unknowns of the island.
   void multiply(const VecX& p, VecX& Hp) const;
-  /// Subtracts from the nodes' part of g the joint forces on nodes due to the bodies' part of z.
+  /// Subtracts A_sr·z_r from the soft nodes' part of g. A_sr is the block of the joints' stiffness matrix
+  /// with rows of soft nodes and columns of rigid bodies, and z_r is the rigid bodies' part of z.
   void subtract_from_nodes(const VecX& z, VecX& g) const;
-  /// Subtracts from the bodies' part of g the joint forces on bodies due to the nodes' part of p.
+  /// Subtracts A_rs·p_s from the rigid bodies' part of g. A_rs is the block of the joints' stiffness matrix
+  /// with rows of rigid bodies and columns of soft nodes, and p_s is the soft nodes' part of p.
   void subtract_from_bodies(const VecX& p, VecX& g) const;
 
  private:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-  /// A node in a joint's side, with its weight.
+  /// Soft node on one side of a contact or tie, as the index of its first unknown, with its weight.
   struct Hanging {
     std::uint32_t at;  // index of its first unknown
     double weight;
@@ -37,7 +42,8 @@ class JointProduct {
     Vec3 arm_a, arm_b;             // m
     Mat3 D;                        // N/m
   };
-  /// The contribution of a row's force to a node. At each node, rows are ascending, and side a is first.
+  /// Contribution of one contact's or tie's force to one soft node: the index of the contact or tie, and the
+  /// node's weight. At each node they are in ascending order, with side a before side b.
   struct Share {
     std::uint32_t row;
     double weight;  // of the force on a; negative for side b
@@ -46,7 +52,8 @@ class JointProduct {
     std::uint32_t row;
     bool is_b;
   };
-  /// Nodes or bodies with the ranges of their contributions in a list.
+  /// List of soft nodes or rigid bodies. For each it has the index of its first unknown, and the range of its
+  /// contributions in another list.
   struct Places {
     std::vector<std::uint32_t> at;     // index of the first unknown, ascending
     std::vector<std::uint32_t> begin;  // start of each range, and the end

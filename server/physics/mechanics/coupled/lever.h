@@ -8,8 +8,8 @@ namespace prosector {
 
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
-/// Returns the 3×6 Jacobian of the displacement of a point at `arm` from the centre of mass by its body's
-/// twist: [1, −arm×].
+/// Returns the 3×6 Jacobian [1, −arm×] of the displacement of a point of a rigid body by the body's twist
+/// (translation, then rotation). `arm`: vector (m) from the body's centre of mass to the point, world frame.
 inline Mat36 lever(const Vec3& arm) {
   Mat36 J;
   J << Mat3::Identity(), -cross_matrix(arm);

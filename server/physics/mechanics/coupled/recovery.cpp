@@ -49,7 +49,7 @@ void enter(SoftBodyState& state, bool recovering) {
 }
 
 double stiffness(const SoftBody& body) {
-  return body.desc().youngs_modulus * body.total_mass() / body.desc().density;  // J
+  return body.desc().material.youngs_modulus * body.total_mass() / body.desc().material.density;  // J
 }
 
 /// Returns the fraction of the volume that is inverted or flat; 0 if the body's own equilibrium has about as
@@ -144,7 +144,9 @@ void choose_law(SoftMember& member, double h) {
   if (body.recovery().is_kept()) {
     if (!state.recovering) enter(state, true);
     member.degraded = true;
-    member.note = "its own weight would crush it: stepped with fem_corotational and implicit_euler";
+    member.note =
+        "its own weight would crush it: stepped with fem_corotational and implicit_euler instead of the "
+        "configured model";
     return;
   }
   const bool turned = rotated_by(body, turn_allowed(body, state), state.motion.x);
@@ -160,8 +162,10 @@ void choose_law(SoftMember& member, double h) {
   }
   if (!state.recovering) return;
   member.degraded = turned;
-  member.note = turned ? "rotation too large for fem_linear: stepped with fem_corotational and implicit_euler"
-                       : "inverted or crushed: recovering with fem_corotational and implicit_euler";
+  member.note = turned ? "the body's rotation is too large for fem_linear: stepped with fem_corotational and "
+                         "implicit_euler"
+                       : "elements are inverted or crushed: the body is recovering with fem_corotational and "
+                         "implicit_euler";
 }
 
 bool may_sleep(const SoftMember& member) {
@@ -184,7 +188,8 @@ bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equ
   unfold(*s.body, *s.state);
   // A body under load must still settle in its equilibrium.
   s.state->tangled_ticks = s.state->quiet_ticks = 0;
-  s.note = "remained inverted or tangled: reset to its rest shape at its position";
+  s.note =
+      "elements remained inverted or tangled: the body was reset to its rest shape at its current position";
   return true;
 }
 

@@ -14,18 +14,24 @@
 
 namespace prosector {
 
-/// Chooses the law for the body's tick of h s (SoftBodyState::recovering), before the tick, and reports it in
-/// the member. A switch clears the multi-step history.
+/// Decides before a tick of h s whether the soft body is stepped under its own material law or under the
+/// recovery law (corotational). The recovery law is used while elements are inverted or flat, or while the
+/// rotation is too large for a linear law. Sets SoftBodyState::recovering and the member's note. A switch
+/// clears the history of multi-step integrators.
 void choose_law(SoftMember& member, double h);
 
-/// Returns whether a quiet body may sleep: neither tangled nor inverted, and not about to leave recovery.
+/// Returns whether a soft body that moves slowly may fall asleep. It may not while it is tangled or while
+/// more than a thousandth of its volume is inverted or flat. Nor may it while it is about to return from the
+/// recovery law to its own material law.
 bool may_sleep(const SoftMember& member);
 
-/// Number of quiet ticks before a body may sleep. count_quiet_ticks() updates its count after each tick.
+/// Number of consecutive ticks with all node speeds below 1 mm/s after which a soft body may sleep.
+/// count_quiet_ticks() updates the body's count after each tick.
 inline constexpr int quiet_ticks_to_sleep = 30;
 void count_quiet_ticks(SoftMember& member);
 
-/// The surroundings of a body that may be unfolded.
+/// Surroundings of a tangled soft body, on which it depends whether the body may be reset to its rest shape:
+/// whether it is squeezed, near other bodies or touched.
 struct Surroundings {
   bool jammed = false;   // between a hand, or tissue in a hand, and other tissue
   bool crushed = false;  // jammed, in a hand, or between rigid bodies: may have another volume permanently
@@ -34,17 +40,18 @@ struct Surroundings {
   bool touched = false;  // by anything, including the room: may be kept from its rest shape permanently
 };
 
-/// Unfolds a tangled body: puts it into its rest shape at its current position, and sets its note. Called
-/// after ticks of h s, once every `ticks`. Returns whether the body was unfolded. Unfolds a body that for
-/// most of a second
-///   had a much smaller or larger volume than in `equilibrium` (3n, m),
-///   had more than a thousandth of its volume inverted or flat,
-///   or was quiet and untouched in another shape.
+/// Unfolds a soft body that stayed tangled: resets it to its rest shape at its current position, and reports
+/// that in its note. Returns whether it did. Called after ticks of h s, once every `ticks`. `about`: the
+/// body's surroundings; `equilibrium`: node positions (3n, m) at rest under gravity.
 ///
-/// A body with zero volume, or three times its volume, is unfolded sooner; a crumpled sheet or rope later. A
-/// body in company is unfolded only if more of it is inverted than a press can explain, or if it is blind. A
-/// crushed body is not unfolded for its volume. A jammed body is left alone until the hand leaves, unless it
-/// has three times its volume.
+/// A body is unfolded after 0.75 s with more than a thousandth of its volume inverted or flat, or with a much
+/// smaller or larger volume than in equilibrium. So is a body that is quiet and untouched in another shape
+/// than its equilibrium. With no volume, or three times its volume, it is unfolded after 0.1 s. A crumpled
+/// sheet or rope that still moves is unfolded after 4 s.
+///
+/// In company (`about.company`), a body is unfolded only if more of it is inverted than a press can explain,
+/// or if it is blind. A crushed body is not unfolded for its volume. A jammed body is left alone until the
+/// hand leaves, unless it has three times its volume.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 

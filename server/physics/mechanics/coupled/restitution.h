@@ -10,12 +10,14 @@
 
 namespace prosector {
 
-/// Returns the separation speed of bodies with relative normal velocity `approach` (m/s, < 0: approaching)
-/// before the tick. It is 0 below the approach speed that gravity alone gives a resting body.
+/// Returns the separation speed (m/s) after an impact of two rigid bodies: restitution × approach speed.
+/// `approach`: relative normal velocity before the tick, m/s, negative when approaching. Returns 0 for
+/// approach speeds of at most 0.2 m/s, so that resting bodies do not bounce under gravity.
 double rebound_speed(double restitution, double approach);
 
-/// Sets the rigid twists to h times the velocities after the impacts, and adds the impulses to the contacts'
-/// forces. Returns false if there was no impact.
+/// Applies restitution to the rigid contacts that pressed in this tick of h s. Sets the rigid bodies' twists
+/// to h times their velocities after the impacts, and adds the impulses to the contacts' forces. Returns
+/// false, without changes, if no pressing contact has restitution or overlaps by more than 1 mm.
 bool bounce(Island& island, double h);
 
 }  // namespace prosector

@@ -14,22 +14,27 @@
 
 namespace prosector {
 
-/// Sparse symmetric matrix of 6 × 6 blocks and its Cholesky factor.
+/// Sparse symmetric matrix with a 6×6 block for each rigid body and each coupled pair of bodies, and its
+/// Cholesky factor.
 class RigidBlock {
  public:
   using Pair = std::pair<std::size_t, std::size_t>;  // lower body first
 
-  /// Begins a matrix with this number of bodies, of which these pairs may be coupled. Sets all blocks to
-  /// zero.
+  /// Begins a matrix for this number of rigid bodies, with a 6×6 block for each body and for each pair in
+  /// `pairs`, and sets all blocks to zero. `pairs`: the pairs of bodies that may be coupled, lower index
+  /// first.
   void begin(std::size_t bodies, std::span<const Pair> pairs);
 
   void set_zero();
   void add(std::size_t body, const Mat6& block) { diagonal_[rank_[body]] += block; }
-  /// Adds `block` at row a and column b, a < b, and its transpose at row b and column a.
+  /// Adds the 6×6 `block` to the symmetric matrix at row a and column b, where a < b are indices of rigid
+  /// bodies. Adds its transpose at row b and column a.
   void add(std::size_t a, std::size_t b, const Mat6& block);
-  /// Factors the matrix. Returns false if it is not numerically positive definite; solve() is then undefined.
+  /// Computes the Cholesky factor of the matrix in place. Returns false if the matrix is not numerically
+  /// positive definite; solve() must then not be called.
   bool factor();
-  /// Computes z = A⁻¹r, 6 numbers per body. `z` and `r` must not overlap.
+  /// Solves A·z = r with the Cholesky factor of the matrix A; vectors have 6 values per rigid body. `z` and
+  /// `r` must not overlap in memory.
   void solve(const Eigen::Ref<const VecX>& r, Eigen::Ref<VecX> z) const;
 
  private:

@@ -15,29 +15,37 @@
 
 namespace prosector {
 
-/// Rigid bodies' part of the Newton system, eliminated by Schur complement.
+/// Rigid bodies' part of an island's Newton system. Where soft and rigid bodies are coupled, it is eliminated
+/// by Schur complement, so that the linear solver only works on soft nodes.
 class RigidElimination {
  public:
-  /// Sets the island's rigid members and their possible couplings for a tick of h s. All arguments must
-  /// outlive their use here.
+  /// Sets up the equations of the island's rigid bodies for a tick of h s, with the pairs of bodies that
+  /// share a contact or tie in `joints`. Stores pointers to `island` and `layout`, which must outlive their
+  /// use here.
   void begin(const Island& island, const IslandLayout& layout, const IslandJoints& joints, double h);
 
-  /// Computes the bodies' own Hessian at q: inertia and pulls.
+  /// Computes each rigid body's own 6×6 Hessian at the unknowns q, from its inertia and from the pull of a
+  /// hand, without contacts and ties.
   void assemble(const VecX& q);
-  /// Adds a joint's stiffness D (N/m) on a side that is on a rigid body.
+  /// Adds the stiffness D (N/m, 3×3) of a contact or tie, on a side on a rigid body, to that body's 6×6
+  /// diagonal block.
   void add(const JointSide& side, const Mat3& D);
-  /// Factors the sum. `stiff`: the joints with a stiffness; `product`: the same joints, packed; used until
-  /// the next call.
+  /// Factors the rigid bodies' matrix, including contacts and ties. `stiff`: the contacts and ties with a
+  /// nonzero stiffness. `product`: their packed stiffness matrix, which must stay valid until the next call.
   void factor(const std::vector<const Joint*>& stiff, const JointProduct& product);
 
-  /// Writes the bodies' own Hessian times p into the rigid part of Hp.
+  /// Writes the product of the rigid bodies' own Hessian (inertia and pulls, without contacts and ties) with
+  /// p into the rigid bodies' part of Hp.
   void multiply(const VecX& p, VecX& Hp) const;
-  /// Replaces the rigid part f of a vector by 0 and adds −A_sr·A_rr⁻¹·f to the soft part, if bodies are
-  /// eliminated.
+  /// Eliminates the rigid bodies from the right side g. Adds −A_sr·A_rr⁻¹·f to its soft part, where f is its
+  /// rigid part, and sets the rigid part to 0. A_sr is the soft-rigid block and A_rr the rigid block of the
+  /// Newton matrix. Does nothing if rigid bodies are not eliminated.
   void condense(VecX& g) const;
-  /// Computes the full step for the right side g. `solved`: solution for the right side from condense().
+  /// Computes the full Newton step, for soft nodes and rigid bodies. `g`: the full right side; `solved`: the
+  /// linear solver's solution for the right side from condense().
   void expand(const VecX& g, const VecX& solved, VecX& step) const;
-  /// Writes the rigid part of the preconditioned vector z for r.
+  /// Writes the rigid bodies' part of the preconditioned residual z for the residual r. It is zero if the
+  /// bodies are eliminated from the linear system. Otherwise it solves the rigid bodies' equations alone.
   void precondition(const VecX& r, VecX& z) const;
 
  private:

@@ -6,13 +6,18 @@
 
 namespace prosector {
 
-/// Returns the inertia term, J.
+/// Returns the inertia term of a rigid body's incremental energy, J: ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃). ξ is `twist`,
+/// the displacement over the tick of h s; ξ̃ is the displacement without contacts; M is the mass and inertia
+/// matrix.
 double inertia_energy(const RigidMember& body, const Vec6& twist, double h);
-/// Adds inertia and pull to the sum, J, one by one: the order of additions is part of the result.
+/// Adds the energy terms (J) of a rigid body over a tick of h s to `sum`: inertia, then the translational and
+/// the rotational pull of a hand. They are added one by one because rounding depends on the order.
 void add_energy(const RigidMember& body, const Vec6& twist, double h, double& sum);
-/// Writes the gradient by ξ: N, then N·m.
+/// Writes the gradient of a rigid body's incremental energy (inertia and hand's pull) with respect to its
+/// twist to `out`: a force (N), then a moment (N·m). `twist`: displacement over the tick of h s.
 void set_gradient(const RigidMember& body, const Vec6& twist, double h, Eigen::Ref<Vec6> out);
-/// Returns the Hessian, with an upper bound for the pull.
+/// Returns the 6×6 Hessian of a rigid body's incremental energy with respect to its twist, the displacement
+/// over the tick of h s. The stiffness of a hand's pull is replaced by its secant stiffness, an upper bound.
 Mat6 hessian_of(const RigidMember& body, const Vec6& twist, double h);
 
 }  // namespace prosector

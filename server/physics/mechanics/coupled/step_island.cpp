@@ -144,8 +144,9 @@ class Tick {
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       if (!substepped_[m]) continue;
       island_.soft[m].substeps = substeps_;
-      say(island_.soft[m], "{} substeps of {:.3g} ms, coupled by impulses{}", substeps_, 1e3 * h_ / substeps_,
-          island_.soft[m].body->substepper()->remark());
+      say(island_.soft[m],
+          "stepped in {} substeps of {:.3g} ms per tick, coupled to other bodies by impulses{}", substeps_,
+          1e3 * h_ / substeps_, island_.soft[m].body->substepper()->remark());
     }
   }
 
@@ -159,20 +160,22 @@ class Tick {
   void refuse(SoftMember& member, double needed) const {
     const SoftDesc& desc = member.body->desc();
     const Substepper& own = *member.body->substepper();
-    const std::string& method = desc.model == "xpbd" ? desc.model : desc.integrator;
+    const std::string& method =
+        desc.configuration.is_position_based() ? desc.configuration.model : desc.configuration.integrator;
     member.degraded = true;
     member.refused = own.has_limit();
     if (needed <= own.allowed())
-      say(member, "{} was unstable in this tick: stepped with implicit_euler", method);
+      say(member, "method {} was unstable in this tick: stepped with implicit_euler", method);
     else if (!own.has_limit())
-      say(member, "{} gains energy even with {} substeps: stepped with implicit_euler{}", method,
-          own.allowed(), own.remark());
+      say(member, "method {} gains energy even with {} substeps per tick: stepped with implicit_euler{}",
+          method, own.allowed(), own.remark());
     else if (std::isfinite(needed))
       say(member,
-          "{} needs {:.0f} substeps of {:.3g} ms; at most {} are allowed: stepped with implicit_euler",
-          method, needed, 1e3 * h_ / needed, desc.max_substeps);
+          "method {} needs {:.0f} substeps of {:.3g} ms per tick; at most {} are allowed (max_substeps): "
+          "stepped with implicit_euler",
+          method, needed, 1e3 * h_ / needed, desc.configuration.max_substeps);
     else
-      say(member, "{} is unstable at any step size without more damping: stepped with implicit_euler",
+      say(member, "method {} is unstable at any step size without more damping: stepped with implicit_euler",
           method);
   }
 
@@ -188,7 +191,8 @@ class Tick {
         if (substepped_[a] == substepped_[b]) continue;
         const std::size_t joins = substepped_[a] ? a : b;
         substepped_[joins] = 0;
-        say(island_.soft[joins], "stepped with implicit_euler, like the body it touches");
+        say(island_.soft[joins],
+            "stepped with implicit_euler instead of substeps, because the body that it touches is");
         island_.soft[joins].degraded = true;
         again = true;
       }
@@ -338,10 +342,13 @@ IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) 
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];
-    if (m.limited) m.note = "nodes moved more than ten body diagonals in one tick: displacement limited";
-    if (!sane) m.note = "gravity is not finite: ignored";
+    if (m.limited)
+      m.note =
+          "nodes moved by more than ten times the body's diagonal in one tick: their displacement was "
+          "limited";
+    if (!sane) m.note = "the scene's gravity is not a finite number: the tick was computed without gravity";
     if (m.guarded && m.note.empty())
-      m.note = "gained energy: step repeated with implicit_euler and tighter tolerances";
+      m.note = "the body gained energy: the tick was repeated with implicit_euler and tighter tolerances";
   }
   return report;
 }

@@ -7,21 +7,22 @@
 
 namespace prosector {
 
-/// Steps islands. First, implicit and rigid bodies are minimised together (island_solver.h). Then bodies with
-/// their own substepper (explicit, position-based) take equal substeps through the tick, all in lockstep.
-/// They exchange equal and opposite impulses with their contacts (impulse_coupling.h).
+/// Steps islands, groups of bodies connected by contacts and ties, through a tick. First, implicit and rigid
+/// bodies are minimised together (island_solver.h). Then explicit and position-based bodies take equal
+/// substeps in lockstep and exchange impulses with the bodies that they touch (impulse_coupling.h).
 ///
 /// A body that needs more substeps than its scene allows is minimised by implicit Euler instead, and its note
-/// reports it. So is a body that became too stiff for its substeps within the tick, after one more try. So is
-/// a body in contact with a minimised soft body. A ruined body is stepped under the recovery law
-/// (recovery.h). Gravity that is not finite counts as zero.
+/// reports that. The same applies to a body that became too stiff for its substeps within the tick, after one
+/// more try. It also applies to a substepped body in contact with a minimised soft body. A body with inverted
+/// elements is stepped under the recovery law (recovery.h). Gravity that is not finite counts as zero.
 class IslandStepper {
  public:
   IslandStepper();
   ~IslandStepper();
   IslandStepper(IslandStepper&&) noexcept;
 
-  /// Steps the island by h s. Sets twists, contact forces and each member's results.
+  /// Steps all bodies of the island by h s under `gravity` (m/s²). Updates the soft bodies' states, the rigid
+  /// bodies' twists, the contact forces, and each soft body's note and flags. Returns the solver's report.
   IslandReport step(Island& island, double h, const Vec3& gravity);
 
  private:

@@ -10,18 +10,19 @@
 
 namespace prosector {
 
-/// Velocity response of the rigid bodies that ties join. Allocates only when there are more bodies than
-/// before.
+/// Velocity response to impulses of the rigid bodies that are joined by ties, such as a tool and the hand
+/// that holds it. Allocates memory only when there are more bodies than before.
 class TiedResponse {
  public:
-  /// Computes the response of the bodies that are joined by ties between rigid bodies, at the island's
-  /// current twists. Pulls and ties count as additional inertia k·h².
+  /// Computes the response to impulses of all rigid bodies of the island that are tied to other rigid bodies.
+  /// Pulls and ties count as additional inertia k·h² (k: stiffness), with the ties' stiffnesses at the
+  /// island's current twists.
   void find(const Island& island, double h);
 
-  /// Returns the joined bodies as indices of the island's rigid members, ascending.
+  /// Returns the rigid bodies that are joined by ties, as ascending indices of the island's rigid bodies.
   const std::vector<std::size_t>& members() const { return members_; }
-  /// Returns the 6×6 map from an impulse (N·s, N·m·s) on body `from` to the velocity change (m/s, rad/s) of
-  /// body `to`. Both are indices into members().
+  /// Returns the 6×6 matrix from an impulse (N·s, N·m·s) on the rigid body `from` to the velocity change
+  /// (m/s, rad/s) of the body `to`. `to` and `from` are indices into members(), the bodies joined by ties.
   auto response(std::size_t to, std::size_t from) const {
     PROSECTOR_ASSERT(to < members_.size() && from < members_.size());
     return response_.block<6, 6>(6 * static_cast<Eigen::Index>(to), 6 * static_cast<Eigen::Index>(from));

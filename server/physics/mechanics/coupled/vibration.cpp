@@ -46,7 +46,7 @@ VibrationState Lingerers::linger(const WatchedBody& now) {
 std::optional<double> lingering_bound(const SoftBody& body, bool touches) {
   const bool thin = body.anatomy().thickness > 0;
   if (!touches && !thin) return std::nullopt;
-  return (thin && touches ? 1 : least_share) * body.desc().cell;
+  return (thin && touches ? 1 : least_share) * body.desc().geometry.cell;
 }
 
 VecX points_of(const Pose& pose) {

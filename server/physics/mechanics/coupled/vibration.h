@@ -13,7 +13,8 @@
 
 namespace prosector {
 
-/// Stored position of a watched body.
+/// Record of a body that may vibrate in place without coming to rest: its position when watching began, and
+/// for how many ticks it has stayed there.
 struct StuckBody {
   VecX place;     // m: node positions of a soft body, or points of a rigid one, when watching began
   int ticks = 0;  // number of ticks since then
@@ -21,28 +22,32 @@ struct StuckBody {
 
 enum class VibrationState : std::uint8_t { moving, calmed, over };
 
-/// A body and its current position.
+/// Body to be checked for vibrating in place: its current points, and the largest displacement per axis (m)
+/// with which it still counts as staying in place.
 struct WatchedBody {
   BodyId body = 0;
   VecX place;         // m, room frame
   double within = 0;  // m: largest displacement along each axis while lingering
 };
 
-/// Watches bodies from tick to tick. Part of checkpoints.
+/// Detector of bodies that linger: that stay in place without coming to rest, since contradictory contacts
+/// make them vibrate. It stores the watched bodies from tick to tick and is part of checkpoints.
 class Lingerers {
  public:
   using Map = std::map<BodyId, StuckBody>;
 
   explicit Lingerers(double h) : h_(h) {}  // h: s, a tick
 
-  /// Begins a tick. Bodies without a call of linger() are forgotten at its end.
+  /// Begins the tick with this number. Bodies for which linger() is not called before end_tick() are no
+  /// longer watched afterwards.
   void begin_tick(std::uint64_t tick);
-  /// Returns whether the body moves, has lingered long enough to be calmed, or so long that it must be
-  /// stopped. Watching a body begins only in ticks at whole seconds.
+  /// Returns `calmed` if the body has stayed in place for more than 2 s, and its velocity is to be damped.
+  /// Returns `over` after 2.5 s, when it must be stopped; otherwise `moving`. Watching begins only at whole
+  /// seconds and restarts when the body moves away.
   VibrationState linger(const WatchedBody& now);
   void end_tick() { watched_.swap(next_); }
 
-  /// Returns the bodies that the next tick will calm or stop if they still linger.
+  /// Returns the watched bodies that the next tick will calm (damp) or stop if they still stay in place.
   Map calmed_next() const;
   const Map& watched() const { return watched_; }
   void set(Map watched) { watched_ = std::move(watched); }
@@ -55,17 +60,20 @@ class Lingerers {
   double h_;  // s
 };
 
-/// Returns how far (m) the nodes of a lingering body may move. A thin body in contact sways, and may move by
-/// a cell. A thin body without contact, or a solid in contact, may move by a tenth of a cell. A solid without
-/// contact does not linger: none.
+/// Returns how far (m, per axis) the nodes of a soft body may move while it counts as staying in place.
+/// `touches`: whether it is in contact. A sheet or rope in contact sways, and may move by one cell of its
+/// mesh. Without contact, or for a solid in contact, it is a tenth of a cell. None for a solid without
+/// contact, which is never stopped for vibrating.
 std::optional<double> lingering_bound(const SoftBody& body, bool touches);
-/// m: how far the points of a lingering rigid body may move with and without contact with tissue.
+/// Distances (m, per axis) within which the points of a rigid body may move while it counts as staying in
+/// place. `rigid_lingering_bound` applies to bodies in contact with tissue, `lone_lingering_bound` to others.
 inline constexpr double rigid_lingering_bound = 2e-3, lone_lingering_bound = 5e-3;
 inline constexpr Eigen::Index pose_numbers = 9;
-/// Returns three points of a rigid body that determine its pose: pose_numbers values, m.
+/// Returns the positions (m) of three points of a rigid body that determine its pose: its origin, and the
+/// points 0.1 m along its x and y axes. The vector has pose_numbers = 9 values.
 VecX points_of(const Pose& pose);
 
-/// Factor on a calmed body's velocity in each tick.
+/// Factor by which the velocity of a body that vibrates in place is multiplied in each tick, to calm it.
 inline constexpr double calming = 0.9;
 
 }  // namespace prosector

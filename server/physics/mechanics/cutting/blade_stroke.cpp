@@ -135,7 +135,8 @@ void check_edge(std::span<const Vec3> edge) {
     throw InputError(fmt::format("blade: its edge has {} points; allowed: 2 or more", edge.size()));
   for (std::size_t i = 0; i < edge.size(); ++i)
     if (!is_finite(edge[i]))
-      throw InputError(fmt::format("blade: point {} of its edge is not finite; allowed: finite, in m", i));
+      throw InputError(
+          fmt::format("blade: point {} of its edge is not finite; allowed: finite coordinates, in m", i));
 }
 
 BladeStroke begin_stroke(std::span<const Vec3> edge) {

@@ -7,9 +7,10 @@
 
 namespace prosector {
 
-/// Transfers values, by node id, through a topology change; `values` grows. A new node on an edge gets the
-/// interpolated value, copies get the value of their node. With masses lumped from the tetrahedra, linear
-/// momentum and the centre of mass are conserved.
+/// Updates node data (`values`, such as positions or velocities, by node id) for a topology change; `values`
+/// grows. A new node on an edge gets the interpolated value of the edge's ends, and copies of a node get the
+/// value of that node. With masses lumped from the tetrahedra, linear momentum and the centre of mass are
+/// conserved.
 void carry(const TopologyOp& op, std::vector<Vec3>& values);
 
 }  // namespace prosector

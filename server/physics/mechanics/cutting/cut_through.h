@@ -8,12 +8,13 @@
 
 namespace prosector {
 
-/// Returns a mark for a node that the sweeps missed: a plane through the node, with the mean normal of its
-/// marked neighbours.
+/// Returns a mark (plane of the cut at a node, in the rest shape) for a node that the swept surface missed.
+/// The plane passes through the node, with the mean normal of its marked neighbours.
 BladeStroke::Mark mark_between(const TetComplex& complex, const Marks& marks, NodeId node);
 
-/// Returns the faces with three marked nodes that are the last connection between parts of the body. Each
-/// part has a volume above `crumb`, m³.
+/// Returns the faces whose nodes all lie on the cut (`marks`) and that are the last connection between two
+/// parts of the body. Fragments with a volume up to `least_fragment`, m³, do not count as parts. Slitting the
+/// faces completes the cut.
 SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double least_fragment);
 
 }  // namespace prosector

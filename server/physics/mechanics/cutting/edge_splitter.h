@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Nodes that count as lying on the blade, by node id.
+/// Nodes that count as lying on the swept surface of a stroke, each with the plane of the surface at the
+/// node, indexed by node id.
 class Marks {
  public:
   using Mark = BladeStroke::Mark;
@@ -29,8 +30,10 @@ class Marks {
   std::size_t known_;
 };
 
-/// Splits the edges at which `sheet` (the swept surface) crosses tetrahedra of `candidates` (ascending). `x`:
-/// m, by node id; grows with the new nodes.
+/// Splits the edges of tetrahedra in `candidates` (ascending) that the swept surface `sheet` crosses. If a
+/// split would create an element of bad shape, the nearer end of the edge is marked as lying on the surface
+/// instead. `x`: node positions, m, by node id; grows with the new nodes. New nodes are added to `marks`, and
+/// the operations to `result`.
 void split_edges(TetComplex& complex, const SweptSurface& sheet, std::span<const TetId> candidates,
                  std::vector<Vec3>& x, Marks& marks, CutResult& result);
 

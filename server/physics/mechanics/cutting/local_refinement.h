@@ -28,15 +28,17 @@ struct RefinementLimits {
   std::uint32_t linger = 0;  // ticks for which refinement stays after the contact has ended
 };
 
-/// Bisection of one edge, or its undoing.
+/// Bisection of one edge by local refinement, or the undoing of a bisection.
 struct RefinementStep {
   SplitEdge split;
   bool made = true;  // false: undone
-  /// If undone, masses in kg: of the removed node before, and of the edge's ends after.
+  /// Masses in kg, set only if the bisection was undone: of the removed node before it was undone, and of the
+  /// edge's ends a and b afterwards.
   double node_mass = 0, a_mass = 0, b_mass = 0;
 };
 
-/// A bisected edge, as stored in checkpoints.
+/// Edge bisected by local refinement, as stored in checkpoints: its end nodes, and the ticks until the
+/// bisection may be undone.
 struct RefinedEdge {
   NodeId a = 0, b = 0;
   std::uint32_t left = 0;  // ticks until the bisection may be undone
@@ -45,35 +47,43 @@ struct RefinedEdge {
 
 class LocalRefinement {
  public:
-  /// Takes the compiled mesh, see TetComplex; density in kg/m³.
+  /// Starts with the unrefined compiled mesh `rest`. `density` in kg/m³. `limits`: element size and reach of
+  /// the refinement, most added tetrahedra, and linger time. Throws InputError for an invalid mesh, as
+  /// TetComplex does.
   LocalRefinement(const TetMesh& rest, double density, const RefinementLimits& limits);
 
   const TetComplex& complex() const { return complex_; }
   const RefinementLimits& limits() const { return limits_; }
   bool any() const { return !splits_.empty(); }
-  /// Returns the number of tetrahedra added to the compiled mesh.
+  /// Returns by how many tetrahedra the refined mesh exceeds the compiled mesh.
   std::size_t added() const { return complex_.tets() - compiled_tets_; }
 
-  /// Advances by a tick: refines near touched places and coarsens where the contact has ended. `resting`: the
-  /// body sleeps and its contacts do not change, so nothing is coarsened. `settle`: whether to coarsen in
-  /// this tick. Returns the steps in the order in which they were applied.
+  /// Advances by one tick: bisects edges near touched places, and undoes bisections where the contact ended
+  /// long enough ago. `resting`: whether the body sleeps and its contacts do not change, so nothing is
+  /// undone. `settle`: whether bisections may be undone in this tick. Returns the steps in the order in which
+  /// they were applied.
   std::vector<RefinementStep> follow(const TouchedPlaces& touched, bool resting, bool settle);
-  /// Undoes all bisections that can be undone.
+  /// Undoes all bisections whose halves are not split further, however long ago the contact was. Returns the
+  /// steps in order.
   std::vector<RefinementStep> take_back();
 
-  /// Returns an unrefined object with the same density and limits. `rest`: the compiled mesh of this object.
+  /// Returns a LocalRefinement without any bisection, with the same density and limits. `rest`: the compiled
+  /// mesh from which this object was built.
   LocalRefinement unrefined(const TetMesh& rest) const { return {rest, complex_.density(), limits_}; }
-  /// Returns whether most ids belong to removed tetrahedra.
+  /// Returns whether ids are so sparse that compacted() is worthwhile. They are if more than four times as
+  /// many tetrahedron ids were used as the mesh can have tetrahedra: its present number plus
+  /// RefinementLimits::most.
   bool is_sparse() const;
-  /// Returns an equal refinement with the ids that bisect(edges()) assigns. The order of ids is kept, so
-  /// later steps are equal too.
+  /// Returns an equal refinement without unused ids: with the ids that bisect(edges()) assigns to the
+  /// compiled mesh `rest`. The order of ids is kept, so that later steps are equal, too.
   LocalRefinement compacted(const TetMesh& rest) const;
 
-  /// Returns the refined edges in the order of bisection. Nodes are numbered as if bisections that were
-  /// undone had never been made.
+  /// Returns the bisected edges in the order of bisection, for a checkpoint. Nodes are numbered as if
+  /// bisections that were undone had never been made.
   std::vector<RefinedEdge> edges() const;
-  /// Bisects these edges of the compiled mesh. Throws InputError for an unknown edge and for more than the
-  /// limits allow.
+  /// Bisects these edges, in order, of the unrefined compiled mesh, to restore a checkpoint. Throws
+  /// InputError for an edge that does not exist, and if the limits on added tetrahedra or linger time are
+  /// exceeded.
   void bisect(std::span<const RefinedEdge> edges);
 
  private:
@@ -85,7 +95,8 @@ class LocalRefinement {
     double distance = 0;  // m
     TetId tet = 0;
   };
-  /// An edge, ordered by its length; of equal edges, the one with lower node ids is greater.
+  /// Edge of a tetrahedron, for comparison by squared length. Of two equally long edges, the one with lower
+  /// node ids counts as longer.
   struct RankedEdge {
     double squared = -1;  // m²; negative: not computed yet
     NodeId a = 0, b = 0;  // a < b

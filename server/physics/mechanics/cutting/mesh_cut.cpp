@@ -271,8 +271,8 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
         "blade: its edge has {} points, but had {} when the stroke began; the number must not change",
         edge.size(), stroke.points()));
   if (positions.size() < complex.node_end())
-    throw InputError(
-        fmt::format("cutting: {} positions for nodes up to {}", positions.size(), complex.node_end()));
+    throw InputError(fmt::format("cutting: {} node positions were given, but the mesh has {} nodes",
+                                 positions.size(), complex.node_end()));
   CutResult result;
   const std::vector<Vec3> from = carried_edge(stroke, edge, complex, positions);
   const MovedEdge moved = moved_edge(stroke, from, edge, least_motion);

@@ -17,13 +17,14 @@
 
 namespace prosector {
 
-/// Minimum dihedral angle, or angle of a triangle, after a cut, degrees. Smaller angles that the mesh had
-/// before are not reduced.
+/// Smallest dihedral angle of a tetrahedron (or angle of a sheet's triangle), in degrees, that a cut may
+/// create. Smaller angles that the mesh had before are not reduced.
 inline constexpr double least_dihedral_deg = 5;
-/// Minimum edge length after a split, relative to TetComplex::cell(). It bounds the number of elements of a
-/// long stroke.
+/// Smallest edge length that a cut may create, as a fraction of TetTables::cell, the edge length of a mean
+/// element. It bounds the number of elements of a long stroke.
 inline constexpr double least_edge_share = 0.1;
-/// Minimum volume of a piece that is cut free, relative to the mean tetrahedron of the compiled mesh.
+/// Smallest volume of a piece that a cut may detach, as a fraction of the mean tetrahedron volume of the
+/// compiled mesh.
 inline constexpr double least_piece_share = 0.15;
 
 struct CutResult {
@@ -35,9 +36,13 @@ struct CutResult {
   std::size_t slivers = 0;          // new tetrahedra below the limit, because their parents were
 };
 
-/// Cuts along the surface swept in one tick: from the stroke's line, carried along by the tissue, to `edge`.
-/// `positions`: m, by node id, at least node_end() values. Throws InputError, and changes nothing, for a
-/// number of points other than the stroke's, for numbers that are not finite, or for too few positions.
+/// Cuts the body's mesh along the surface that the blade swept in one tick. The surface extends from the
+/// stroke's stored line, which the tissue carried along, to the blade's edge `edge` (m, world frame). Updates
+/// `tree` and `stroke`, and returns the applied operations. `positions`: current node positions, m, by node
+/// id, at least node_end() values.
+///
+/// Throws InputError, and changes nothing, if `edge` has another number of points than the stroke, for
+/// numbers that are not finite, or for too few positions.
 CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
               BladeStroke& stroke);
 

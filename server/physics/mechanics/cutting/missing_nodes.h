@@ -8,14 +8,15 @@
 
 namespace prosector {
 
-/// Returns the largest number of missed nodes that may still connect the two sides of a complete cut. If more
-/// nodes connect them, the blade did not pass completely through.
+/// Returns the largest number of nodes that the swept surface may have missed in a complete cut: 5 % of the
+/// marked nodes, and at least 4 (1 for a sheet). If more nodes connect the two sides of the cut, the blade
+/// did not pass completely through.
 std::size_t most_missing(const TetComplex& complex, const Marks& marks);
 
-/// Returns the fewest nodes that, with the marked ones, separate the tissue above the marks from the tissue
-/// below. All returned nodes are adjacent to marked nodes. Returns none if more than `most` are needed.
-/// Prefers nodes that are not clearly on one side of the marks. The nodes are a minimum vertex cut of a
-/// unit-capacity network (Dinic 1970; Even and Tarjan 1975).
+/// Returns the fewest nodes that, together with the nodes marked as lying on the cut, separate the tissue
+/// above the cut from the tissue below. Returns none if more than `most` are needed. All returned nodes are
+/// adjacent to marked nodes. Nodes that are not clearly on one side of the cut are preferred. The nodes are a
+/// minimum vertex cut of a unit-capacity network (Dinic 1970; Even and Tarjan 1975).
 std::vector<NodeId> missing_nodes(const TetComplex& complex, const Marks& marks, std::size_t most);
 
 }  // namespace prosector

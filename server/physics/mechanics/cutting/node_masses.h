@@ -12,7 +12,8 @@ namespace prosector {
 
 class NodeMasses {
  public:
-  /// Takes the density, kg/m³. Throws InputError unless it is positive.
+  /// Creates an empty list of node masses. `density`, kg/m³. Throws InputError unless it is positive and
+  /// finite.
   explicit NodeMasses(double density);
 
   double density() const { return density_; }
@@ -20,20 +21,22 @@ class NodeMasses {
   bool is_held(NodeId node) const { return held_[node] != 0; }  // sheets: fixed in position
   void grow(std::size_t end);
 
-  /// Computes the masses of tetrahedra that were never cut.
+  /// Computes the mass of each node of an uncut tetrahedral mesh: density times a quarter of the volume of
+  /// its tetrahedra.
   void start(const TetTables& tables);
-  /// Computes the masses of a sheet from its node volumes, m³. `held`: by node, 1 if fixed in position;
-  /// empty: none.
+  /// Computes the masses of an uncut sheet's nodes from the volumes, m³, that belong to the nodes. `held`:
+  /// for each node, 1 if it is fixed in position; empty if no node is.
   void start_sheet(std::span<const double> volumes, std::vector<std::uint8_t> held);
 
-  /// Defers the mass sums of tetrahedra's nodes to settle(). Until then the masses of changed nodes are
-  /// stale.
+  /// Postpones the mass sums of nodes of tetrahedra until settle() is called, so that each is computed once.
+  /// Until then the masses of changed nodes are outdated.
   void defer() { deferred_ = true; }
   void settle(const TetTables& tables);
 
   // Tetrahedra: a node's mass follows from the tetrahedra at the node.
   void update(const TetTables& tables, NodeId node);
-  /// Updates the corners of the tetrahedra around one edge.
+  /// Updates the masses of all corners of these tetrahedra, which are those around one edge, after a change
+  /// of the tetrahedra.
   void update_around(const TetTables& tables, std::span<const TetId> tets);
 
   // Sheets: distribute the mass of existing nodes to an operation's new nodes, and undo this.
@@ -45,7 +48,7 @@ class NodeMasses {
  private:
   void find(const TetTables& tables, NodeId node);
 
-  /// Masses before an operation, kg.
+  /// Masses of a sheet's nodes before an operation, kg, stored to undo the operation exactly.
   struct Before {
     double a = 0, b = 0;  // of the split edge's ends; a: also of a node before it was duplicated
   };

@@ -11,11 +11,14 @@
 
 namespace prosector {
 
-/// Offsets of the compiled mesh's boundary, given at nodes and edge midpoints and quadratic in between, so
-/// continuous from face to face. All parts of the boundary after cuts have a place on it.
+/// Outer shape of a body that can be cut: offsets from the boundary of the compiled mesh to the finer surface
+/// at which the body is drawn and touched. They are given at nodes and edge midpoints and quadratic in
+/// between, so continuous from face to face. All parts of the outer boundary after cuts have a position on
+/// it.
 class OuterShape {
  public:
-  /// A point of the compiled boundary: a node, or a point between two or three nodes of one face.
+  /// Point of the compiled mesh's boundary, as a weighted mean of the nodes of one face: a node, or a point
+  /// between two or three nodes.
   struct Place {
     std::array<NodeId, 3> node{};
     std::array<double, 3> weight{};
@@ -23,16 +26,19 @@ class OuterShape {
   };
 
   OuterShape() = default;  // no offset: the boundary itself
-  /// Measures the offset from each node and each edge midpoint along the boundary's normal to the surface, at
-  /// most three quarters of an edge's length. Offsets are reduced where a drawn triangle would violate the
-  /// bounds in fit_outer_shape.cpp. `surface`: in the rest shape, m.
+  /// Computes the offsets from the boundary of the mesh `uncut` to `surface`, m, in the rest shape. They are
+  /// measured from each node and each edge midpoint along the boundary's normal, up to three quarters of the
+  /// edge length. They are reduced where a drawn triangle would be inverted or badly shaped (bounds in
+  /// fit_outer_shape.cpp).
   OuterShape(const TetComplex& uncut, const TriangleMesh& surface);
 
   bool is_boundary() const { return offset_.empty(); }
   Place place(NodeId node) const;  // node of the compiled mesh
   Place between(const Place& a, const Place& b, double t) const;
   Vec3 offset(const Place& place) const;  // m, from the boundary in the rest shape
-  /// Returns whether the edge's midpoint is drawn, since the surface is curved between the ends.
+  /// Returns whether the surface is so curved between nodes a and b of a boundary edge that the edge's
+  /// midpoint is drawn as an additional vertex. Returns false unless a and b are nodes of one edge of the
+  /// compiled boundary.
   bool has_middle(const Place& a, const Place& b) const;
 
  private:

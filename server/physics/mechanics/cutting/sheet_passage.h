@@ -9,13 +9,13 @@ namespace prosector {
 
 struct SheetPassage {
   bool was_in = false, is_in = false;  // whether the line crossed the sheet before, and crosses it now
-  /// Whether an end of the line crossed the sheet in between. If so, the line did not leave across the
-  /// sheet's border.
+  /// Whether an end of the blade's line crossed the sheet during the motion. If so, the line did not leave
+  /// the sheet across its border.
   bool end_came_through = false;
 };
 
-/// Returns the passage of a line that moves from `from` to `to` (equally many points) through nearby
-/// `triangles` of a sheet. `x`: m, by node id.
+/// Returns how a blade's line passes through a sheet when it moves from polyline `from` to `to` (equally many
+/// points, m). `triangles`: the sheet's triangles close to the line. `x`: node positions, m, by node id.
 SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> triangles, std::span<const Vec3> x,
                            std::span<const Vec3> from, std::span<const Vec3> to);
 

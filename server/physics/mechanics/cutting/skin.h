@@ -17,9 +17,9 @@ namespace prosector {
 
 class Skin {
  public:
-  /// Vertex at a node or at the midpoint of two nodes. Midpoints are used for edges with a curved outer
-  /// shape, and for edges that a cut has opened but not yet their ends. At such an edge the two pairs of
-  /// triangles must stay distinct.
+  /// Surface vertex at a node or at the midpoint of an edge. Midpoints are used for edges at which the outer
+  /// shape is curved, and for edges that a cut has opened but not yet at their ends. Such an opened edge has
+  /// two pairs of adjacent triangles, one on each side of the cut; their midpoints keep the pairs distinct.
   struct Vertex {
     std::array<NodeId, 4> node{};    // nodes that carry the vertex; those of weight 0 are ignored
     std::array<double, 4> weight{};  // sum: 1
@@ -32,7 +32,8 @@ class Skin {
     bool operator==(const Triangle&) const = default;
     bool gone() const { return corners[0] == corners[1]; }
   };
-  /// Changes made by an update. Vertices are only appended.
+  /// Changes that one update made to the surface: appended vertices, and changed triangles. Vertices are only
+  /// appended.
   struct Change {
     std::uint32_t first_vertex = 0;  // slot of the first of `vertices`
     std::vector<Vertex> vertices;
@@ -40,26 +41,28 @@ class Skin {
     std::vector<Triangle> triangles;   // their new values
   };
 
-  /// Builds the surface; empty for a sheet, which is its own surface. `shape`: the outer shape; none: the
-  /// boundary itself.
+  /// Builds the surface of a body. It stays empty for a sheet, which is its own surface. `shape`: the outer
+  /// shape, at which the outside is drawn; null to draw the boundary of the tetrahedra.
   explicit Skin(const TetComplex& complex, std::shared_ptr<const OuterShape> shape = nullptr);
-  /// Updates the surface after a cut or an undone cut. After an undone cut, live triangles have their
-  /// previous values in the same slots.
+  /// Updates the whole surface after a cut or an undone cut, and returns the changes. After an undone cut,
+  /// triangles that still exist have their previous values in the same slots (permanent indices).
   Change update(const TetComplex& complex);
-  /// Updates the surface as update() does, but searches only the tetrahedra that the cut, or the undone cuts,
-  /// touched (touched.h).
+  /// Updates the surface after a cut, or an undone cut, with the same result as update(), but examines only
+  /// the tetrahedra in `touched`, which the cut changed (touched.h). Returns the changes.
   Change follow(const TetComplex& complex, std::span<const TetId> touched);
 
   std::span<const Vertex> vertices() const { return vertices_; }      // by slot
   std::span<const Triangle> triangles() const { return triangles_; }  // by slot
-  /// Returns the tetrahedron whose face contains the triangle in this slot.
+  /// Returns the id of the tetrahedron with the face to which the triangle in this slot (permanent triangle
+  /// index) belongs.
   TetId tet(std::uint32_t slot) const { return static_cast<TetId>(key_[slot] / 16); }
 
  private:
   using Edge = std::array<NodeId, 2>;         // ascending
   using Face = std::array<std::uint32_t, 2>;  // tetrahedron, and index of its face
-  /// Identity of a vertex in the mesh: the ends of its edge, or a node twice, and the corners of the
-  /// tetrahedron that carries the vertex. A cut may change these corners.
+  /// Identity of a surface vertex in the mesh. `edge`: the two nodes of its edge, or the same node twice for
+  /// a vertex at a node. `carrier`: the corners of the tetrahedron that carries the vertex, which a cut may
+  /// change.
   struct Name {
     Edge edge{};
     std::array<NodeId, 4> carrier{};

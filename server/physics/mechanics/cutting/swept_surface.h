@@ -29,18 +29,23 @@ class SweptSurface {
   };
 
   enum class Twist { flattened, followed };
-  /// Takes polylines with equally many points, at least two, m; `part`: by point, ascending. Pieces without
-  /// area are left out. The surface of a part is smooth: a piece whose normal deviates strongly from its
-  /// part's gets the part's normal as `up`. If the ends of a segment move differently, `flattened` sweeps two
-  /// triangles, each with the motion of one end. `followed` divides the segment into strips whose ends hardly
-  /// move differently.
+  /// Builds the surface swept by a polyline that moves from `from` to `to` (equally many points, at least
+  /// two, m). Triangles without area are left out. `part`: for each point, ascending, the part of the
+  /// polyline that begins there. Within a part the surface is smooth: a triangle whose normal deviates
+  /// strongly from the part's mean normal gets that as `up`.
+  ///
+  /// `twist` applies if the ends of a segment move differently. `flattened` sweeps two triangles, each with
+  /// the motion of one end. `followed` divides the segment into strips whose ends hardly move differently.
   SweptSurface(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
                Twist twist = Twist::flattened);
 
   std::span<const Piece> pieces() const { return pieces_; }
-  /// Returns the first crossing of the segment a–b; a segment parallel to the surface has none.
+  /// Returns where the segment a–b first crosses the swept surface, with the surface's normal there. Returns
+  /// nothing if it does not cross, or is parallel to the surface.
   std::optional<Crossing> crossing(const Vec3& a, const Vec3& b) const;
-  /// Returns the point of the surface nearest to x, if it is within `reach`, m.
+  /// Returns the foot of x on the swept surface: distance and normal at the nearest triangle, and the
+  /// projection of x. The projection is onto the plane through that triangle with the normal Piece::up of the
+  /// smoothed surface. Returns nothing if the distance exceeds `reach`, m.
   std::optional<Foot> foot(const Vec3& x, double reach) const;
 
  private:

@@ -24,11 +24,12 @@ class TetComplex {
   static constexpr TetId none = TetTables::none;
   static constexpr const auto& face = TetTables::face;
 
-  /// Takes tetrahedra of positive volume, at most two per face; `density` in kg/m³. Throws InputError that
-  /// names the invalid tetrahedron.
+  /// Builds the complex of an uncut body from tetrahedra of positive volume, at most two at each face;
+  /// `density` in kg/m³. Throws InputError for other input; the message names the invalid tetrahedron.
   TetComplex(const TetMesh& rest, double density);
-  /// Creates the complex of a sheet that was never cut, see tables_of_sheet(). `held`: by node, 1 if fixed in
-  /// position; empty: none.
+  /// Creates the complex of an uncut sheet from its cells, each of which becomes two triangles
+  /// (tables_of_sheet()). `held`: for each node, 1 if it is fixed in position; empty if no node is. `density`
+  /// in kg/m³.
   static TetComplex of_sheet(const Anatomy& sheet, double density, std::vector<std::uint8_t> held);
 
   // ---- Queries by id. Ids of removed nodes and tetrahedra stay unused.
@@ -44,14 +45,17 @@ class TetComplex {
   std::span<const TetId> star(NodeId node) const { return tables_.star[node]; }  // ascending
   bool is_sheet() const { return tables_.is_sheet(); }
   std::size_t sides() const { return tables_.sides; }  // corners of a tetrahedron: 4, or 3 for triangles
-  /// Returns the ids of the `sides()` corners; also valid for a tetrahedron that was split.
+  /// Returns the node ids of the tetrahedron's corners: four, or three for a triangle of a sheet. They are
+  /// also valid for a tetrahedron that was split.
   std::span<const NodeId> corners(TetId tet) const { return tables_.corners(tet); }
-  /// Returns the index of the node among the tetrahedron's corners; 4: none.
+  /// Returns the index of the node among the tetrahedron's corners; 4 if the node is not a corner.
   std::size_t corner_index(TetId tet, NodeId node) const { return tables_.corner_index(tet, node); }
   double volume(TetId tet) const { return tables_.tet[tet].volume; }  // m³, in the rest shape
-  /// Returns the tetrahedron across the face opposite corner k; none at the boundary.
+  /// Returns the id of the neighbouring tetrahedron across the face opposite corner k; `none` if the face is
+  /// on the boundary.
   TetId neighbor(TetId tet, std::size_t k) const { return tables_.tet[tet].beyond[k]; }
-  /// Returns whether the face opposite corner k was created by a cut.
+  /// Returns whether the tetrahedron's face opposite corner k is a wall of a cut: a boundary face that a cut
+  /// created.
   bool is_wall(TetId tet, std::size_t k) const { return (tables_.tet[tet].wall >> k & 1) != 0; }
   const Lineage& lineage(TetId tet) const { return tables_.tet[tet].lineage; }
   double density() const { return masses_.density(); }  // kg/m³
@@ -59,16 +63,20 @@ class TetComplex {
   const TetTables& tables() const { return tables_; }
 
   // ---- Changes. For an invalid operation, apply() and take_back() throw InputError and change nothing.
-  /// Applies `op`. Its new ids must be unused, and a split must not create a tetrahedron without volume.
+  /// Applies a topology change and updates connectivity and masses. Throws InputError, and changes nothing,
+  /// if its new ids are in use, it does not match the mesh, or a split would create a tetrahedron without
+  /// volume.
   void apply(const TopologyOp& op);
-  /// Undoes the last operation still in force; content_hash() then returns its previous value.
+  /// Undoes a topology change, which must be the last one that was not undone. content_hash() then returns
+  /// its previous value. Throws InputError, and changes nothing, if the change does not match the mesh.
   void take_back(const TopologyOp& op);
-  /// Defers the masses of tetrahedra's nodes to settle_masses(). Masses are sums over the tetrahedra at a
-  /// node; deferring computes them once instead of after each change. Until then the masses of changed nodes
-  /// are stale.
+  /// Postpones the masses of nodes of tetrahedra until settle_masses() is called. A mass is a sum over the
+  /// tetrahedra at a node; postponing computes it once instead of after each change. Until then the masses of
+  /// changed nodes are outdated.
   void defer_masses() { masses_.defer(); }
   void settle_masses() { masses_.settle(tables_); }
-  /// Continues an earlier state of the same body after `later`: ids that were used in `later` are not reused.
+  /// Makes this complex, an earlier state of the same body, the successor of the state `later`, as after a
+  /// rewind. Ids that were used in `later` are not used again.
   void continue_from(const TetComplex& later);
 
  private:
@@ -80,9 +88,10 @@ class TetComplex {
   std::uint64_t undone_ = 0;
 };
 
-/// Returns a hash of connectivity, rest shape and masses, by id.
+/// Returns a hash of the complex: connectivity, rest shape, density and masses of all nodes and tetrahedra,
+/// with their ids.
 std::uint64_t content_hash(const TetComplex& complex);
-/// Returns the ids of live nodes, or tetrahedra, ascending.
+/// Returns the ids of all nodes that exist (not removed), ascending. tet_ids() does the same for tetrahedra.
 std::vector<NodeId> node_ids(const TetComplex& complex);
 std::vector<TetId> tet_ids(const TetComplex& complex);
 

@@ -19,8 +19,9 @@ void fill_stars(TetTables& tables) {
   for (TetId t = 0; t < tables.tet.size(); ++t)
     for (const NodeId node : tables.corners(t)) {
       if (node >= tables.rest.size())
-        throw InputError(fmt::format("cutting: tetrahedron {} refers to node {}; there are {}", t, node,
-                                     tables.rest.size()));
+        throw InputError(fmt::format(
+            "cutting: tetrahedron {} refers to node {}, but the mesh has {} nodes, numbered from 0", t, node,
+            tables.rest.size()));
       ++around[node];
     }
   // Reserves room for tetrahedra added by cuts.
@@ -88,8 +89,9 @@ void join_by_faces(TetTables& tables) {
       }
       if (same->joined != TetTables::none)
         throw InputError(
-            fmt::format("cutting: tetrahedra {}, {} and {} have one face in common; allowed: two", same->tet,
-                        same->joined, t));
+            fmt::format("cutting: tetrahedra {}, {} and {} have one face in common; allowed: at most two "
+                        "tetrahedra at each face",
+                        same->tet, same->joined, t));
       same->joined = t;
       tables.tet[t].beyond[k] = same->tet;
       tables.tet[same->tet].beyond[same->k] = t;

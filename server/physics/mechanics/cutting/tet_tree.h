@@ -14,13 +14,16 @@ class TetTree {
  public:
   TetTree() = default;  // built by the first update
   explicit TetTree(const TetComplex& complex) { build(complex); }
-  /// Adds tetrahedra split since the last update, and refits the boxes of those that may overlap the box
-  /// low–high. `positions`: m, by node id.
+  /// Adds the tetrahedra created by splits since the last update. Refits the boxes of tetrahedra that may
+  /// overlap the box low–high (m, world frame) to `positions` (m, by node id). Later queries must be within
+  /// that box.
   void update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low, const Vec3& high);
   // ---- Queries within the box of the last update
-  /// Appends the tetrahedra of the last update whose boxes overlap the piece's box and intersect its plane.
+  /// Appends the ids of tetrahedra whose bounding boxes, as of the last update, overlap the bounding box of
+  /// this triangle of a swept surface and intersect its plane.
   void query(const SweptSurface::Piece& piece, std::vector<TetId>& found) const;
-  /// Appends the tetrahedra of the last update whose boxes overlap the box low–high.
+  /// Appends the ids of tetrahedra whose bounding boxes, as of the last update, overlap the box low–high (m,
+  /// world frame).
   void query(const Vec3& low, const Vec3& high, std::vector<TetId>& found) const;
 
  private:

@@ -32,14 +32,16 @@ Vec3 middle_of(const SplitEdge& op, const TetTables& tables) {
 void check_split(const SplitEdge& op, const TetTables& tables, EdgeScratch& scratch) {
   const std::size_t node_end = tables.rest.size(), tet_end = tables.tet.size();
   require(op.a != op.b && tables.has_node(op.a) && tables.has_node(op.b),
-          "an edge to split has nonexistent nodes");
-  require(op.t > 0 && op.t < 1, "an edge is split outside (0, 1)");
-  require(op.node >= node_end && op.first >= tet_end, "an edge split reuses ids");
+          "the edge to split has two equal or nonexistent nodes; allowed: two different nodes of the mesh");
+  require(op.t > 0 && op.t < 1,
+          "the position at which an edge is split is not a fraction between 0 and 1 of its length");
+  require(op.node >= node_end && op.first >= tet_end,
+          "the new node or new tetrahedra of an edge split have ids that are already used");
   tables.around_edge(op.a, op.b, scratch.around);
   require(!scratch.around.empty() && scratch.around.size() == op.count,
-          "an edge to split has a different number of tetrahedra");
+          "an edge split records another number of tetrahedra around the edge than the mesh has there");
   require(op.node - node_end <= tet_end && op.first - tet_end <= 8 * (tet_end + 8),
-          "an edge split has ids out of range");
+          "the new node or new tetrahedra of an edge split have ids out of range");
   const Vec3 middle = middle_of(op, tables);
   const auto volume_with = [&](TetId t, NodeId gone) {
     std::array<Vec3, 4> x;
@@ -51,7 +53,7 @@ void check_split(const SplitEdge& op, const TetTables& tables, EdgeScratch& scra
   for (const TetId t : scratch.around) {
     scratch.halves.push_back({volume_with(t, op.b), volume_with(t, op.a)});
     require(scratch.halves.back()[0] > 0 && scratch.halves.back()[1] > 0,
-            "an edge split creates elements without volume");
+            "an edge split creates tetrahedra without volume; allowed: positive volumes");
   }
 }
 
@@ -114,33 +116,36 @@ void split_tet(const SplitEdge& op, TetTables& tables, TetId t, TetId with_a,
 /// Checks a node duplication: no copy may separate two tetrahedra with a common face, and the node must keep
 /// some tetrahedra.
 void check_parting(const PartNode& op, const TetTables& tables) {
-  require(tables.has_node(op.node), "a node to split does not exist");
+  require(tables.has_node(op.node), "the node to split does not exist in the mesh");
   std::vector<TetId> taken;
   const std::size_t node_end = tables.rest.size();
   NodeId last = static_cast<NodeId>(node_end - 1);
   for (const auto& copy : op.copies) {
     require(copy.node > last && copy.node - node_end <= tables.tet.size(),
-            "copies of a split node have wrong ids");
+            "the copies of a split node have ids that are already used, not ascending, or out of range");
     last = copy.node;
     require(!copy.tets.empty() && std::is_sorted(copy.tets.begin(), copy.tets.end()),
-            "the tetrahedra of a split node's copy are missing or out of order");
+            "the list of tetrahedra of a split node's copy is empty or not sorted by id");
     taken.insert(taken.end(), copy.tets.begin(), copy.tets.end());
     for (const TetId t : copy.tets) {
       require(tables.has_tet(t) && tables.corner_index(t, op.node) < 4,
-              "a split node's copy takes tetrahedra of another node");
+              "the copy of a split node lists tetrahedra that do not exist or do not have the split node as "
+              "a corner");
       for (std::size_t k = 0; k < tables.sides; ++k) {
         const TetId beyond = tables.tet[t].beyond[k];
         require(beyond == none || tables.tet[t].corner[k] == op.node ||
                     std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
-                "a split node's copy would tear a face");
+                "the copy of a split node takes only one of two tetrahedra that are still joined by a face; "
+                "it must take both");
       }
     }
   }
   if (op.copies.size() > 1) std::sort(taken.begin(), taken.end());
   require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(),
-          "two copies take the same tetrahedron");
+          "two copies of a split node list the same tetrahedron; allowed: each tetrahedron in one copy");
   require(!op.copies.empty() && taken.size() < tables.star[op.node].size(),
-          "a split node has no remaining tetrahedron");
+          "the copies of a split node take all its tetrahedra, or there are no copies; the node must keep at "
+          "least one tetrahedron");
 }
 
 }  // namespace
@@ -179,7 +184,7 @@ void take_back(const SplitEdge& op, EditedTables edited) {
               tables.star[op.node].size() == 2ull * op.count;
   for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c)
     good = tables.has_tet(c) && tables.tet[c].lineage.parent != none;
-  require(good, "an edge split to undo does not match the mesh");
+  require(good, "an edge split cannot be undone, because its new node and tetrahedra do not match the mesh");
   for (TetId i = 0; i < op.count; ++i) {
     const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = tables.tet[with_a].lineage.parent;
     const std::size_t ka = tables.corner_index(t, op.a), kb = tables.corner_index(t, op.b);
@@ -207,9 +212,10 @@ void apply(const SlitFaces& op, EditedTables edited) {
   TetTables& tables = edited.tables;
   for (std::size_t i = 0; i < op.faces.size(); ++i) {
     const auto& [a, b] = op.faces[i];
-    require(a < b && (i == 0 || op.faces[i - 1] < op.faces[i]), "faces to slit are not in order");
+    require(a < b && (i == 0 || op.faces[i - 1] < op.faces[i]),
+            "the faces to separate are not sorted by the ids of their two tetrahedra");
     require(tables.has_tet(a) && tables.has_tet(b) && tables.face_towards(a, b) < 4,
-            "faces to slit join no such tetrahedra");
+            "a face to separate is given by two tetrahedra that do not exist or have no common face");
   }
   for (const auto& [a, b] : op.faces) {
     const std::size_t ka = tables.face_towards(a, b), kb = tables.face_towards(b, a);
@@ -225,9 +231,11 @@ void take_back(const SlitFaces& op, EditedTables edited) {
   TetTables& tables = edited.tables;
   const auto is_wall = [&](TetId t, std::size_t k) { return (tables.tet[t].wall >> k & 1) != 0; };
   for (const auto& [a, b] : op.faces) {
-    require(tables.has_tet(a) && tables.has_tet(b), "faces to join belong to no such tetrahedra");
+    require(tables.has_tet(a) && tables.has_tet(b),
+            "a face to rejoin is given by a tetrahedron that does not exist");
     const std::size_t ka = tables.face_shared(a, b), kb = tables.face_shared(b, a);
-    require(ka < 4 && kb < 4 && is_wall(a, ka) && is_wall(b, kb), "faces to join were not slit");
+    require(ka < 4 && kb < 4 && is_wall(a, ka) && is_wall(b, kb),
+            "a face to rejoin had not been separated by a cut");
   }
   for (const auto& [a, b] : op.faces) {
     const std::size_t ka = tables.face_shared(a, b), kb = tables.face_shared(b, a);
@@ -261,10 +269,10 @@ void apply(const PartNode& op, EditedTables edited) {
 
 void take_back(const PartNode& op, EditedTables edited) {
   auto& [tables, masses, scratch] = edited;
-  require(tables.has_node(op.node), "a node to rejoin does not exist");
+  require(tables.has_node(op.node), "the node whose split is to be undone does not exist in the mesh");
   for (const auto& copy : op.copies)
     require(tables.has_node(copy.node) && tables.star[copy.node] == copy.tets,
-            "a node's copies do not match the mesh");
+            "a node split cannot be undone, because the node's copies do not match the mesh");
   for (const auto& copy : op.copies) {
     for (const TetId t : copy.tets) {
       tables.tet[t].corner[tables.corner_index(t, copy.node)] = op.node;

@@ -9,13 +9,14 @@
 
 namespace prosector {
 
-/// Ids within one body; never reused, not even after an undo. Nodes and tetrahedra of the compiled mesh use
-/// their indices as ids.
+/// Ids of nodes and tetrahedra within one body. They are never reused, not even after an undo. Nodes and
+/// tetrahedra of the compiled mesh have their indices as ids.
 using NodeId = std::uint32_t;
 using TetId = std::uint32_t;
 
-/// Splits edge a–b at a + t·(b − a), and each tetrahedron around it into two. The i-th of these tetrahedra,
-/// in ascending order, becomes `first + 2i`, which keeps a, and `first + 2i + 1`, which keeps b.
+/// Topology change that splits edge a–b at a + t·(b − a), and each tetrahedron around the edge into two. The
+/// i-th of these tetrahedra, in ascending order, is replaced by `first + 2i`, which keeps corner a, and
+/// `first + 2i + 1`, which keeps corner b.
 struct SplitEdge {
   NodeId a = 0, b = 0;
   NodeId node = 0;          // new node
@@ -25,14 +26,15 @@ struct SplitEdge {
   bool operator==(const SplitEdge&) const = default;
 };
 
-/// Separates pairs of tetrahedra at their common face; each gets a boundary face there.
+/// Topology change that separates pairs of tetrahedra at their common face; each of the two gets a boundary
+/// face there.
 struct SlitFaces {
   std::vector<std::array<TetId, 2>> faces;
   bool operator==(const SlitFaces&) const = default;
 };
 
-/// Duplicates a node whose tetrahedra are no longer connected. Each copy takes its listed tetrahedra; the
-/// others stay at `node`.
+/// Topology change that duplicates a node whose tetrahedra are no longer connected through faces. Each copy
+/// takes over its listed tetrahedra; the others keep `node`.
 struct PartNode {
   struct Copy {
     NodeId node = 0;          // new node

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Returns all tetrahedra that these operations, just applied, removed, added or connected differently;
-/// ascending.
+/// Returns the ids, ascending, of all tetrahedra that these topology changes, which were just applied,
+/// removed, added or connected differently. For a sheet, triangles whose nodes changed mass are included.
 std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops);
 
 }  // namespace prosector

@@ -11,16 +11,17 @@ namespace prosector {
 class TouchedPlaces {
  public:
   TouchedPlaces() = default;
-  /// Takes points of the rest shape, m. Keeps one point, the first in lexicographic order, per cube of edge
-  /// length `apart`, m.
+  /// Stores the points of a body, in its rest shape (m), at which hands or other bodies touch it. Of the
+  /// points in each cube of a grid with spacing `apart`, m, only the first in lexicographic order is kept.
   TouchedPlaces(std::vector<Vec3> points, double apart);
 
   bool empty() const { return places_.empty(); }
   std::span<const Vec3> all() const { return places_; }
-  /// Returns the distance from the box to the nearest place, m; `limit` if no place is nearer.
+  /// Returns the distance, m, from the box low–high to the nearest touched point; `limit` if none is closer
+  /// than `limit`.
   double distance(const Vec3& low, const Vec3& high, double limit) const;
 
-  /// Returns whether a place is closer to the box than `limit`, m.
+  /// Returns whether a touched point is closer to the box low–high than `limit`, m.
   bool within(const Vec3& low, const Vec3& high, double limit) const;
 
  private:

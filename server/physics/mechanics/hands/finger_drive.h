@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// An actual or imminent contact of a finger. Lengths are measured against the contact normal.
+/// Contact of a finger with a body, actual or imminent, as an obstacle to the finger's flexion. The gap is
+/// measured along the contact normal.
 struct Obstacle {
   double gap = 0;        // m, < 0 penetrates
   double way = 0;        // m: decrease of the gap per unit of flexion; < 0: the gap increases
@@ -15,14 +16,15 @@ struct Obstacle {
   double series = 0;     // N/m: of the contact in series with the body behind it, at most `stiffness`
 };
 
-/// Parameters of the finger's drive.
+/// Parameters of the spring with bounded force that drives a finger towards its tracked flexion.
 struct FingerDrive {
   double max_force = 0;  // N, against all obstacles together
   double lag = 0.5;      // of flexion: lag behind the tracked finger at which the full force is reached
 };
 
-/// Returns the change of flexion, within ±`most`, that balances drive and resistance. The force is below the
-/// drive's bound, unless obstacles approach the finger faster than `most`.
+/// Returns the finger's change of flexion in one tick, within ±`most`, at which the drive's force balances
+/// the obstacles' resistance. Flexion is 0 for a straight finger and 1 for a bent one. The force is below
+/// `drive.max_force`, unless obstacles push the finger back faster than `most` allows.
 double finger_step(double tracked, double flexion, double most, std::span<const Obstacle> obstacles,
                    const FingerDrive& drive);
 

@@ -14,7 +14,8 @@
 
 namespace prosector {
 
-/// A hold of a hand on a body: pairs of points that are kept together by bounded springs.
+/// Hold of a hand on a body it grasps: pairs of a point of the hand and a point of the body, connected by
+/// springs of bounded force.
 struct Hold {
   struct Point {
     Vec3 in_hand;              // m, hand's centre-of-mass frame
@@ -42,10 +43,12 @@ struct Hand {
   std::vector<PadMemory> pads;  // in the order of the last tick's contacts
 };
 
-/// Returns the hand with that slot of the rigid world; null: none.
+/// Returns the hand that has this slot (index of a body) in the rigid world; null if the slot is not a
+/// hand's.
 const Hand* hand_at(std::span<const Hand> hands, std::size_t slot);
 
-/// Returns whether a hand holds or touches the soft body. `touches`: the body's contacts with rigid bodies.
+/// Returns whether any hand holds or touches the soft body `body`. `touches`: the soft body's contacts with
+/// rigid bodies, hands included.
 bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact> touches);
 
 inline constexpr double max_hand_speed = 3;         // m/s, of the effective target
@@ -54,21 +57,25 @@ inline constexpr double grasp_reach_rigid = 0.03;   // m
 inline constexpr double grasp_reach_soft = 0.025;   // m
 inline constexpr std::size_t max_hold_points = 24;  // for tissue
 inline constexpr double arm_coupling = 5e4;         // N/m, stiffness for a hand that a haptic arm moves
-/// Force limit of a hand that a haptic arm moves: arm_allowance (N) plus arm_share times the arm's reaction.
+/// Constants of the force limit of a hand that a haptic arm moves and that holds nothing. The limit is
+/// `arm_allowance` (N) plus `arm_share` times the arm's reaction force, and at most the hand's own limit.
 inline constexpr double arm_allowance = 1, arm_share = 1.25;
 
-/// Returns the pull of the virtual coupling for one tick: critically damped towards the target's pose and
-/// velocity, with bounded force and moment. The effective target is never farther away than max_hand_speed
-/// allows. A hand that a haptic arm moves follows the arm stiffly, so the user feels tissue instead of the
+/// Returns the parameters of the virtual coupling that pulls a hand to its tracked pose in a tick of `h` s.
+/// The coupling is critically damped and has bounded force and moment. `centre`: the current pose of the
+/// hand's centre of mass, world frame. The target is used only up to a distance that max_hand_speed allows.
+///
+/// A hand that a haptic arm moves is coupled stiffly, so that the user feels the tissue instead of the
 /// coupling. Its force is limited to little more than the arm's reaction.
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
 
-/// Returns the compliance of a point of a hand that a haptic arm moves while the arm is fixed, m/N. `centre`:
-/// the hand's pose, world frame.
+/// Returns the compliance, m/N, of the virtual coupling of a hand that a haptic arm holds fixed: the
+/// displacement of the hand's `point` per force at it. `centre`: pose of the hand's centre of mass; `point`,
+/// m; both in the world frame.
 Mat3 coupling_give(const Pose& centre, const Vec3& point);
 
-/// A sample point of a hand, from which grasps measure distances: on the palm's mid-plane or a segment's
-/// axis. World frame; `radius` is the distance to the skin.
+/// Sample point of a hand, from which the distance of a grasped body is measured. It is on the palm's
+/// mid-plane or on a finger segment's axis, in the world frame. `radius`, m, is its distance to the skin.
 struct Feeler {
   Vec3 point;
   double radius;
@@ -77,8 +84,9 @@ struct Feeler {
 std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre);
 const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point);
 
-/// Creates a hold that fixes a rigid body's pose relative to the hand, by three points around each touched
-/// point.
+/// Creates the hold of a hand on a rigid body, which fixes the body's pose relative to the hand. Around each
+/// touched point, three springs connect hand and body. `hand_centre`, `body_centre`: poses of the centres of
+/// mass, world frame. `body_mass` in kg; `h`: tick length, s.
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
                 const Pose& body_centre, std::span<const Touch> touches, double h);
 

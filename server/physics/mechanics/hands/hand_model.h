@@ -11,14 +11,17 @@
 
 namespace prosector {
 
-/// The physical hand of one side: palm, then the segments in joint order.
+/// Physical model of a left or right hand as a rigid body whose parts are the palm, then the finger segments
+/// in joint order.
 struct HandModel {
   RigidShape shape;
   RigidSetup setup;
   Pose center;  // centre-of-mass frame, relative to the wrist's frame
 };
 
-/// Returns the poses of a hand's parts in its centre-of-mass frame.
+/// Returns the pose of each part of a hand (the palm, then the finger segments in joint order) in the hand's
+/// centre-of-mass frame. `hand`: left or right. `flexion` of each finger: 0 straight, 1 bent. `center`: the
+/// centre-of-mass frame relative to the wrist.
 std::vector<Pose> hand_part_poses(std::size_t hand, const std::array<double, fingers>& flexion,
                                   const Pose& center);
 

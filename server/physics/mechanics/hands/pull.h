@@ -5,8 +5,8 @@
 
 namespace prosector {
 
-/// The virtual coupling of a hand: pulls a rigid body towards a displacement, with bounded force and moment.
-/// The potential is quadratic up to the bound, and linear beyond it.
+/// Parameters of a hand's virtual coupling in one tick: a spring with bounded force and moment that pulls the
+/// hand's rigid body towards a displacement. Its potential is quadratic up to the bound and linear beyond it.
 struct Pull {
   Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();  // m, rad: target twist
   double stiffness = 0, angular_stiffness = 0;               // N/m, N·m/rad

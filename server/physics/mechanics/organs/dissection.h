@@ -18,7 +18,8 @@ struct Dissection {
   RefinedBodies refined;                // all bodies that may be refined; cut bodies are not refined
 
   // ---- Created with the scene, not saved
-  /// Organs prepared for the first cut of each soft body, until that cut; in scenes with a blade.
+  /// Organs (soft bodies prepared for cutting) that were not cut yet, by index of the soft body. Built in
+  /// advance, so that the first cut is fast, and only in scenes with a blade.
   std::map<std::size_t, Organ> uncut;
   std::vector<VecX> uncut_equilibrium;  // 3n, m: of the scene's soft bodies as compiled
 

@@ -9,15 +9,17 @@
 
 namespace prosector {
 
-/// Index of a mesh's tetrahedra near a box. It takes one pass over the mesh, for any number of queries in the
-/// box.
+/// Spatial index of the tetrahedra of a mesh that are near a box, for finding the tetrahedron that contains a
+/// point of that box. Building it takes one pass over the mesh.
 class Locator {
  public:
-  /// Builds the index for node positions `x` (3n, m; more nodes than the tetrahedra's corners may follow).
-  /// Both arguments must outlive this.
+  /// Collects the tetrahedra whose bounding boxes overlap `box`. `x`: node positions (3 per node, m); it may
+  /// hold more nodes than the tetrahedra use. Stores pointers to `mesh` and `x`, which must outlive this
+  /// object.
   Locator(const TetMesh& mesh, const VecX& x, const Aabb& box);
-  /// Returns the corners of the first tetrahedron that contains the point, faces included, with barycentric
-  /// weights; none if outside. Inverted tetrahedra contain no points. The point must be in the box.
+  /// Returns the first tetrahedron of the indexed mesh that contains `point` (m), as its four corner nodes
+  /// with barycentric weights. Points on faces count as inside. Returns none if no tetrahedron contains it.
+  /// Inverted tetrahedra contain no points. `point` must lie in the box for which the index was built.
   std::optional<SparseMap::Row> at(const Vec3& point) const;
 
  private:

@@ -12,9 +12,10 @@
 
 namespace prosector {
 
-/// Mesh of one body as its solver has it: dense indices, with the ids in an organ's complex. `nodes`
-/// (vertices only) and `places` ascend. So a cut that severs nothing appends nodes and tetrahedra and keeps
-/// all other indices.
+/// Mesh of one connected piece of a cut organ, with dense indices as its solver uses them. It maps each index
+/// to the id of the node or tetrahedron in the organ's mesh. `nodes` (vertices only) and `places` (sort keys
+/// of the tetrahedra) ascend. So a cut that severs nothing only appends nodes and tetrahedra and keeps all
+/// other indices.
 struct PieceMesh {
   std::vector<NodeId> nodes;
   std::vector<TetId> tets, places;  // by tetrahedron: id and TetComplex::place()
@@ -23,23 +24,29 @@ struct PieceMesh {
   TetMesh mesh;
 };
 
-/// Interpolation of node fields from old meshes to a new one. The source of a node is the same node, or a
-/// point of the tetrahedron at its position, with shape-function weights. So the new mesh has the shape and
-/// motion of the old one. Lumped momentum is conserved to rounding where elements are linear.
+/// Interpolation of node fields, such as positions and velocities, from the meshes before a cut to one mesh
+/// after it. A node that existed before keeps its value. A new node gets the value at its rest position in
+/// the old tetrahedron there, by shape functions. So the new mesh has the shape and motion of the old one.
+/// The total momentum with lumped masses is conserved to rounding where elements are linear.
 class NodeTransfer {
  public:
-  /// Finds the sources of the nodes of `now`. `before`: the organ's pieces before the change, any number; the
-  /// complex is in its state after the change. `quadratic`: the elements have ten nodes.
+  /// Finds for each node of the piece `now` the old nodes and weights from which its field values are
+  /// interpolated. `complex`: the organ's mesh after the change; `before`: all its pieces before the change.
+  /// `quadratic`: the elements have ten nodes.
   NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before, const PieceMesh& now,
                bool quadratic);
-  /// Finds the sources of the nodes that a change made in a single piece. These are `made`, which are the
-  /// first new nodes of `edit`, and the new nodes on the edges of `tets`. `edges`: edge nodes before the
-  /// change, for quadratic elements.
+  /// Finds, for a change within a single piece, the old nodes and weights from which each new node is
+  /// interpolated. The new nodes are `made` (ids), which come first among the new nodes of `edit`, and the
+  /// new edge nodes of `tets`. `edges`: edge nodes of quadratic elements before the change; null for linear
+  /// elements.
   NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
                std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges);
-  /// Returns the field on the new mesh. `fields`: 3n numbers of each piece in `before`.
+  /// Returns a field on the new mesh, 3 values per node, interpolated from the old meshes. `fields`: for each
+  /// old piece, in the order given to the constructor, 3 values per node.
   VecX operator()(std::span<const VecX* const> fields) const;
-  /// Returns the field of one piece after that edit, which made nodes.
+  /// Returns a field, 3 values per node, after `edit` was applied to a single piece: surviving nodes keep
+  /// their values in `field`, and new nodes get interpolated values. Requires the constructor that takes a
+  /// MeshEdit.
   VecX carried(const VecX& field, const MeshEdit& edit) const;
 
  private:

@@ -19,11 +19,13 @@
 
 namespace prosector {
 
-/// An organ: mesh complex, skin, log and pieces of a soft body.
+/// Soft body that can be cut: the mesh of all its tetrahedra or sheet triangles, its surface, its connected
+/// pieces, and the log of all cuts, undos and rewinds.
 class Organ {
  public:
-  /// Initialises from soft body `body`, which was never cut: tetrahedra, with or without edge nodes, or a
-  /// sheet. `density`: kg/m³. `held`: by node of a sheet, whether an attachment holds the node; empty: none.
+  /// Initialises the organ, with one piece, from the soft body with index `body`, which was never cut.
+  /// `anatomy`: its mesh and surface, of tetrahedra with or without edge nodes, or of a sheet. `density`:
+  /// kg/m³. `held`: for each node of a sheet, 1 if an attachment fixes it; empty if none is fixed.
   Organ(std::size_t body, const Anatomy& anatomy, double density, std::vector<std::uint8_t> held = {});
 
   const Anatomy& whole() const { return whole_; }  // as compiled, without edge nodes
@@ -35,35 +37,44 @@ class Organ {
   const std::vector<OrganPiece>& pieces() const { return grouping_.all(); }
   const OrganPiece& piece(std::size_t body) const { return grouping_.piece(body); }
 
-  /// Cuts for one tick of a blade's stroke, see mesh_cut.h. `positions`: of every node, by id, m. Nothing
-  /// changed if the result has no operations.
+  /// Cuts the organ along the surface that a blade's edge sweeps in one tick, and appends the cut to the log.
+  /// `positions`: node positions (m) by node id; `edge`: points of the edge at the end of the tick (m, world
+  /// frame); `blade`: the stroke's state, updated. `stroke`: number of the stroke, by which `author` can undo
+  /// it. If the result lists no operations, the organ did not change.
   CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
                 ParticipantId author, std::uint64_t stroke);
-  /// Undoes the author's last stroke, or returns the reason why not.
+  /// Undoes all cuts of the author's last stroke that is still in force. Returns an empty refusal on success;
+  /// otherwise returns the reason, for instance that a later cut depends on it, and changes nothing.
   Refusal undo(ParticipantId author);
-  /// Returns whether `then` is an earlier state of this organ: its log is a prefix of this log.
+  /// Returns whether `then` is an earlier or equal state of this organ: whether the log of changes of `then`
+  /// is a prefix of this organ's log.
   bool has_past(const Organ& then) const;
-  /// Restores the state of `then`, for which has_past() must hold. Later cuts are undone; cuts that were
-  /// undone later are redone with their ids. Bodies that were created later remain, as pieces without
-  /// tetrahedra.
+  /// Restores the cuts of the earlier state `then` of this organ and appends a rewind by `author` to the log.
+  /// has_past(then) must hold. Later cuts are undone; cuts that were undone later are redone with the same
+  /// ids. Soft bodies of pieces that were created later remain, as pieces without tetrahedra.
   void rewind(const Organ& then, ParticipantId author);
 
-  /// Recomputes the pieces after changes, see OrganPieces::regroup().
+  /// Recomputes the organ's connected pieces after cuts or undos, and returns the changes since the last
+  /// call. Pieces that fell off become soft bodies with indices from `next_body` on.
   Regrouped regroup(std::size_t next_body);
-  /// Updates the only changed piece incrementally, instead of regroup(). `edit`: from cut_in_one_piece().
+  /// Updates the mesh of the only changed piece incrementally, which is faster than regroup(). Allowed only
+  /// if nothing was severed. `edit`: returned by cut_in_one_piece().
   void follow(const PieceEdit& edit);
 
-  /// A position in the log with the pieces there, to go back to if the following changes can't be applied.
+  /// Position in the organ's log of changes, with the pieces at that position. back_to() returns there if the
+  /// changes that follow can't be applied.
   struct Mark {
     std::size_t changes = 0;
     PieceMarks pieces;
   };
   Mark mark() const;
-  /// Goes back to the mark and truncates the log there. `bodies`: number of soft bodies.
+  /// Restores the organ to the state at `mark` and removes all later entries from its log. `bodies`: number
+  /// of soft bodies in the simulation, for checking the mark's body indices.
   void back_to(const Mark& mark, std::size_t bodies);
 
-  /// Applies another organ's log to this uncut organ and sets the pieces of that state. Throws InputError for
-  /// inconsistent input. `bodies`: number of soft bodies.
+  /// Replays `log`, the changes of another instance of this organ, on this uncut organ. Then assigns its
+  /// pieces to soft bodies as in `pieces`. Throws InputError if the log or the pieces are inconsistent.
+  /// `bodies`: number of soft bodies in the simulation.
   void restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies);
 
  private:

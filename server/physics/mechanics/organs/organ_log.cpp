@@ -43,7 +43,8 @@ Refusal why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke
       if (&later <= change || !in_force(later)) continue;
       if (later.stroke == change->stroke && later.author == change->author) continue;
       if (meet(change->touched, later.touched))
-        return fmt::format("cut {} depends on it: undo that one first", later.stroke);
+        return fmt::format("your last cut cannot be undone: cut {} depends on it, undo that one first",
+                           later.stroke);
     }
   return {};
 }

@@ -15,12 +15,13 @@
 
 namespace prosector {
 
-/// An entry of the log.
+/// Entry of an organ's log of changes: a cut, an undo or a rewind, with its author, the number of its stroke,
+/// and the topology operations of a cut.
 struct OrganChange {
   TopologyCause cause = TopologyCause::cut;
   ParticipantId author = 0;
-  /// Cuts of one stroke are undone together. Of an undo: the undone stroke. Of a rewind: the length of the
-  /// log to which it went back.
+  /// For a cut, the number of the blade stroke to which it belongs; cuts of one stroke are undone together.
+  /// For an undo, the undone stroke. For a rewind, the length of the log to which it went back.
   std::uint64_t stroke = 0;
   std::vector<TopologyOp> ops;  // of a cut
   // Tetrahedra that later cuts must not touch if this cut is to be undone; ascending.
@@ -30,15 +31,19 @@ struct OrganChange {
 
 using OrganLog = std::vector<OrganChange>;
 
-/// Returns the cuts of the author's last stroke in force, newest first.
+/// Returns the log's entries for the cuts of the author's last stroke in force, newest first. Cuts that were
+/// undone or rewound are not in force. Empty if the author has no cut in force.
 std::vector<OrganChange*> stroke_of(OrganLog& log, ParticipantId author);
-/// Returns the number of the author's last stroke in force; none: there is none.
+/// Returns the number of the author's last stroke that has cuts in force, neither undone nor rewound; none if
+/// there is no such stroke.
 std::optional<std::uint64_t> last_stroke(const OrganLog& log, ParticipantId author);
-/// Returns the reason why the stroke's cuts can't be undone, if a later cut depends on them.
+/// Returns the reason why the cuts of `stroke` can't be undone, namely that a later cut in force touched the
+/// same tetrahedra. Empty if they can be undone.
 Refusal why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke);
-/// Returns whether no cut is in force.
+/// Returns whether no cut in an organ's log is in force: there was none, or all were undone or rewound.
 bool is_uncut(const OrganLog& log);
-/// Returns whether the log begins with the entries of `start`.
+/// Returns whether the first entries of `log` equal all entries of `start`, compared by cause, author, stroke
+/// and topology operations.
 bool begins_with(const OrganLog& log, const OrganLog& start);
 
 }  // namespace prosector

@@ -8,12 +8,14 @@
 
 namespace prosector {
 
-/// Returns the anatomy with vertices only. Embedding rows on edge nodes are distributed to the edges' ends.
+/// Returns a copy of `anatomy` without the edge nodes of quadratic tetrahedra. In the surface's embedding,
+/// the weight of an edge node is distributed equally to the two ends of its edge.
 Anatomy without_edge_nodes(const Anatomy& anatomy);
 
 PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets);
 
-/// Changes of a piece by a cut or an undo.
+/// Changes of the mesh of one piece of an organ by a cut or an undo: new nodes and changed tetrahedra with
+/// their ids, and the mesh edit by index.
 struct PieceEdit {
   std::size_t body = 0;
   std::vector<NodeId> nodes;  // new nodes
@@ -24,24 +26,28 @@ struct PieceEdit {
   std::vector<std::uint32_t> touched;
 };
 
-/// Returns the edit of a piece from which nothing was severed. `touched`: tetrahedra that may have changed,
-/// which are children of its tetrahedra or have parted corners.
+/// Returns the changes of a piece's mesh by cuts that severed nothing from it. `complex`: the organ's mesh
+/// after the cuts; `piece`: the piece before them. `touched`: ids of the tetrahedra that may have changed.
+/// Each of them is a tetrahedron of the piece, whose corners may have been duplicated, or a child of one.
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
-/// Returns the edit between two states of a piece, for any changes between them. A tetrahedron with the same
-/// place and corners is unchanged.
+/// Returns the changes between two states of the mesh of one piece of an organ, for any cuts and undos
+/// between them. A tetrahedron counts as unchanged if its sort key (`places`) and its corners are the same.
 PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now);
-/// Returns whether applying the edit costs less than a rebuild, which gives the same result.
+/// Returns whether it is cheaper to update data incrementally by `edit` than to rebuild them, which gives the
+/// same result. That holds if at most a quarter of the piece's tetrahedra changed.
 bool is_worth_following(const PieceEdit& edit);
 
-/// The surface of a piece, embedded in its nodes.
+/// Surface triangles of a piece of an organ, the embedding of their vertices in the piece's nodes, and the
+/// permanent numbers of nodes, vertices and triangles.
 struct PieceSurface {
   TriangleMesh surface;
   SparseMap embedding;
   Numbering numbering;
 };
 
-/// Embedding of a skin vertex, and its rest position (m). `index_of`: a node's index in the piece.
+/// Surface vertex of a cut body, embedded in the nodes of one piece: indices and weights of up to four nodes,
+/// and its rest position (m).
 struct HungVertex {
   SparseMap::Row row;
   Vec3 rest = Vec3::Zero();
@@ -58,12 +64,14 @@ HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& 
   return out;
 }
 
-/// Returns the surface of the piece's skin. Vertices and triangles are numbered by their slots, starting from
-/// `first_vertex` and `first_triangle`.
+/// Returns the surface of one piece of a cut organ: the triangles of the organ's `skin` whose tetrahedra are
+/// in the piece. A vertex gets the permanent number `first_vertex` plus its slot in the skin, and a triangle
+/// `first_triangle` plus its slot.
 PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
                      std::uint32_t first_vertex, std::uint32_t first_triangle);
 
-/// Returns one tetrahedron without a surface: the placeholder mesh of a piece that was joined to another.
+/// Returns a single tetrahedron, or sheet cell, of the uncut organ `whole`, without a surface. It is the
+/// placeholder mesh of a soft body whose piece was joined to another piece by an undo.
 Anatomy remnant(const Anatomy& whole);
 
 }  // namespace prosector

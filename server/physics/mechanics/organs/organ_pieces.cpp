@@ -169,7 +169,7 @@ void OrganPieces::restore(const PieceMarks& marks, const TetComplex& complex, st
     for (const TetId tet : *at) owner_[tet] = piece.body;
     ++used;
   }
-  require(used == found.size(), "pieces that are no bodies");
+  require(used == found.size(), "the list of pieces is damaged: a piece of the cut organ is missing in it");
 }
 
 }  // namespace prosector

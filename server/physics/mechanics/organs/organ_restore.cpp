@@ -39,7 +39,8 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
     for (const TopologyOp& op : change.ops) complex_.apply(op);
     if (change.cause == TopologyCause::undo) {
       const std::vector<OrganChange*> stroke = stroke_of(log_, change.author);
-      require(!stroke.empty() && stroke.front()->stroke == change.stroke, "an undo of a nonexistent cut");
+      require(!stroke.empty() && stroke.front()->stroke == change.stroke,
+              "the list of topology changes is damaged: an undo refers to a cut that does not exist");
       take_back(stroke);
     } else {
       require(change.cause == TopologyCause::cut, "an invalid topology change");

@@ -20,26 +20,31 @@ constexpr double longest_share = 1.75;
 constexpr double linger_seconds = 1;  // s: time for which refined elements stay after the last contact
 
 RefinementLimits limits_of(const SoftDesc& desc, double tick_rate) {
-  const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
+  const double cell = desc.refinement.cell > 0 ? desc.refinement.cell : desc.geometry.cell / 2;
   return {.edge = longest_share * cell,
-          .reach = desc.refine_reach > 0 ? desc.refine_reach : desc.cell,
-          .most = static_cast<std::size_t>(desc.refine_most),
+          .reach = desc.refinement.reach > 0 ? desc.refinement.reach : desc.geometry.cell,
+          .most = static_cast<std::size_t>(desc.refinement.max_elements),
           .linger = static_cast<std::uint32_t>(std::ceil(linger_seconds * tick_rate))};
 }
 
 LocalRefinement refinement_of(const SoftBody& compiled, double tick_rate) {
   const SoftDesc& desc = compiled.desc();
   const auto refusal = [&](const std::string& why) {
-    return InputError(fmt::format("[[soft]] \"{}\": refine is \"{}\", {}", desc.name, desc.refine, why));
+    return InputError(fmt::format("[[soft]] \"{}\": refine is \"touch\", {}", desc.name, why));
   };
-  if (mesh_kind(compiled.anatomy()) != MeshKind::tets || desc.element != "tet4")
-    throw refusal("allowed only for solids of linear tetrahedra (element = \"tet4\"); otherwise use none");
+  if (mesh_kind(compiled.anatomy()) != MeshKind::tets || desc.configuration.is_quadratic())
+    throw refusal(
+        "which is allowed only for solids of linear tetrahedra (element = \"tet4\"); set refine = \"none\"");
   if (compiled.dropped_elements() > 0)
-    throw refusal(fmt::format("but {} of its tetrahedra are degenerate", compiled.dropped_elements()));
+    throw refusal(
+        fmt::format("which needs tetrahedra with a volume, but {} of the body's are degenerate; set refine = "
+                    "\"none\" or mesh the body again",
+                    compiled.dropped_elements()));
   try {
-    return {compiled.anatomy().tets, desc.density, limits_of(desc, tick_rate)};
+    return {compiled.anatomy().tets, desc.material.density, limits_of(desc, tick_rate)};
   } catch (const InputError& error) {
-    throw refusal(fmt::format("but its mesh does not allow it: {}", error.what()));
+    throw refusal(fmt::format("but its mesh does not allow it: {}; set refine = \"none\" or use another mesh",
+                              error.what()));
   }
 }
 

@@ -13,13 +13,17 @@
 
 namespace prosector {
 
-/// A body with local refinement.
+/// Soft body whose tetrahedra are bisected near contacts and merged again later: the compiled mesh, the
+/// current mesh, and for each surface vertex the compiled tetrahedron that carries it.
 struct RefinedBody {
-  /// Initialises from a compiled body, whose description sets the refinement. `tick_rate`: Hz. Throws
-  /// InputError for a body without linear tetrahedra, or with flat ones.
+  /// Initialises from a compiled body, whose scene description sets the refined edge length, the reach and
+  /// the number of elements. `tick_rate`: ticks per second, in Hz, which sets how many ticks refined elements
+  /// outlast the contact. Throws InputError if the body does not consist of linear tetrahedra or if some of
+  /// them are degenerate.
   RefinedBody(const SoftBody& compiled, double tick_rate);
-  /// Initialises from tetrahedra without a body. `density`: kg/m³. Throws InputError for meshes that
-  /// TetComplex refuses.
+  /// Initialises from a mesh without a simulated body. `density`: kg/m³; `limits`: refined edge length,
+  /// reach, and number of elements. Throws InputError for meshes that TetComplex refuses, such as those with
+  /// tetrahedra without volume.
   RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits);
 
   Anatomy whole;                   // as compiled
@@ -33,31 +37,37 @@ struct RefinedBody {
   bool touched = false;  // of a refined body: touched in the last tick in which it was awake
 };
 
-/// Returns the current tetrahedra. Nodes and tetrahedra of the compiled mesh keep their indices.
+/// Returns the current tetrahedra of a locally refined body. Nodes of the compiled mesh keep their indices,
+/// and nodes on bisected edges follow. Each tetrahedron has its id in the refined mesh and its sort key.
 PieceMesh refined_mesh(const RefinedBody& body);
-/// Returns the surface's embedding. Each vertex is embedded in the current tetrahedron at its position.
-/// Weights are at most max_embedding_weight, or as large as before.
+/// Returns the embedding of a refined body's surface in the nodes of its current mesh `now`. Each vertex is
+/// embedded in the current tetrahedron at its position, or in a larger ancestor if the weights would exceed
+/// max_embedding_weight and their previous maximum.
 SparseMap refined_embedding(const RefinedBody& body, const PieceMesh& now);
 Anatomy refined_anatomy(const RefinedBody& body, const PieceMesh& now);
 
-/// Returns a field that interpolates `compiled` (3 numbers per node of the compiled mesh) linearly.
+/// Returns a field on the current mesh `now` of a refined body, 3 values per node. It interpolates
+/// `compiled`, a field with 3 values per node of the compiled mesh, linearly along bisected edges.
 VecX refined_field(const RefinedBody& body, const PieceMesh& now, const VecX& compiled);
 
-/// Treatment of a field where nodes are removed.
+/// Treatment of a node field when merging refined tetrahedra removes nodes: the node's value is dropped, or
+/// its momentum is passed on to the ends of its edge.
 enum class Leaving : std::uint8_t {
   nothing,  // remaining nodes keep their values
   momentum  // the excess of a removed node is distributed to the ends of its edge, by their masses
 };
-/// Applies refinement steps to a field (3 numbers of each node in `before`). New nodes get interpolated
-/// values.
+/// Returns a field, 3 values per node, after refinement `steps` led from mesh `before` to mesh `now`. A new
+/// node gets the value interpolated along its bisected edge. `leaving`: treatment of removed nodes, which
+/// either drops the value or conserves momentum.
 VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
              std::span<const RefinementStep> steps, Leaving leaving);
-/// Applies refinement steps to the viscoelastic history of tetrahedra. Halves get the values of the whole; a
-/// whole gets the mean of its halves.
+/// Returns the viscoelastic history (values per tetrahedron) after refinement `steps` led from mesh `before`
+/// to `now`. Both halves of a bisected tetrahedron get its values; a merged tetrahedron gets the mean of its
+/// halves.
 VecX refined_history(const VecX& history, const TetComplex& complex, const PieceMesh& before,
                      const PieceMesh& now, std::span<const RefinementStep> steps);
 
-/// By soft body: bodies whose descriptions enable refinement.
+/// Soft bodies whose scene descriptions enable local refinement near contacts, by index of the soft body.
 using RefinedBodies = std::map<std::size_t, RefinedBody>;
 
 }  // namespace prosector

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// State of a piece before its cut is undone.
+/// State of a severed piece of an organ before the cut is undone: its mesh, node positions and velocities.
+/// Also the group of pieces that the undo joins, and whether the piece is attached to the room.
 struct SeparatedPiece {
   const PieceMesh* mesh = nullptr;
   std::size_t joins = 0;           // group: pieces with the same number are one now
@@ -19,17 +20,19 @@ struct SeparatedPiece {
   bool tied = false;               // attached to the room: it stays
 };
 
-/// Rigid motion with which a piece moves back, so that it keeps its shape.
+/// Rigid motion that moves a severed piece back to the place where it was cut off, and the velocity (m/s)
+/// that all its nodes get then.
 struct ReturnMotion {
   Pose motion;  // of its positions
   // m/s, of all nodes after the motion: velocity of the piece that it returns to.
   Vec3 velocity = Vec3::Zero();
 };
 
-/// Returns by piece the motion with which it moves back; none: it stays. The complex is in its state after
-/// the undo. In each group the attached pieces stay or, without any, the piece with most nodes. Each other
-/// piece moves by the rigid motion that brings its nodes nearest to their duplicates from the cut, by least
-/// squares (Kabsch, Acta Crystallogr. A 32, 1976).
+/// Returns for each piece the rigid motion that moves it back to where it was cut off, when that cut is
+/// undone. `complex`: the organ's mesh after the undo. None means that the piece stays. In each group of
+/// joined pieces the attached ones stay; without any, the piece with the most nodes stays. Each other piece
+/// moves so that its nodes come nearest, in least squares, to their duplicates across the cut (Kabsch, Acta
+/// Crystallogr. A 32, 1976).
 std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
                                                    std::span<const SeparatedPiece> pieces);
 

@@ -7,21 +7,26 @@
 
 namespace prosector {
 
-/// Returns a piece as an anatomy: intact cells as cells, the rest of the other cells as triangles; masses as
-/// volumes; a two-sided surface. Vertices and triangles keep their numbers in `whole`; new ones follow.
+/// Returns the mesh and surface of one piece of a cut sheet: intact quadrilateral cells as cells, the rest of
+/// the other cells as triangles. Node masses are stored as volumes (mass over density). The surface has two
+/// sides. `numbering` receives permanent numbers: compiled nodes, vertices and triangles have their indices
+/// in the uncut sheet `whole`, and new ones have higher numbers.
 Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering);
 
-/// Returns PieceEdit::touched of a piece with these nodes, ascending. Joins `edited`, the nodes of its
-/// MeshEdit, with the corners of compiled cells that contain the `touched` triangles.
+/// Returns the ascending node indices for PieceEdit::touched of a piece of a cut sheet. They are `edited`,
+/// the nodes of its MeshEdit, and the corners of all compiled cells that contain a triangle in `touched`
+/// (ids). `nodes`: the piece's node ids, ascending.
 std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<const NodeId> nodes,
                                            std::vector<std::uint32_t> edited, const Anatomy& whole,
                                            std::span<const TetId> touched);
 
-/// Returns one cell without a surface: the placeholder mesh of a piece that was joined to another.
+/// Returns a single quadrilateral cell of the uncut sheet `whole`, without a surface. It is the placeholder
+/// mesh of a soft body whose piece was joined to another piece by an undo.
 Anatomy sheet_remnant(const Anatomy& whole);
 
-/// Returns by node of an uncut sheet whether an attachment holds it.
+/// Returns for each node of an uncut sheet 1 if an attachment with positive stiffness holds it, that is, if
+/// it lies within the attachment's radius; otherwise 0.
 std::vector<std::uint8_t> held_nodes(const std::vector<AttachDesc>& attach, const Anatomy& sheet);
 
 }  // namespace prosector

@@ -9,24 +9,28 @@
 
 namespace prosector {
 
-/// A tetrahedron of a piece before the cut.
+/// Tetrahedron of a mesh before a cut: the index of its piece, and its index in the piece's mesh.
 struct OldTet {
   std::uint32_t piece = 0;
   std::size_t tet = 0;  // index in the piece
 };
 
-/// Returns the old tetrahedron that is `tet` or its ancestor; none where a cut was undone.
+/// Returns the tetrahedron before the cut that is `tet` (an id) or the nearest ancestor from which `tet` was
+/// split. `before`: the organ's pieces before the change. Returns none if there is no such tetrahedron, as
+/// after an undo, which restores the unsplit tetrahedra.
 std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
                                TetId tet);
 
-/// Returns the number of history values per tetrahedron. Every tetrahedron must be an element.
+/// Returns the number of viscoelastic history values per tetrahedron: the size of `history` divided by the
+/// number of tetrahedra. Each tetrahedron of `mesh` must be an element of the body.
 inline Eigen::Index history_per_tet(const VecX& history, const PieceMesh& mesh) {
   PROSECTOR_ASSERT(!mesh.tets.empty());
   return history.size() / static_cast<Eigen::Index>(mesh.tets.size());
 }
 
-/// Returns the viscoelastic history (relaxation.h) of these tetrahedra, `numbers` values each. A tetrahedron
-/// inherits the values of its ancestor; zero without an ancestor. `histories`: by piece in `before`.
+/// Returns the viscoelastic history (internal variables of stress relaxation) of the tetrahedra `tets` (ids)
+/// after a cut, `numbers` values each. A tetrahedron inherits the values of its ancestor before the cut, or
+/// zeros without one. `histories`: values for each piece in `before`, by tetrahedron.
 VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
                      std::span<const TetId> tets);

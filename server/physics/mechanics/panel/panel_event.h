@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// An action of a participant on their own panel without a finger. Journalled with the tick that consumes it.
+/// Action of a participant on their own panel (a floating control board of a body) that their client requests
+/// directly, without a tracked finger. It is journalled with the tick that processes it.
 struct PanelEvent {
   enum class Kind : std::uint8_t {
     open,     // opens the panel of part `body`, and closes the participant's other panel
@@ -25,14 +26,16 @@ struct PanelEvent {
 };
 inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::put_back;
 
-/// Position of a participant's eyes, which their panels face.
+/// Position and facing direction of a participant's head, to which their panels (floating control boards)
+/// turn.
 struct HeadPlace {
   ParticipantId participant = 0;
   Vec3 at = Vec3::Zero();     // m, world frame
   Vec3 ahead = Vec3::Zero();  // unit, horizontal: direction that the face points to, at any pitch; 0: unknown
 };
 
-/// Pose of a participant's tablet or stylus. A device without a new pose keeps its last one.
+/// Pose of a tablet or stylus that a participant holds. A device for which no new pose is received keeps its
+/// last one.
 struct HeldPlace {
   ParticipantId participant = 0;
   HeldObject thing = HeldObject::tablet;

@@ -16,34 +16,37 @@
 
 namespace prosector {
 
-/// A finger segment: the hull of two balls.
+/// Shape of a finger segment: the convex hull of two balls of equal radius.
 struct Capsule {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();  // m, the balls' centres
   double radius = 0;                        // m
 };
 
-/// A finger segment's motion in one tick, in the panel's frame.
+/// Motion of a finger segment in one tick: its shape at the tick's start and end, in the panel's frame.
 struct FingerSweep {
   Capsule from, to;
 };
 
-/// State of a control.
+/// State of one of a panel's controls (a button or the slider): position and velocity of its cap.
 struct ControlMotion {
   double position = 0;  // fraction of its travel, 0 … 1; buttons: 0 at rest
   double velocity = 0;  // of the cap, m/s, positive for increasing position
 };
 using ControlMotions = std::array<ControlMotion, panel_control_count>;
 
-/// Result of move_controls().
+/// Result of move_controls(): the new state of all controls of a panel, and which of them a finger touched.
 struct MovedControls {
   ControlMotions motions;
   std::bitset<panel_control_count> touched;  // by a finger, during the tick
 };
 
-/// Moves the controls through a tick of `h` s. Positions stay within 0 … 1 and speeds below
-/// `max_control_speed` for any finger motion. A segment that moves more than `max_finger_way` in the tick is
-/// treated as a jump: it acts at its end position with zero speed. The board stops fingers: a finger that
-/// passed through it presses as if it lay on it, until it is `finger_depth` behind.
+/// Moves a panel's buttons and slider through a tick of `h` s under the fingers, whose sweeps are in the
+/// panel's frame. Returns the new positions and velocities, and which controls were touched.
+///
+/// Positions stay within 0 … 1 and speeds below `max_control_speed` for any finger motion. A finger segment
+/// that moves more than `max_finger_way` in the tick is treated as a jump: it acts at its end position with
+/// zero speed. The board stops fingers. A finger that passed through it presses as if it lay on it, until it
+/// is `finger_depth` behind it.
 MovedControls move_controls(const ControlMotions& before, std::span<const FingerSweep> fingers, double h);
 
 inline constexpr double button_stiffness = 400;  // N/m: 2.8 N when fully pressed
@@ -54,11 +57,13 @@ inline constexpr double finger_depth = 0.06;     // m
 // m: tolerance below the board's surface for segments outside its outline.
 inline constexpr double graze = 0.01;
 
-/// Returns whether the segment may touch the board or its controls.
+/// Returns whether the finger segment, in the panel's frame, is so close to the panel's board that it may
+/// touch the board or its controls.
 bool near_panel(const Capsule& finger);
 
-/// Position of a segment: above all controls; lower and over the board; or lower than the board and outside
-/// its outline.
+/// Position of a finger segment relative to a panel's board. `over`: above all controls, or not close enough
+/// to matter. `under`: over the board's area, but lower than the highest control. `beside`: lower than the
+/// board's surface and outside its outline.
 enum class AtBoard { over, under, beside };
 AtBoard at_board(const Capsule& finger);
 

@@ -5,13 +5,14 @@
 
 namespace prosector {
 
-/// The eyes that a panel faces; world frame.
+/// Eyes of the participant that a panel faces; position and direction in the world frame.
 struct PanelReader {
   Vec3 eyes = Vec3::Zero();   // m
   Vec3 ahead = Vec3::Zero();  // unit, horizontal: direction that the face points to, at any pitch; 0: unknown
 };
 
-/// Inputs of a panel's initial pose.
+/// Data from which place_panel() computes the initial pose of a panel: the touched part, and the
+/// participant's eyes.
 struct PanelSite {
   Vec3 touched;  // m, world frame: the touched point of the part
   Vec3 lo, hi;   // m, bounding box of the part
@@ -19,14 +20,17 @@ struct PanelSite {
   double side;  // ±1: side of the part on which the panel appears, from the reader's view; +1 is right
 };
 
-/// Returns a pose above the part and slightly to the side, facing the reader, where eyes and fingers reach
-/// it. If the reader looks from above, the panel is placed beyond the part. The pose is finite and upright
-/// for any finite site.
+/// Returns the initial pose, in the world frame, of a panel that a participant opened by touching a part. The
+/// panel is above the part and slightly to the side, faces the participant's eyes, and is within reach. If
+/// the participant looks at the part from above, the panel is placed behind the part. The pose is finite and
+/// upright for any finite input.
 Pose place_panel(const PanelSite& site);
-/// Returns the rotation of a panel with its centre at `middle` (m, world frame) that faces the reader's eyes.
-/// Upright for all positions. For a panel below the eyes, the upper rim is on the side that the reader faces.
+/// Returns the rotation that makes a panel with its centre at `middle` (m, world frame) face the reader's
+/// eyes. The panel's lower and upper rims are always horizontal. If the panel is far below the eyes, its
+/// upper rim points in the direction that the reader faces.
 Quat face_reader(const Vec3& middle, const PanelReader& reader);
-/// Returns whether a position (panel's frame, m) is at the board's head, where hands grasp it.
+/// Returns whether a position (m, panel's frame) is at the head of the panel's board, the strip at its upper
+/// rim where a fist grasps it.
 bool is_at_head(const Vec3& at);
 
 }  // namespace prosector

@@ -49,18 +49,22 @@ void PanelWorld::entry_of(Io& io, typename Io::template Entry<Open>& panel, std:
     io.number(position, "position");
     io.require(position >= 0 && position <= 1, "a control outside its range");
     io.number(velocity, "velocity");
-    io.require(std::abs(velocity) <= max_control_speed, "a control with an invalid position");
+    io.require(std::abs(velocity) <= max_control_speed,
+               "the checkpoint is damaged: the speed of a panel's control is out of range");
     io.flag(home[k], "pressed home");
     io.flag(touched[k], "touched");
     io.number(pointed[k], "ticks pointed at");
     io.number(shown[k], "shown value");
-    io.require(shown[k] >= 0 && shown[k] <= 1, "a control's value outside its range");
+    io.require(shown[k] >= 0 && shown[k] <= 1,
+               "the checkpoint is damaged: the shown value of a panel's control is outside [0, 1]");
   }
   io.number(idle, "idle ticks");
   io.map(came_under, most_entries, "hand under the panel", [&](auto& hand, auto& segments) {
     entry(io, hand);
     io.number(segments, "segments");
-    io.require(segments != 0, "a hand under a panel without a finger there");
+    io.require(
+        segments != 0,
+        "the checkpoint is damaged: a hand is listed as under a panel, but none of its finger segments is");
   });
 }
 

@@ -20,7 +20,8 @@ namespace prosector {
 class RecordReader;
 class RecordWriter;
 
-/// A hand as input for panels.
+/// Hand of a participant, or a stylus, as input for the panels: palm, finger segments, fist, and the touched
+/// body.
 struct PanelHand {
   HandRef who;
   Vec3 palm = Vec3::Zero();        // m, world frame: centre of the palm
@@ -32,22 +33,26 @@ struct PanelHand {
   Vec3 touched_at = Vec3::Zero();  // m, world frame
 };
 
-/// Values that controls show when not operated: buttons 0 off, 1 on; the slider 0 … 1.
+/// Values that a panel's controls show while nobody operates them, indexed by control: for a button 0 (off)
+/// or 1 (on), for the slider 0 … 1.
 using ShownControls = std::array<double, panel_control_count>;
 
-/// Interface through which panels query bodies.
+/// Interface through which the panels query bodies: which have a panel, where they are, and which values
+/// their controls show.
 class PanelSubjects {
  public:
   virtual ~PanelSubjects() = default;
-  /// Returns whether the body is a part that can be touched; only such bodies have a panel.
+  /// Returns whether the body has a panel: it must be a part (a body that users can detach, attach and
+  /// inspect) that can be touched.
   virtual bool has_panel(BodyId body) const = 0;
   virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // world frame, lowest and highest corner
   virtual ShownControls shown(BodyId body) const = 0;
-  /// Returns the first part that has a panel; none: no part has.
+  /// Returns the first body that has a panel; empty if none has.
   virtual std::optional<BodyId> first() const = 0;
 };
 
-/// Request of a participant by operating a control.
+/// Request that a participant makes by operating a control of a panel: set this control of body `body` to
+/// `value`.
 struct PanelAction {
   ParticipantId participant = 0;
   BodyId body = 0;
@@ -55,39 +60,44 @@ struct PanelAction {
   double value = 0;
 };
 
-/// State and step of all panels.
+/// State and simulation of all open panels: control boards that float in the room, at most one per
+/// participant, and operated with fingers.
 class PanelWorld {
  public:
-  /// Initialises from the length h of a tick, s.
+  /// Creates a world without panels. `h`: length of a tick, s.
   explicit PanelWorld(double h);
 
   void take(const HeadPlace& head);
   void take(const HeldPlace& held);
   void take(const PanelEvent& event, const PanelSubjects& subjects);
-  /// Advances by one tick: tablets and fists carry panels, fingers move controls, touches open panels,
-  /// timeouts close them. Returns the requested actions.
+  /// Advances all panels by one tick: tablets and fists carry panels, fingers move controls, touched parts
+  /// open panels, and timeouts close them. Returns the requests made by operating controls. `hands`: all
+  /// tracked hands.
   std::vector<PanelAction> step(std::span<const PanelHand> hands, const PanelSubjects& subjects);
-  /// Updates the shown values of the controls after the actions were carried out.
+  /// Updates the values that the controls show from the bodies, after the actions returned by step() were
+  /// carried out. An untouched slider moves to its shown value.
   void show(const PanelSubjects& subjects);
 
-  /// Returns the hands that carry a panel, ascending.
+  /// Returns the hands whose fist currently carries a panel, ascending.
   std::vector<HandRef> carriers() const;
-  /// Returns the open panels, by participant. The caller must set `time`.
+  /// Returns the open panels as messages for clients, ordered by participant. The messages' `time` is not
+  /// set; the caller must set it.
   std::vector<Panel> panels() const;
 
   void save(RecordWriter& io) const;
-  /// Restores the panels. Throws InputError for an impossible state. `body_count`: of the simulation.
+  /// Restores the panels from a checkpoint. Throws InputError for an impossible state. `body_count`: number
+  /// of bodies in the simulation, which limits body indices.
   void load(RecordReader& io, std::size_t body_count);
 
  private:
-  /// A tracked tablet, to which its owner's panel is attached.
+  /// Tracked tablet of a participant, to whose pose the participant's panel is attached.
   struct Tablet {
     Pose pose;                 // of the panel, world frame
     bool seen = true;          // whether it is tracked
     bool answered = false;     // whether its request for a panel was handled
     std::uint32_t unseen = 0;  // ticks
   };
-  /// A fist that carries a panel, with the panel's relative position.
+  /// Fist that carries a panel, with the palm's position relative to the panel.
   struct Hold {
     HandRef who;
     Vec3 at = Vec3::Zero();  // m: position of the palm in the panel's frame
@@ -104,18 +114,21 @@ class PanelWorld {
     std::array<std::uint32_t, panel_control_count> pointed{};
     ShownControls shown{};
     std::uint32_t idle = 0;  // number of ticks without touch
-    /// By hand: bits of the segments that came under the panel's front from its outside, and press nothing.
-    /// Never 0.
+    /// For each hand, the set of finger segments (as bits) that moved under the panel's front from outside
+    /// its outline. These segments press no controls until they have been above the board. Hands without such
+    /// segments have no entry.
     std::map<HandRef, std::uint64_t> came_under;
   };
-  /// How long a hand has touched a body.
+  /// Touch of a body by a hand: the body, the ticks that the touch has lasted, and whether it has already
+  /// opened the body's panel or closed another one.
   struct Rest {
     BodyId body = 0;
     std::uint32_t ticks = 0;
     bool answered = false;  // whether its request was handled
   };
 
-  /// Closing state of a hand near open panels.
+  /// State of a hand near open panels: whether it is a fist, and when and where it last closed at a panel's
+  /// head (upper strip).
   struct Fist {
     bool closed = false;
     std::uint32_t since = no_fist;  // ticks since it closed at a panel's head

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// A body's Bullet shape and all objects that it refers to.
+/// Collision shape of a body for Bullet, with all objects that Bullet refers to by pointer.
 struct BulletShape {
   std::vector<std::unique_ptr<btTriangleMesh>> meshes;
   std::vector<std::unique_ptr<btCollisionShape>> parts;
@@ -16,8 +16,8 @@ struct BulletShape {
   btCollisionShape* root = nullptr;           // null: no collisions
 };
 
-/// Creates a body's shape. `dynamic` bodies need a moving triangle mesh; fixed bodies use the cheaper static
-/// tree.
+/// Creates a body's Bullet shape from its collision parts. Triangle parts of a `dynamic` body become a
+/// triangle mesh that can move (GImpact). Those of a fixed body become Bullet's cheaper static triangle tree.
 BulletShape make_bullet_shape(const std::vector<ShapePart>& parts, bool dynamic);
 
 }  // namespace prosector

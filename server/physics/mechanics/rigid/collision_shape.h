@@ -3,23 +3,19 @@
 
 #include <vector>
 
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
+#include "common/fidelity.h"
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
 namespace prosector {
 
-/// Returns the collision parts for the given parts at a fidelity. Contact response and detection use the same
-/// parts.
-///   none    no parts
-///   sphere  a ball around the centre of their bounding box
-///   aabb    a box along the room's axes at `pose`, the body's pose in the room when the scene starts; it
-///           rotates with the body: a fixed-axes box would take no moment, and refitting would push
-///           neighbours
-///   obb     the smaller of the boxes along the body's axes and along the principal axes of its points
-///   hull    the parts unchanged: convex pieces, round ones exactly
-///   mesh    the parts unchanged, and triangles
+/// Returns the collision parts that replace a rigid body's given parts at this fidelity. Contact response and
+/// detection use the same parts. `pose`: the body's pose in the room when the scene starts.
 ///
-/// sphere, aabb and obb enclose the parts.
+/// `none` gives no parts, and `hull` and `mesh` return the parts unchanged. `sphere` gives a ball around the
+/// centre of the parts' bounding box. `aabb` gives a box that is aligned with the room's axes at `pose`. It
+/// rotates with the body: a box with fixed axes would take no moment, and refitting it would push neighbours.
+/// `obb` gives the smaller of two boxes, along the body's axes and along the principal axes of its points.
+/// The ball and the boxes enclose the parts.
 std::vector<ShapePart> at_fidelity(std::vector<ShapePart> parts, Fidelity fidelity, const Pose& pose);
 
 }  // namespace prosector

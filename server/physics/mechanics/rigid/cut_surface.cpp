@@ -95,7 +95,10 @@ class Cutter {
     others.push_back({first, t[1], t[2]});
     others.push_back({first, t[2], second});
     const auto [from, to] = count == 1 ? std::pair(first, second) : std::pair(second, first);
-    if (!rim_.emplace(from, to).second) throw InputError("the surface is not closed where it is cut");
+    if (!rim_.emplace(from, to).second)
+      throw InputError(
+          "the body's surface is not closed where the fracture plane cuts it; close the mesh there or move "
+          "the plane");
   }
 
   void close() {
@@ -108,7 +111,10 @@ class Cutter {
         rim_.erase(it);
         if (to == loop.front()) break;
         loop.push_back(to);
-        if (!rim_.contains(to)) throw InputError("the surface is not closed where it is cut");
+        if (!rim_.contains(to))
+          throw InputError(
+              "the body's surface is not closed where the fracture plane cuts it; close the mesh there or "
+              "move the plane");
       }
     }
     // Viewed against the normal, the lower part lies inside its loops.

@@ -10,11 +10,13 @@ struct CutSurface {
   TriangleMesh above, below;
 };
 
-/// Cuts `mesh`, a closed surface: each directed edge of a triangle is paired with the opposite edge of
-/// another. The mesh may contain several closed surfaces, next to, across or inside each other. Vertices with
-/// equal positions count as one. Vertices on the plane are treated as a nanometre above it. Both results are
-/// closed and together fill the volume of the mesh. Throws InputError for a surface that isn't closed along
-/// the cut.
+/// Cuts `mesh` along the plane through `point` with `normal`, and returns the parts above and below the plane
+/// as closed surfaces. Together they fill the volume of the mesh.
+///
+/// The mesh must be closed: each directed edge of a triangle is paired with the opposite edge of another
+/// triangle. It may contain several closed surfaces, next to, across or inside each other. Vertices with
+/// equal positions count as one. Vertices within a nanometre of the plane are treated as a nanometre above
+/// it. Throws InputError for a surface that is not closed along the cut.
 CutSurface cut_surface(const TriangleMesh& mesh, const Vec3& point, const Vec3& normal);
 
 }  // namespace prosector

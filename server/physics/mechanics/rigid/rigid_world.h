@@ -19,7 +19,8 @@
 
 namespace prosector {
 
-/// Physical properties of a rigid body.
+/// Physical properties of a rigid body of the rigid world: collision parts, mass, inertia, friction and which
+/// objects it collides with.
 struct RigidSetup {
   std::vector<ShapePart> parts;
   double mass = 0;              // kg; 0: fixed to the room
@@ -31,11 +32,14 @@ struct RigidSetup {
   bool balanced = false;  // no gravity, and strong damping
   CollisionMask mask;
   RoomSides passes = 0;  // sides of the room that the body passes through
-  /// Stopped at the time of impact, if its shape is one convex piece around its centre.
+  /// Whether fast motion of the body is swept for collisions (continuous collision detection), so that the
+  /// body stops at the time of impact. Applies only if its shape is one convex part centred on its centre of
+  /// mass.
   bool continuous = false;
 };
 
-/// Presence of a body: as in its setup, fixed in the room, or absent.
+/// Presence of a body in the rigid world. `free`: as in its RigidSetup, which may itself be fixed. `fixed`:
+/// immobile in the room. `absent`: immobile and without collisions.
 enum class BodyPresence : std::uint8_t { free, fixed, absent };
 
 struct RigidMotion {
@@ -45,7 +49,7 @@ struct RigidMotion {
   double quiet_seconds = 0;
 };
 
-/// A point where two rigid bodies touch or nearly touch.
+/// Contact point of two rigid bodies that touch or nearly touch, in the world frame.
 struct RigidContact {
   std::size_t a, b;       // slots
   Vec3 point_a, point_b;  // world frame, on the surface of a and b
@@ -55,34 +59,38 @@ struct RigidContact {
   int part_a, part_b;  // index in RigidSetup::parts, if a body has several parts
 };
 
-/// Impulse of a contact on a body.
+/// Impulse that a contact exerted on a rigid body in the last step, with its point of action.
 struct RigidImpulse {
   Vec3 point, impulse;  // m, N·s; world frame
 };
 
-/// An island that Bullet does not solve; the coupled solver does.
+/// Island (bodies connected by contacts or links) that also contains soft bodies or hands. Bullet does not
+/// solve it; the coupled solver does.
 struct MixedIsland {
   std::vector<std::size_t> bodies;  // slots of dynamic bodies, ascending
   std::vector<RigidContact> contacts;
 };
 
-/// All rigid bodies, stepped by Bullet.
+/// World of all rigid bodies, stepped by Bullet. Each body has a slot, an index that stays the same until the
+/// body is removed.
 class RigidWorld {
  public:
-  /// Creates an empty world. `room`: the colliding sides of the room. Side i has the slot room_slot(i) in
-  /// contacts; dynamic(), mask() and driven_to() accept that slot.
+  /// Creates a world without bodies. `gravity` in m/s². `room`: the sides of the room with which bodies
+  /// collide. In contacts, side i has the slot room_slot(i); dynamic(), mask() and driven_to() accept that
+  /// slot.
   explicit RigidWorld(const Vec3& gravity, std::span<const RoomSide> room = {});
   ~RigidWorld();
   RigidWorld(RigidWorld&&) noexcept;
   RigidWorld& operator=(RigidWorld&&) noexcept;
 
-  /// Adds a body in the lowest free slot.
+  /// Adds a body in the lowest free slot, and returns the slot.
   std::size_t add(const RigidSetup& setup, const RigidMotion& motion);
   void remove(std::size_t slot);
   std::size_t slots() const;
   bool used(std::size_t slot) const;
   bool dynamic(std::size_t slot) const;
-  /// Sets a body's presence; a body that becomes fixed or absent stops.
+  /// Makes a body free, fixed in the room, or absent (see BodyPresence). If this changes its presence, the
+  /// body's velocity becomes zero and it is awake.
   void set_presence(std::size_t slot, BodyPresence presence);
   BodyPresence presence(std::size_t slot) const;
   const CollisionMask& mask(std::size_t slot) const;
@@ -92,39 +100,50 @@ class RigidWorld {
   void set_velocity(std::size_t slot, const Vec3& linear, const Vec3& angular);
   void wake(std::size_t slot);
   enum class Sleep : std::uint8_t { at_once, with_neighbours };
-  /// Stops the body and puts it to sleep. With `with_neighbours`, Bullet puts it to sleep at the next
-  /// find_islands(), if all bodies that it touches may sleep, too.
+  /// Sets the body's velocity to zero and puts it to sleep (excludes it from the simulation until it is
+  /// touched). With `with_neighbours`, it falls asleep only at the next find_islands(), and only if all
+  /// bodies in its island may sleep, too. Does nothing for hands, which never sleep.
   void sleep(std::size_t slot, Sleep when = Sleep::at_once);
-  /// Keeps a body awake that touches something unknown to Bullet.
+  /// Keeps a body awake in this step. To be called while the body touches something unknown to Bullet, such
+  /// as tissue.
   void stay_awake(std::size_t slot);
-  /// Moves a fixed body to a pose within the next step of h s, whatever is in its path.
+  /// Makes a fixed body move to the pose `to` within the next step of `h` s, as a kinematic body that no
+  /// obstacle stops.
   void drive(std::size_t slot, const Pose& to, double h);
-  /// Returns the target pose of drive() for the current step.
+  /// Returns the pose to which drive() moves the body in the current step; empty if the body is not driven.
   const std::optional<Pose>& driven_to(std::size_t slot) const;
   void set_part_pose(std::size_t slot, std::size_t part, const Pose& pose);
-  /// Disables or enables collisions between two bodies.
+  /// Enables or disables collisions between the bodies in slots `a` and `b`, and discards their cached
+  /// contact points.
   void set_collides(std::size_t a, std::size_t b, bool collides);
-  /// Returns the body's bounding box, grown by `margin`: lowest and highest corner.
+  /// Returns the lowest and the highest corner of the body's axis-aligned bounding box, enlarged by `margin`
+  /// on each side; m, world frame.
   std::pair<Vec3, Vec3> bounds(std::size_t slot, double margin) const;
 
   // ---- One step, in this order
-  /// Predicts motions, then finds overlapping pairs and contact points.
+  /// Predicts all motions over a step of `h` s, then finds overlapping pairs of bodies and their contact
+  /// points. First phase of a step.
   void detect(double h);
-  /// Finds islands: bodies connected by contacts and `links`. Bodies in `coupled` slots make their island a
-  /// mixed one.
+  /// Groups the bodies into islands: bodies connected by contacts or by `links`, which are pairs of slots. An
+  /// island with a body in `coupled` (slots) is a mixed one, which Bullet does not solve. Second phase of a
+  /// step.
   void find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
                     std::span<const std::size_t> coupled);
-  /// Solves the rigid islands; returns the mixed islands.
+  /// Solves the contacts of islands with rigid bodies only, for a step of `h` s. Returns the mixed islands
+  /// (with soft bodies or hands), which the caller must solve. Third phase of a step.
   const std::vector<MixedIsland>& solve(double h);
-  /// Returns the velocities after the tick without contacts: with gravity and gyroscopic moment only.
+  /// Returns the linear (m/s) and the angular velocity (rad/s) that a body would have after a step of `h` s
+  /// without contacts, from gravity and gyroscopic moment only. World frame.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
-  /// Integrates poses from the velocities. Kinematic bodies reach their target and stop.
+  /// Integrates the poses of all bodies from their velocities over `h` s. Bodies moved by drive() reach their
+  /// target pose and stop. Last phase of a step.
   void integrate(double h);
 
-  /// Returns the contact impulses on the body in the last solve(), including friction, if its island was not
-  /// mixed.
+  /// Returns the contact impulses, friction included, that the last solve() applied to the body. They are
+  /// valid only if Bullet solved the body's island, so not for a mixed one.
   std::vector<RigidImpulse> impulses(std::size_t slot) const;
-  /// Hashes all data that the next step reads: motions and cached contact points with their warm starts.
+  /// Adds to the hasher the state of all bodies that the next step reads: poses, velocities and sleep state,
+  /// and the distances and warm-start impulses of cached contact points.
   void hash(StateHasher& hasher) const;
 
  private:

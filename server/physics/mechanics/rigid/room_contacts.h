@@ -15,18 +15,22 @@
 
 namespace prosector {
 
-/// Contact detection of rigid bodies with the sides of the room.
+/// Contact detection of rigid bodies with the sides of the room (floor and walls), which are not in Bullet's
+/// world.
 class RoomContacts {
  public:
-  /// Stores a reference: the dispatcher outlives this.
+  /// Prepares a Bullet plane for each side of the room. Keeps a reference to `dispatcher`, which must outlive
+  /// this object.
   RoomContacts(btCollisionDispatcher& dispatcher, std::span<const RoomSide> sides);
   ~RoomContacts();
   RoomContacts(const RoomContacts&) = delete;
   RoomContacts& operator=(const RoomContacts&) = delete;
 
-  /// Finds the contact points of the body in a slot with the sides that it doesn't pass through.
+  /// Finds the contact points of the body in a slot with the sides of the room, except the sides in `passes`,
+  /// through which the body may pass. The contact points are stored in Bullet's dispatcher. Fixed and
+  /// sleeping bodies are skipped.
   void detect(std::size_t slot, btRigidBody& body, RoomSides passes, const btDispatcherInfo& info);
-  /// Removes the cached contacts of a slot.
+  /// Discards the cached contacts of the body in this slot with the sides of the room.
   void forget(std::size_t slot);
 
  private:

@@ -12,10 +12,11 @@ namespace prosector {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Triangulates polygons by ear clipping; a hole is first joined to the surrounding loop by a bridge (Eberly
-/// 2002). `loops`: indices into `points`, counter-clockwise around the inside, clockwise around holes. Loops
-/// may touch, but don't cross themselves or each other. Triangles are counter-clockwise, use only the loops'
-/// indices, and their common boundary is the loops.
+/// Triangulates polygons with holes by ear clipping; a hole is first joined to the surrounding loop by a
+/// bridge (Eberly 2002). Each of `loops` lists indices into `points`: counter-clockwise around a polygon's
+/// inside, clockwise around a hole. Loops may touch, but must not cross themselves or each other. Returns
+/// counter-clockwise triangles as indices into `points`. They use only the loops' points, and the loops are
+/// the boundary of the triangulated area.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> points,
                                                       const std::vector<std::vector<std::uint32_t>>& loops);
 

@@ -97,7 +97,7 @@ void take_in(const TetMesh& mesh, const EdgeNodes* edges, const VecX& u, std::ve
 BalancedStretch balanced_stretch(const SoftDesc& desc, Anatomy anatomy, std::vector<Mat3> wanted) {
   const TetMesh vertices = anatomy.tets;
   std::optional<EdgeNodes> edges;
-  if (desc.element == "tet10") edges = add_edge_nodes(anatomy);
+  if (desc.configuration.is_quadratic()) edges = add_edge_nodes(anatomy);
   const FreeStiffness stiffness(model_of(desc, anatomy));
   const auto solver = make_cg();
   BalancedStretch out;

@@ -14,10 +14,11 @@ struct BalancedStretch {
   double moved = 0;  // m: largest node displacement by the remaining unbalanced forces, in the last estimate
 };
 
-/// Returns the prestretch (rest_stretch.h) closest to `wanted`, the stretch V of each tetrahedron, for which
-/// the rest shape is in equilibrium. The body of `desc` is free and has no weight. The displacements by
-/// unbalanced forces are added to V as if the body had moved: the parts that shrink are then balanced by the
-/// rest. The anatomy must not have edge nodes yet. Throws InputError as make_elastic_model() does.
+/// Returns the prestretch closest to `wanted` for which the body's rest shape is in equilibrium. A prestretch
+/// gives for each tetrahedron the stretch V from its stress-free shape to the rest shape; `wanted` has the
+/// desired V of each. The body is treated as free and weightless. Each iteration adds the displacement
+/// gradients due to the unbalanced forces to V, as if the body had moved to its equilibrium. `anatomy` must
+/// not have the edge nodes of quadratic elements yet. Throws InputError for constants out of range.
 BalancedStretch balanced_stretch(const SoftDesc& desc, Anatomy anatomy, std::vector<Mat3> wanted);
 
 }  // namespace prosector

@@ -27,13 +27,14 @@ BodyHessian::BodyHessian(const SoftSystem& system, StageElements& elements)
 void BodyHessian::fit() {
   rows_.fit(system_.symmetric);
   fit_scratch(diagonal_, system_.pattern.rows());
-  if (!turns() || system_.desc.solver == "direct") fit_scratch(blocks_, system_.pattern.blocks());
+  if (!turns() || system_.desc.configuration.solver == "direct")
+    fit_scratch(blocks_, system_.pattern.blocks());
   rest_stiffness_ = system_.model.rest_trace() / static_cast<double>(3 * nodes());
   blocks_known_ = rows_known_ = factored_ = multigrid_set_ = multigrid_turned_ = false;
   cholesky_.reset();
   multigrid_.reset();
-  if (system_.desc.solver == "direct") cholesky_ = std::make_unique<Cholesky>(system_.pattern);
-  if (system_.desc.solver == "multigrid") make_coarse_levels();
+  if (system_.desc.configuration.solver == "direct") cholesky_ = std::make_unique<Cholesky>(system_.pattern);
+  if (system_.desc.configuration.solver == "multigrid") make_coarse_levels();
 }
 
 void BodyHessian::make_coarse_levels() {
@@ -44,7 +45,7 @@ void BodyHessian::make_coarse_levels() {
 }
 
 bool BodyHessian::single_will_do(const StageWeights& weights) const {
-  const std::string& solver = system_.desc.solver;
+  const std::string& solver = system_.desc.configuration.solver;
   return solver != "direct" && (turns() || solver == "multigrid") &&
          weights.inertia * system_.mass.mean() > least_inertia * rest_stiffness_;
 }

@@ -15,30 +15,38 @@ namespace prosector {
 
 class BodyHessian {
  public:
-  /// Allocates memory for the scene's solver. `system` and `elements` must outlive this object.
+  /// Initialises the Hessian for the equations of `system` and allocates memory for the linear solver that
+  /// the scene names. `system` and `elements` must outlive this object.
   BodyHessian(const SoftSystem& system, StageElements& elements);
-  /// Updates the object for the present system; equals a rebuild.
+  /// Adapts the Hessian after the body's mesh or masses changed: resizes all arrays and discards computed
+  /// matrices. The result equals that of a newly built object.
   void fit();
 
-  /// Begins a stage, also of the elements. `start`: 3n, m, must outlive the stage.
+  /// Begins a stage (one minimisation of an implicit step), also in the body's elements. `start`: node
+  /// positions at the step's start (3n, m), which must outlive the stage. `weights`: factors of inertia and
+  /// damping in the Hessian.
   void begin_stage(const VecX& start, const StageWeights& weights);
 
-  /// Assembles the matrix at x, projected to be positive definite.
+  /// Computes the body's Hessian (inertia, elements, attachments and damping) at node positions x (3n, m).
+  /// The elements' tangents are projected, so that the matrix is positive definite.
   void assemble(const Eigen::Ref<const VecX>& x);
-  /// Assembles the matrix at x, or uses an available approximation that still gives a descent direction.
-  /// Returns whether an approximation is used.
+  /// Computes the Hessian at node positions x (3n, m), or uses a cheaper approximation for nearby positions
+  /// that still gives a descent direction. Returns true if it uses the approximation.
   bool assemble_roughly(const Eigen::Ref<const VecX>& x);
 
   void multiply(const double* p, double* Hp) const;             // 3n each
   std::span<const Mat3> diagonal() const { return diagonal_; }  // n
-  /// Computes z = H⁻¹·r by sparse Cholesky; factors at the first call after an assembly.
+  /// Computes z = H⁻¹·r (3n each) by sparse Cholesky factorisation of the Hessian H. Factors H at the first
+  /// call after it was assembled.
   void factor_solve(const double* r, double* z);
-  /// Computes z ≈ H⁻¹·r by a V-cycle. `diagonal` and `inverse`: diagonal blocks with contributions of
-  /// everything that touches the body, unchanged until the next assembly.
+  /// Computes z ≈ H⁻¹·r (3n each) by one multigrid V-cycle. `diagonal`: H's 3×3 diagonal blocks by node,
+  /// including the stiffness of all contacts and ties of the body; `inverse`: their inverses. Both must stay
+  /// unchanged until the next assembly.
   void multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                        double* z);
 
-  /// Returns whether single precision is sufficient for matrices with these weights.
+  /// Returns whether the Hessian can be stored in single precision. Requires a body with rotated elements or
+  /// the multigrid solver, no direct solver, and inertia of at least 1e-5 of the stiffness for these weights.
   bool single_will_do(const StageWeights& weights) const;
 
  private:

@@ -10,14 +10,18 @@ namespace prosector {
 
 class BodyOnSprings final : public LinearOperator {
  public:
-  /// Takes the potential, which must outlive this object.
+  /// Initialises the Hessian of a soft body with this number of nodes plus springs at its nodes, as an
+  /// operator for the linear solver. Stores a reference to the body's `potential`, which must outlive this
+  /// object.
   BodyOnSprings(IncrementalPotential& potential, Eigen::Index nodes);
-  /// A 3×3 stiffness (N/m) on a point that is a weighted sum of nodes.
+  /// Spring on a material point of the body: a 3×3 stiffness (N/m), and the nodes with weights whose weighted
+  /// sum is the point's position.
   struct Spring {
     std::vector<std::pair<Eigen::Index, double>> nodes;
     Mat3 stiffness;
   };
-  /// Updates the operator from the potential's last assembly and sets the springs.
+  /// Updates the operator: takes the Hessian that the body's potential assembled last, and replaces the
+  /// springs by `springs`.
   void refresh(std::vector<Spring> springs = {});
 
   Eigen::Index size() const override { return 3 * static_cast<Eigen::Index>(diagonal_.size()); }

@@ -14,24 +14,28 @@ struct Limit {
 
 constexpr std::array limits = {
     Limit{"fem_stvk",
-          "softens when compressed below 58 % of its length, and is stable when inverted: unsuitable for "
-          "strong compression; fem_corotational and fem_neo_hookean recover"},
+          "softens when compressed below 58 % of its length, and its inverted elements stay inverted; for "
+          "strong "
+          "compression, use fem_corotational or fem_neo_hookean, which recover"},
     Limit{"fem_linear",
-          "is for small strains and rotations, and does not resist inversion: unsuitable for strong "
-          "compression; fem_corotational and fem_neo_hookean recover"},
+          "is for small strains and rotations, and does not resist inversion; for strong compression, use "
+          "fem_corotational or fem_neo_hookean, which recover"},
     Limit{"fem_neo_hookean_polynomial",
-          "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover"},
-    Limit{"xpbd", "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover"},
+          "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover their "
+          "shape"},
+    Limit{"xpbd",
+          "stays collapsed when compressed to a point; fem_neo_hookean and fem_corotational recover their "
+          "shape"},
 };
 
 }  // namespace
 
 std::string limit_under_compression(const SoftDesc& desc, bool solid) {
   if (!solid) return {};
-  if (desc.model == "mass_spring" && !desc.hold_volume)
+  if (desc.configuration.model == "mass_spring" && !desc.material.hold_volume)
     return "has springs that do not resist inversion; hold_volume = true adds volume springs that do";
   const auto row = std::find_if(limits.begin(), limits.end(),
-                                [&](const Limit& limit) { return limit.model == desc.model; });
+                                [&](const Limit& limit) { return limit.model == desc.configuration.model; });
   return row == limits.end() ? std::string() : std::string(row->sentence);
 }
 

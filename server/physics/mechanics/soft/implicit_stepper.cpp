@@ -6,7 +6,7 @@ ImplicitStepper::ImplicitStepper(const SoftMatter& matter, IncrementalPotential&
     : matter_(matter),
       potential_(potential),
       euler_(make_integrator("implicit_euler")),
-      integrator_(make_integrator(substepped ? "implicit_euler" : matter.desc.integrator)) {
+      integrator_(make_integrator(substepped ? "implicit_euler" : matter.desc.configuration.integrator)) {
   start_anew();
 }
 

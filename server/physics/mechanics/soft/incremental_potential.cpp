@@ -12,11 +12,11 @@ namespace prosector {
 IncrementalPotential::IncrementalPotential(const SoftMatter& matter)
     : matter_(matter),
       system_{matter.desc, *matter.model, matter.pattern, matter.symmetric, matter.inertia, matter.attached},
-      elements_(system_, !matter.model->turns() || matter.desc.solver == "direct"),
+      elements_(system_, !matter.model->turns() || matter.desc.configuration.solver == "direct"),
       damping_(system_, elements_),
       node_sum_(matter.node_count()) {
   // The callers create the solvers; this only rejects unknown names.
-  name_in_errors(matter.desc, [&] { return make_solver(matter.desc.solver); });
+  name_in_errors(matter.desc, [&] { return make_solver(matter.desc.configuration.solver); });
   reweigh();
 }
 
@@ -32,8 +32,8 @@ void IncrementalPotential::fit() {
 }
 
 StageWeights IncrementalPotential::weights() const {
-  return {stage_.alpha + matter_.desc.damping_mass / stage_.dxdv,
-          matter_.desc.damping_stiffness / stage_.dxdv};
+  return {stage_.alpha + matter_.desc.material.damping_mass / stage_.dxdv,
+          matter_.desc.material.damping_stiffness / stage_.dxdv};
 }
 
 void IncrementalPotential::begin_stage(const VecX& start) {
@@ -49,7 +49,8 @@ void IncrementalPotential::linearise(const Eigen::Ref<const VecX>& x) {
 double IncrementalPotential::energy(const Eigen::Ref<const VecX>& x) {
   const SoftMatter& m = matter_;
   if (system_.damped()) damping_.update(x, false);
-  const double c = m.desc.damping_mass / stage_.dxdv, d = m.desc.damping_stiffness / stage_.dxdv;
+  const double c = m.desc.material.damping_mass / stage_.dxdv,
+               d = m.desc.material.damping_stiffness / stage_.dxdv;
   const double nodal = node_sum_([&](Eigen::Index i) {
     const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
     double sum = m.inertia[i] * (stage_.alpha * (at(x) - at(stage_.y)).squaredNorm() +
@@ -66,7 +67,8 @@ double IncrementalPotential::energy(const Eigen::Ref<const VecX>& x) {
 void IncrementalPotential::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
   const SoftMatter& m = matter_;
   if (system_.damped()) damping_.update(x, true);
-  const double c = m.desc.damping_mass / stage_.dxdv, d = m.desc.damping_stiffness / stage_.dxdv;
+  const double c = m.desc.material.damping_mass / stage_.dxdv,
+               d = m.desc.material.damping_stiffness / stage_.dxdv;
   parallel_chunks(
       m.node_count(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
         for (std::size_t node = first; node < last; ++node) {

@@ -18,62 +18,75 @@
 
 namespace prosector {
 
-/// The unknowns x are node positions, 3n, m, world frame. Caches (matrix, element batches) are members. No
-/// memory is allocated after construction, except by Eigen's numeric factorisation in factor_solve(). Not
-/// thread-safe. Calls run in parallel internally, with bitwise equal results for any number of threads.
+/// Incremental potential E(x) of one soft body in one stage of an implicit step, with its gradient and
+/// Hessian: inertia, elasticity, attachments and damping. The unknowns x are node positions (3n, m, world
+/// frame). Caches are members, so calls are not thread-safe. Calls run in parallel internally, with bitwise
+/// equal results for any number of threads. No memory is allocated after construction, except by the numeric
+/// factorisation in factor_solve().
 class IncrementalPotential {
  public:
-  /// Throws InputError for an unknown solver. `matter` must outlive this object.
+  /// Initialises the potential for a body's mesh, elements and masses. Throws InputError if the linear solver
+  /// that the scene names does not exist. `matter` must outlive this object.
   explicit IncrementalPotential(const SoftMatter& matter);
 
   // ---- Stages, for ImplicitStepper
-  /// Returns the data of the stage, which the integrator writes.
+  /// Returns the data of the current stage (one minimisation of an implicit step), into which the integrator
+  /// writes α, y, x_v and dxdv.
   Stage& stage() { return stage_; }
   const Stage& stage() const { return stage_; }
-  /// Begins the stage described by stage(). `start`: 3n, m, positions at the step's start; must outlive the
-  /// stage.
+  /// Begins the stage (one minimisation of an implicit step) whose data are in stage(). `start`: node
+  /// positions at the step's start (3n, m), which must outlive the stage.
   void begin_stage(const VecX& start);
 
   // ---- E and its derivatives
-  /// Computes the data that energy, gradient and Hessian need at x in one pass, if that is cheaper. Data for
-  /// the Hessian are omitted if assemble_roughly() does not need them.
+  /// Computes the element data that energy, gradient and Hessian at node positions x (3n, m) share in one
+  /// pass, if the elements support that. Skips the elements if x is so close to the last assembly that
+  /// assemble_roughly() would reuse its matrix.
   void linearise(const Eigen::Ref<const VecX>& x);
-  /// Returns E(x), J. Not finite only if positions are not finite or so large that E overflows.
+  /// Returns the incremental potential E (J) at node positions x (3n, m). It is finite unless positions are
+  /// not finite or so large that E overflows.
   double energy(const Eigen::Ref<const VecX>& x);
-  /// Writes ∂E/∂x into `g` (3n, N).
+  /// Writes the gradient of the incremental potential at node positions x (3n, m) into `g` (3n, N).
   void gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g);
-  /// Returns the inertial part of E(x), J, which includes the weight.
+  /// Returns the inertial part of the incremental potential, α/2·‖x − y‖²_M, in J, at node positions x (3n,
+  /// m). It includes gravity, which is part of y.
   double inertia_energy(const Eigen::Ref<const VecX>& x) const;
-  /// Returns the elastic and attachment energy at x, J, after complete relaxation; without inertia and
-  /// damping.
+  /// Returns the energy (J) stored in elements and attachments at node positions x (3n, m), without inertia
+  /// and damping. Viscoelastic stress counts as completely relaxed.
   double elastic_energy(const Eigen::Ref<const VecX>& x);
 
   // ---- The Hessian
-  /// Assembles the Hessian at x, projected to be positive definite, for all calls below. If the tangent is
-  /// cheap, the damping part uses the element rotations at x.
+  /// Computes the Hessian of the incremental potential at node positions x (3n, m), projected to be positive
+  /// definite. The products and solves below use it. If tangent_is_cheap(), its damping part uses the element
+  /// rotations at x instead of those at the stage's first evaluation.
   void assemble(const Eigen::Ref<const VecX>& x);
-  /// Assembles the Hessian, or uses an available matrix that still gives a descent direction; returns true
-  /// then. If the tangent is cheap, that matrix is this stage's last one, else the warped stiffness at the
-  /// step's start. Either is used if no node has moved by more than a tenth of a cell.
+  /// Computes the Hessian at node positions x (3n, m), or uses a cheaper matrix that still gives a descent
+  /// direction; returns true in the latter case. If tangent_is_cheap(), that is this stage's last Hessian.
+  /// Otherwise it has the warped stiffness (linear stiffness rotated with each element) instead of the
+  /// tangent. A cheaper matrix is used if no node moved by more than a tenth of a mesh cell since it was
+  /// valid.
   bool assemble_roughly(const Eigen::Ref<const VecX>& x);
-  /// Returns whether the tangent is cheap: in single precision for models with rotated elements
-  /// (corotated_elements.h). Not cheap for solver `direct`, or if inertia is less than 1e-5 of the stiffness.
+  /// Returns whether the Hessian is computed from rotated elements (corotated_elements.h) in single
+  /// precision, at a fraction of the usual cost. False for other models, for solver `direct`, and if inertia
+  /// is less than 1e-5 of the stiffness.
   bool tangent_is_cheap() const { return elements_.turned(); }
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n
-  /// Computes z = H⁻¹r by sparse Cholesky of the last assemble(), factored when first needed; 3n each.
+  /// Computes z = H⁻¹·r (3n each) by sparse Cholesky factorisation of the Hessian H of the last assemble(). H
+  /// is factored at the first call after it.
   void factor_solve(const double* r, double* z);
-  /// Computes z ≈ H⁻¹r by one multigrid V-cycle for the last assemble(), see multigrid.h. `diagonal` and
-  /// `inverse`: n each, the diagonal blocks with contributions of everything that touches the body, unchanged
-  /// until the next assemble(). The coarse levels are built with the body if the scene names this solver,
-  /// else at the first call.
+  /// Computes z ≈ H⁻¹·r (3n each) by one multigrid V-cycle for the Hessian H of the last assemble(), see
+  /// multigrid.h. `diagonal`: H's n diagonal blocks, including the stiffness of all contacts and ties of the
+  /// body; `inverse`: their inverses. Both must stay unchanged until the next assemble(). The coarse levels
+  /// are built with the body if the scene names this solver, otherwise at the first call.
   void multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                        double* z);
 
   // ---- When the matter changes, between steps
-  /// Updates the potential after matter.weigh() changed the weights.
+  /// Updates the potential after SoftMatter::weigh() changed the body's stiffness factor or its attachments.
   void reweigh();
-  /// Updates the potential after the matter followed a cut; equals a rebuild.
+  /// Updates the potential after a cut changed the body's mesh: resizes arrays and discards cached data. The
+  /// result equals that of a newly built object.
   void fit();
 
  private:

@@ -7,9 +7,9 @@
 
 namespace prosector {
 
-/// Creates the elastic model named by the scene's `model`, with its constants. Throws InputError for unknown
-/// table rows and for constants out of range. Indices in the anatomy must be in range. `anatomy` need not
-/// outlive the result.
+/// Creates the elastic model (elements or springs) of a soft body, as the scene's `model` field names it,
+/// with the scene's constants. Throws InputError for unknown names and for constants out of range. Node
+/// indices in `anatomy` must be in range. `anatomy` need not outlive the result.
 std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Anatomy& anatomy);
 
 }  // namespace prosector

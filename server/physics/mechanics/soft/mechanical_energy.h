@@ -5,9 +5,11 @@
 
 namespace prosector {
 
-/// Returns Σ ½m‖v‖². `mass`: n, kg; `v`: 3n, m/s.
+/// Returns the kinetic energy Σ ½m‖v‖² of the nodes, J. `mass`: nodal masses (n, kg); `v`: nodal velocities
+/// (3n, m/s).
 double kinetic_energy(const VecX& mass, const VecX& v);
-/// Returns the work of the body's weight between two shapes, J. `mass`: n, kg.
+/// Returns the work of gravity, J, when the nodes move from positions `from` to positions `to` (3n, m).
+/// `mass`: nodal masses (n, kg); `weight`: gravitational acceleration of the nodes.
 double fall_energy(const VecX& mass, const VecX& from, const VecX& to, const Weight& weight);
 
 }  // namespace prosector

@@ -96,7 +96,7 @@ void MeshFollower::follow_nodes(const MeshEdit& edit) {
   SoftMatter& m = parts_.matter;
   apply(edit, m.anatomy.tets);
   if (m.quadratic) follow_divided(m.anatomy.tets, m.quadratic->edges, edit, m.quadratic->eighths);
-  m.model->follow(m.desc, m.anatomy.tets, edit);
+  m.model->follow(m.desc.material, m.anatomy.tets, edit);
   m.pattern.follow(edit);
   if (parts_.substepper) parts_.substepper->follow(m.anatomy.tets, edit);
   fit();
@@ -112,7 +112,7 @@ void MeshFollower::follow_sheet(Anatomy sheet, const Kept& nodes, std::span<cons
   SoftMatter& m = parts_.matter;
   m.anatomy = std::move(sheet);
   m.area = vertex_areas(m.anatomy);
-  m.pattern.follow(nodes, m.model->follow_sheet(m.desc, m.anatomy, nodes, touched));
+  m.pattern.follow(nodes, m.model->follow_sheet(m.desc.material, m.anatomy, nodes, touched));
   fit();
 }
 

@@ -15,20 +15,20 @@ RecoveryLaw::~RecoveryLaw() = default;
 
 bool RecoveryLaw::exists() const {
   const SoftDesc& desc = matter_.desc;
-  return (desc.model != recovery_model || desc.element == "tet10") &&
+  return (desc.configuration.model != recovery_model || desc.configuration.is_quadratic()) &&
          mesh_kind(matter_.anatomy) == MeshKind::tets;
 }
 
 SoftBody& RecoveryLaw::body() {
   if (!body_) {
     SoftDesc desc = matter_.desc;
-    desc.model = recovery_model;
-    desc.integrator = "implicit_euler";
-    desc.solver = "cg";
-    desc.element = "tet4";
-    desc.fiber_stiffness = 0;
-    for (RegionDesc& region : desc.regions) region.fiber_stiffness = -1;
-    desc.relaxation.clear();
+    desc.configuration.model = recovery_model;
+    desc.configuration.integrator = "implicit_euler";
+    desc.configuration.solver = "cg";
+    desc.configuration.element = "tet4";
+    desc.material.fiber_stiffness = 0;
+    for (RegionDesc& region : desc.material.regions) region.fiber_stiffness = -1;
+    desc.material.relaxation.clear();
     body_ = std::make_unique<SoftBody>(desc, Anatomy{matter_.linear_tets(), {}, {}});
     reweigh();
   }

@@ -9,29 +9,33 @@ namespace prosector {
 
 class SoftBody;
 
-/// Body with the same nodes and attachments under the corotational law, created when first needed. The
-/// corotational law leads back from every shape: no minimum except the rest shape was ever observed.
+/// Copy of a soft body, with the same nodes and attachments, whose material is corotational. It replaces the
+/// body while the body's own law leaves it inverted. Under the corotational law no energy minimum except the
+/// rest shape was ever observed. The copy is created when first needed.
 class RecoveryLaw {
  public:
-  /// Takes the body's matter, which must outlive this object.
+  /// Stores a reference to the mesh, elements and masses of the body to recover, which must outlive this
+  /// object.
   explicit RecoveryLaw(const SoftMatter& matter);
   ~RecoveryLaw();
 
-  /// Returns whether the body has a recovery law. Bodies of linear tetrahedra under the corotational law,
-  /// sheets and ropes have none.
+  /// Returns whether the body can be stepped under a recovery law. False for sheets and ropes, and for bodies
+  /// of linear tetrahedra that use the corotational law already.
   bool exists() const;
-  /// Returns the body under the recovery law, on linear tetrahedra (eight for each quadratic one). Requires
-  /// exists().
+  /// Returns the copy of the body under the recovery law, creating it at the first call. It has linear
+  /// tetrahedra, eight for each quadratic one. Requires exists().
   SoftBody& body();
-  /// Uses the recovery law permanently, because the body's weight crushes it under its own law. Requires
-  /// exists().
+  /// Makes the body use the recovery law permanently, because its weight would crush it under its own
+  /// material law. Requires exists().
   void keep() { kept_ = true; }
   bool is_kept() const { return kept_; }
 
   // ---- When the matter changes, between steps
-  /// Updates strength and attachment after they changed.
+  /// Applies the original body's stiffness factor, and whether its attachments hold, to the copy after they
+  /// changed.
   void reweigh();
-  /// Updates the body after its matter followed a cut.
+  /// Discards the copy of the body after a cut changed the original's mesh; body() creates it again when
+  /// needed.
   void fit();
 
  private:

@@ -13,25 +13,28 @@ namespace prosector {
 enum class MeshKind { tets, sheet, rope };
 MeshKind mesh_kind(const Anatomy& anatomy);
 
-/// A value of `model` in a scene file.
+/// Row of the table of soft-body models: a value of `model` in a scene file, its help text, the kinds of mesh
+/// that it supports, and whether it is position-based.
 struct ModelRow {
   std::string name;
   std::string help;
   bool tets, fabric;    // supported meshes; fabric: sheets and ropes
   bool position_based;  // has its own integration, which approximates implicit Euler
 };
-/// Returns the rows of all models: each material law on tetrahedra, mass_spring and xpbd.
+/// Returns the table of all soft-body models: mass_spring, xpbd, and each material law for tetrahedra.
 const std::vector<ModelRow>& models();
 
-/// Returns the values of `integrator` in a scene file that the model supports. These are all of integrators()
-/// and explicit_integrators(); for a position-based model, only the integrator that it approximates.
+/// Returns the values of `integrator` in a scene file that are allowed with this soft-body model. These are
+/// all implicit and explicit integrators. For a position-based model it is only `implicit_euler`, which the
+/// model approximates.
 std::vector<std::string> integrators_for(const ModelRow& model);
 
-/// Returns a text that describes the configuration: model, element, integrator, solver and effort per step.
+/// Returns a text that describes the body's configuration: model, element, integrator, solver and solver
+/// effort per step, or the number of substeps.
 std::string in_words(const SoftDesc& desc);
 
-/// Throws InputError that names the allowed values if model, mesh and integrator of the description are not
-/// compatible.
+/// Checks that model, element, mesh, integrator and stress relaxation of the description are compatible.
+/// Throws InputError that names the allowed values if they are not.
 void check_rung(const SoftDesc& desc, const Anatomy& anatomy);
 
 }  // namespace prosector

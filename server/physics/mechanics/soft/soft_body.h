@@ -29,9 +29,10 @@ class Substepper;
 
 class SoftBody {
  public:
-  /// Creates a body from `anatomy`, which is in the world frame. Degenerate tetrahedra are left out, but not
-  /// their mass. Throws InputError for unknown table rows, for a mesh without a usable tetrahedron, and for
-  /// indices or constants out of range.
+  /// Creates a body from its description and `anatomy`, its mesh and surface in the world frame. Degenerate
+  /// tetrahedra are left out of the elements, but their mass is counted. Throws InputError for an unknown
+  /// model, integrator or solver, for a mesh without a usable element, and for indices or constants out of
+  /// range.
   SoftBody(const SoftDesc& desc, Anatomy anatomy);
   ~SoftBody();
   SoftBody(SoftBody&&) noexcept;
@@ -48,42 +49,47 @@ class SoftBody {
   double total_mass() const;                     // kg
   std::span<const double> surface_area() const;  // m², per surface vertex: a third of its triangles' area
   const VecX& attachment_stiffness() const;      // n, N/m, as described in the scene; 0: free
-  /// Returns the body's tetrahedra in the rest shape, each quadratic one as eight linear ones; empty for
-  /// sheets and ropes.
+  /// Returns the body's mesh of linear tetrahedra in the rest shape. For quadratic elements, each is divided
+  /// into eight. Empty for sheets and ropes.
   const TetMesh& linear_tets() const;
-  /// Returns whether the elastic forces rotate with the body (objectivity); false for laws of small
-  /// rotations.
+  /// Returns whether the body's elastic model is objective: rotating the body causes no strain. False for
+  /// linear elasticity, which is valid for small rotations only.
   bool objective() const;
-  /// Returns a hash of connectivity, rest shape and masses.
+  /// Returns a hash of the body's mesh connectivity, rest positions and nodal masses, for comparing two
+  /// bodies.
   std::uint64_t content_hash() const;
-  /// Returns the state of a sleeping body in its rest shape.
+  /// Returns the initial state of the body: in its rest shape, without velocity and stress history, and
+  /// asleep.
   SoftBodyState initial_state() const;
 
   // ---- Changes by users: between steps
-  /// Multiplies the described stiffness, damping included, by `stiffness` and enables or disables the
-  /// attachments. Allocates memory if a value changes.
+  /// Sets the factor `stiffness` on the body's described stiffness and damping, and enables or disables its
+  /// attachments to the room. Allocates memory if a value changes.
   void set_in_force(double stiffness, bool attached);
-  /// Returns whether an attachment holds the body at present.
+  /// Returns whether an enabled attachment currently holds some node of the body in the room.
   bool attached() const;
-  /// Returns the body's weight under `gravity` (m/s²). A body that was imaged under its own weight (gravity =
-  /// false) has no weight while it is supported. Its weight acts once it is taken out of its place, or once
-  /// all its attachments were cut off.
+  /// Returns the weight of the body's nodes under `gravity` (m/s²). A body that was imaged under its own
+  /// weight (scene field `gravity = false`) has no weight until its attachments are disabled or all of them
+  /// are cut off.
   ///
-  /// `borne`: whether something supports the body. Then quadratic elements distribute their weight by shape
-  /// functions. A falling body distributes it by nodal masses, because shape functions would strain it.
+  /// `borne`: whether something supports the body. If so, quadratic elements distribute their weight to nodes
+  /// by shape functions. A falling body distributes it by nodal masses, because shape functions would strain
+  /// it.
   Weight weight(const Vec3& gravity, bool borne) const;
 
   // ---- Parts; const ones are for queries
   IncrementalPotential& potential();
   ImplicitStepper& stepper();
   const ImplicitStepper& stepper() const;
-  /// Returns the substepper; null for bodies that are only minimised.
+  /// Returns the integrator that advances the body in explicit or position-based substeps. Null for bodies
+  /// that are stepped only by implicit minimisation.
   Substepper* substepper() const;
   MeshFollower& follower();
   const MeshFollower& follower() const;
   RecoveryLaw& recovery();
   const RecoveryLaw& recovery() const;
-  /// Returns the body whose law is in force in this state: this body or that of recovery().
+  /// Returns the body by which a step must advance `state`: the copy under the recovery law while
+  /// `state.recovering` is true, otherwise this body.
   SoftBody& in_force(const SoftBodyState& state);
 
  private:

@@ -17,15 +17,15 @@ void require(bool ok, const SoftDesc& desc, const std::string& what) {
 void check_constants(const SoftDesc& desc) {
   const auto positive = [](double v) { return v > 0 && std::isfinite(v); };
   const auto not_negative = [](double v) { return v >= 0 && std::isfinite(v); };
-  require(positive(desc.density), desc,
-          fmt::format("density is {}; allowed: positive, in kg/m³", desc.density));
-  require(not_negative(desc.damping_mass), desc,
-          fmt::format("damping_mass is {}; allowed: 0 or more, in 1/s", desc.damping_mass));
-  require(not_negative(desc.damping_stiffness), desc,
-          fmt::format("damping_stiffness is {}; allowed: 0 or more, in s", desc.damping_stiffness));
+  require(positive(desc.material.density), desc,
+          fmt::format("density is {}; allowed: positive, in kg/m³", desc.material.density));
+  require(not_negative(desc.material.damping_mass), desc,
+          fmt::format("damping_mass is {}; allowed: 0 or more, in 1/s", desc.material.damping_mass));
+  require(not_negative(desc.material.damping_stiffness), desc,
+          fmt::format("damping_stiffness is {}; allowed: 0 or more, in s", desc.material.damping_stiffness));
   for (const AttachDesc& attach : desc.attach) {
     require(not_negative(attach.stiffness), desc,
-            fmt::format("attach stiffness is {}; allowed: 0 or more, in N/m⁴", attach.stiffness));
+            fmt::format("attach stiffness is {}; allowed: 0 or more, in N/m per m³", attach.stiffness));
     require(not_negative(attach.radius), desc,
             fmt::format("attach radius is {}; allowed: 0 or more, in m", attach.radius));
   }
@@ -40,30 +40,50 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
     if (!is_finite(anatomy.tets.positions[i])) refuse(desc, fmt::format("node {} is not finite", i));
   for (std::size_t e = 0; e < anatomy.tets.tets.size(); ++e)
     for (std::uint32_t node : anatomy.tets.tets[e])
-      if (node >= n) refuse(desc, fmt::format("tetrahedron {} refers to node {}; there are {}", e, node, n));
+      if (node >= n)
+        refuse(desc,
+               fmt::format("tetrahedron {} refers to node {}, but the mesh has {} nodes, numbered from 0", e,
+                           node, n));
   for (const auto& quad : anatomy.quads)
     for (std::uint32_t node : quad)
-      if (node >= n) refuse(desc, fmt::format("a sheet's cell refers to node {}; there are {}", node, n));
+      if (node >= n)
+        refuse(desc,
+               fmt::format("a sheet's cell refers to node {}, but the mesh has {} nodes, numbered from 0",
+                           node, n));
   for (const auto& triangle : anatomy.triangles)
     for (std::uint32_t node : triangle)
       if (node >= n)
-        refuse(desc, fmt::format("part of a sheet's cell refers to node {}; there are {}", node, n));
+        refuse(
+            desc,
+            fmt::format("a triangle of a sheet refers to node {}, but the mesh has {} nodes, numbered from 0",
+                        node, n));
   require(anatomy.node_volume.empty() || anatomy.node_volume.size() == n, desc,
           fmt::format("{} node volumes for {} nodes", anatomy.node_volume.size(), n));
   for (const auto& segment : anatomy.segments)
     for (std::uint32_t node : segment)
-      if (node >= n) refuse(desc, fmt::format("a rope segment refers to node {}; there are {}", node, n));
+      if (node >= n)
+        refuse(desc,
+               fmt::format("a rope segment refers to node {}, but the mesh has {} nodes, numbered from 0",
+                           node, n));
   const std::size_t vertices = anatomy.surface.positions.size();
-  require(anatomy.embedding.rows.size() == vertices, desc,
-          fmt::format("{} surface vertices but {} rows that embed them", vertices,
-                      anatomy.embedding.rows.size()));
+  require(
+      anatomy.embedding.rows.size() == vertices, desc,
+      fmt::format("the surface has {} vertices, but {} rows of embedding weights; the numbers must be equal",
+                  vertices, anatomy.embedding.rows.size()));
   for (const auto& row : anatomy.embedding.rows)
     for (std::uint32_t node : row.node)
-      if (node >= n) refuse(desc, fmt::format("its surface is embedded in node {}; there are {}", node, n));
+      if (node >= n)
+        refuse(
+            desc,
+            fmt::format("a surface vertex is embedded in node {}, but the mesh has {} nodes, numbered from 0",
+                        node, n));
   for (const auto& triangle : anatomy.surface.triangles)
     for (std::uint32_t vertex : triangle)
       if (vertex >= vertices)
-        refuse(desc, fmt::format("a surface triangle refers to vertex {}; there are {}", vertex, vertices));
+        refuse(desc,
+               fmt::format(
+                   "a surface triangle refers to vertex {}, but the surface has {} vertices, numbered from 0",
+                   vertex, vertices));
 }
 
 VecX lumped_mass(double density, const VecX& volume) {

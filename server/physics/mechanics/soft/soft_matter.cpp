@@ -12,7 +12,7 @@ namespace {
 
 /// Adds the edge nodes if the body has quadratic elements.
 Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy, std::optional<QuadraticNodes>& quadratic) {
-  if (desc.element != "tet10") return anatomy;
+  if (!desc.configuration.is_quadratic()) return anatomy;
   SparseMap linear = anatomy.embedding;
   EdgeNodes edges = add_edge_nodes(anatomy);
   TetMesh eighths = divided(anatomy.tets, edges);
@@ -23,7 +23,8 @@ Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy, std::optional<Quadratic
 std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& anatomy) {
   auto model = name_in_errors(desc, [&] { return make_elastic_model(desc, anatomy); });
   require(model->connectivity().size() > 0, desc,
-          fmt::format("all {} elements are degenerate; at least one must have volume, area or length",
+          fmt::format("all {} elements of the mesh are degenerate (flat); at least one must have a volume, "
+                      "area or length",
                       model->dropped_elements()));
   return model;
 }
@@ -41,7 +42,7 @@ SoftMatter::SoftMatter(const SoftDesc& d, Anatomy a)
       model(usable_model(d, anatomy)),
       pattern(model->connectivity()),
       symmetric(pattern),
-      mass(lumped_mass(d.density, model->volume())),
+      mass(lumped_mass(d.material.density, model->volume())),
       ties(attachment_stiffness(d.attach, model->rest(), model->volume())),
       borne(borne_shares(*model)),
       inertia(mass),
@@ -56,7 +57,7 @@ void SoftMatter::weigh() {
 
 void SoftMatter::fit() {
   symmetric.fit(pattern);
-  mass = lumped_mass(desc.density, model->volume());
+  mass = lumped_mass(desc.material.density, model->volume());
   ties = attachment_stiffness(desc.attach, model->rest(), model->volume());
   borne = borne_shares(*model);
   weigh();

@@ -15,7 +15,8 @@
 
 namespace prosector {
 
-/// Additional data of a body of quadratic elements.
+/// Additional data of a soft body with quadratic tetrahedra: its edge nodes, the surface's embedding in
+/// vertices only, and the mesh of linear tetrahedra on the same nodes.
 struct QuadraticNodes {
   EdgeNodes edges;
   SparseMap embedding;  // of the surface, in the vertices only
@@ -23,7 +24,8 @@ struct QuadraticNodes {
 };
 
 struct SoftMatter {
-  /// Initialises the data as described at SoftBody's constructor.
+  /// Creates mesh, elements, masses and attachments of a soft body from its scene description and its mesh in
+  /// the world frame. Throws InputError for invalid descriptions or meshes.
   SoftMatter(const SoftDesc& desc, Anatomy anatomy);
 
   SoftDesc desc;
@@ -33,7 +35,8 @@ struct SoftMatter {
   BlockPattern pattern;
   SymmetricPattern symmetric;
   VecX mass, ties;  // n, kg; n, N/m, as described in the scene
-  /// n: ratio of a node's weight by shape functions to its weight by mass; empty: linear elements, all 1.
+  /// Ratio of each node's weight by shape functions to its weight by mass (n), for bodies that something
+  /// supports. Empty for linear elements, whose ratios are all 1.
   VecX borne;
   // A material that is s times as stiff moves as if inertia, attachments and loads were divided by s. The
   // equations are solved in that form and results are multiplied by s, so elements need not know s.
@@ -43,16 +46,19 @@ struct SoftMatter {
   std::vector<double> area;  // m², per surface vertex, in the rest shape
   double diagonal;           // m, of the rest shape's bounding box
 
-  /// Computes inertia and attached from mass, ties, strength and tied.
+  /// Computes `inertia` and `attached`, the masses and attachment stiffnesses divided by the stiffness factor
+  /// `strength`. `attached` is zero if the attachments are disabled.
   void weigh();
-  /// Recomputes all but the surface areas from model and pattern, which followed a cut.
+  /// Recomputes masses, attachments and the bounding diagonal after `model` and `pattern` were updated for a
+  /// cut. Surface areas are updated elsewhere.
   void fit();
 
   std::size_t node_count() const { return model->connectivity().nodes(); }
   std::size_t vertex_count() const { return quadratic ? quadratic->edges.vertices() : node_count(); }
   const VecX& rest() const { return model->rest(); }
   const TetMesh& linear_tets() const { return quadratic ? quadratic->eighths : anatomy.tets; }
-  /// Returns whether gravity acts, see SoftBody::weight().
+  /// Returns whether gravity acts on the body. It does not while a body that was imaged under its own weight
+  /// (`gravity = false`) is held by its attachments, see SoftBody::weight().
   bool falls() const;
 };
 

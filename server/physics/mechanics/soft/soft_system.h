@@ -8,7 +8,9 @@
 
 namespace prosector {
 
-/// Constant during a session, except for the model's cache of the last positions.
+/// References to the data of a soft body's equations of motion: description, elastic model, matrix patterns,
+/// nodal masses and attachment stiffnesses. They are constant during a session, except after cuts and for the
+/// model's cache of the last positions.
 struct SoftSystem {
   const SoftDesc& desc;
   ElasticModel& model;
@@ -17,10 +19,11 @@ struct SoftSystem {
   const VecX& mass;      // n, kg
   const VecX& attached;  // n, N/m
 
-  bool damped() const { return desc.damping_stiffness > 0; }
+  bool damped() const { return desc.material.damping_stiffness > 0; }
 };
 
-/// The Hessian of a stage is H = inertia·M + scale()·(K + attachments).
+/// Factors of the matrices in a stage's Hessian H = inertia·M + scale()·(K + attachments), where M is the
+/// mass matrix, K the elements' stiffness, and scale() includes stiffness-proportional damping.
 struct StageWeights {
   double inertia = 0;        // 1/s²: the integrator's α plus mass-proportional damping
   double damping_share = 0;  // stiffness-proportional damping, as a fraction of the stiffness

@@ -66,7 +66,7 @@ void StageElements::assemble(const Eigen::Ref<const VecX>& x, SymmetricRows& row
 }
 
 bool StageElements::near(const Eigen::Ref<const VecX>& x, const VecX& there) const {
-  return (x - there).lpNorm<Eigen::Infinity>() <= same_tangent * system_.desc.cell;
+  return (x - there).lpNorm<Eigen::Infinity>() <= same_tangent * system_.desc.geometry.cell;
 }
 bool StageElements::near_assembled(const Eigen::Ref<const VecX>& x) const {
   return assembled_ && near(x, assembled_->at);

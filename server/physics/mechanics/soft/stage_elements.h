@@ -17,38 +17,48 @@ namespace prosector {
 
 class StageElements {
  public:
-  /// Takes the system; the objects it refers to must outlive this one. `in_double`: allocates blocks now
-  /// instead of when they are first needed.
+  /// Initialises the elements for the equations of `system`; the objects that it refers to must outlive this
+  /// object. `in_double`: allocates the double-precision blocks of the damping matrix now instead of when
+  /// first needed.
   StageElements(const SoftSystem& system, bool in_double);
-  /// Updates the object for the present system; discards cached data.
+  /// Resizes all arrays after the body's mesh changed and discards cached element data.
   void fit();
 
-  /// Begins a stage. Positions x are 3n, m. `start`: the step's start, which must outlive the stage.
+  /// Begins a stage (one minimisation of an implicit step). `start`: node positions at the step's start (3n,
+  /// m), which must outlive the stage. `scale`: factor 1 + damping share of the stiffness in the Hessian.
   /// `single`: whether single precision is sufficient.
   void begin_stage(const VecX& start, double scale, bool single);
-  /// Returns whether this stage uses rotated elements.
+  /// Returns whether this stage uses rotated elements: element data of the corotational law in single
+  /// precision (corotated_elements.h).
   bool turned() const { return rotated_ && single_; }
 
   // ---- Rotated elements
-  /// Computes all cached data of the elements at x in one pass.
+  /// Computes the rotated elements (corotated_elements.h) and all other cached element data at node positions
+  /// x (3n, m) in one pass. Does nothing if they are known at x.
   void linearise(const Eigen::Ref<const VecX>& x);
-  /// Assembles K at x into `rows`.
+  /// Computes the stiffness matrix of the elements at node positions x (3n, m), from rotated elements, into
+  /// `rows`.
   void assemble(const Eigen::Ref<const VecX>& x, SymmetricRows& rows);
-  /// Returns whether x is so close to this stage's last assemble() that its matrix is still a good
-  /// approximation.
+  /// Returns whether this stage's last assembled matrix is still a good approximation. It is if no node is
+  /// more than a tenth of a mesh cell from where it was then. `x`: node positions (3n, m). Returns false if
+  /// no matrix was assembled in this stage.
   bool near_assembled(const Eigen::Ref<const VecX>& x) const;
   bool near_start(const Eigen::Ref<const VecX>& x) const;
 
   // ---- Damping: K at the stage's first evaluation point, which is x if there was none before.
-  /// Returns ½uᵀKu.
+  /// Returns ½uᵀKu, J, for node displacements u (3n, m). K is the warped stiffness (linear stiffness, rotated
+  /// with each element) at the stage's first evaluation point, which is x if there was none before.
   double damping_energy(const Eigen::Ref<const VecX>& x, const VecX& u);
-  /// Returns ½uᵀKu and computes f = K·u.
+  /// Returns ½uᵀKu, J, for node displacements u (3n, m), and computes the forces f = K·u (3n, N). K is the
+  /// warped stiffness at the stage's first evaluation point, which is x if there was none before.
   double damping_forces(const Eigen::Ref<const VecX>& x, const VecX& u, VecX& f);
-  /// Returns the blocks of K; not for rotated elements.
+  /// Returns the 3×3 blocks of the warped stiffness K (N/m) at the stage's first evaluation point, which is x
+  /// if there was none before. Not for stages that use rotated elements.
   std::span<const Mat3> damping_blocks(const Eigen::Ref<const VecX>& x);
 
  private:
-  /// Rotated elements and the positions at which they were computed.
+  /// Rotated elements (data of the corotational law, from which its stiffness is assembled), the node
+  /// positions at which they were computed, and whether they are valid.
   struct Linearised {
     CorotatedElements elements;
     VecX at;

@@ -10,14 +10,17 @@ namespace prosector {
 
 class StiffnessDamping {
  public:
-  /// Takes the system and its elements; both must outlive this object.
+  /// Initialises the damping potential of a soft body. `system` and `elements`, its equations and its
+  /// elements, must outlive this object.
   StiffnessDamping(const SoftSystem& system, StageElements& elements);
-  /// Allocates for the given number of nodes and discards cached data.
+  /// Resizes the arrays to the given number of nodes and discards cached energies and forces.
   void fit(std::size_t nodes);
 
-  /// Begins a stage. `x_v`: 3n, m, must outlive the stage.
+  /// Begins a stage (one minimisation of an implicit step). `x_v`: node positions (3n, m) from which damping
+  /// measures displacements; must outlive the stage.
   void begin_stage(const VecX& x_v);
-  /// Computes energy() at x, and forces() only if requested. Does nothing if they are known at x.
+  /// Computes energy() at node positions x (3n, m), and also forces() if `forces` is true. Does nothing if
+  /// they are already known at x.
   void update(const Eigen::Ref<const VecX>& x, bool forces);
   double energy() const { return energy_; }       // ½dᵀKd
   const VecX& forces() const { return forces_; }  // 3n: K·d

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "common/error.h"
+#include "common/scene/body_groups.h"
 #include "common/scene/primitives.h"
 #include "server/physics/mechanics/contact/self_collision.h"
 #include "server/physics/mechanics/rigid/collision_shape.h"
@@ -68,7 +69,7 @@ Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
       ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
   Solid out;
   out.mass = mesh_mass(surface, hull, desc.density);
-  if (fidelity_of(desc.collision) == Fidelity::mesh)
+  if (desc.collision == Fidelity::mesh)
     out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
   else
     out.parts = {hull};
@@ -81,7 +82,7 @@ CollisionGroups groups_of(const SceneDesc& scene) {
   out.add(hand_group);
   const auto add = [&](const auto& bodies) {
     for (const auto& body : bodies)
-      if (known.insert(body.group).second) out.add(body.group);
+      if (known.insert(contact_of(body).group).second) out.add(contact_of(body).group);
   };
   add(scene.rigid);
   add(scene.soft);
@@ -94,8 +95,8 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   // momentum.
   if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
   if (!(solid.mass.mass > 0) && !desc.fixed)
-    throw InputError(
-        fmt::format("rigid '{}': no volume, so no mass; give it parts or a closed mesh", desc.name));
+    throw InputError(fmt::format(
+        "rigid '{}': it encloses no volume, so it has no mass; give it parts or a closed mesh", desc.name));
   if (desc.mass > 0 && solid.mass.mass > 0) {
     solid.mass.inertia *= desc.mass / solid.mass.mass;
     solid.mass.mass = desc.mass;
@@ -117,7 +118,7 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   out.setup.balanced = desc.balanced;
   out.setup.continuous = desc.continuous;
   out.setup.mask = groups.mask(desc.group, desc.touches);
-  for (ShapePart part : at_fidelity(std::move(solid.parts), fidelity_of(desc.collision), desc.pose)) {
+  for (ShapePart part : at_fidelity(std::move(solid.parts), desc.collision, desc.pose)) {
     part.pose = out.center.inverse() * part.pose;
     out.shape.distances.push_back(make_signed_distance(part));
     out.shape.parts.push_back(std::move(part));
@@ -145,8 +146,9 @@ RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, con
   for (const RoomModel& side : model.room) room.push_back(side.side);
   const RoomSides out = sides_before(start, room);
   if (out != 0)
-    say(fmt::format("{}: starts behind the room's {}, so it does not collide with that side", name,
-                    has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
+    say(fmt::format(
+        "{}: the body starts behind the room's {}, so it does not collide with that side of the room", name,
+        has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
   return out;
 }
 
@@ -175,8 +177,8 @@ void press_over_area(const SoftBody& body, SoftCollision& collision) {
   if (mesh_kind(body.anatomy()) != MeshKind::tets || collision.fidelity != Fidelity::mesh ||
       body.substepper())
     throw InputError(
-        fmt::format("[[soft]] \"{}\": contact is \"surface\"; allowed only for a solid that collides as mesh "
-                    "and has no substeps; otherwise use vertices",
+        fmt::format("[[soft]] \"{}\": contact is \"surface\", which is allowed only for a solid with "
+                    "collision = \"mesh\" and without substeps; set contact = \"vertices\"",
                     desc.name));
   collision.over_area = true;
 }
@@ -184,13 +186,13 @@ void press_over_area(const SoftBody& body, SoftCollision& collision) {
 /// Warns if surface triangles are too large for refined elements to have an effect.
 void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const std::string&)>& say) {
   const SoftDesc& desc = body.desc();
-  if (desc.refine == SoftDesc().refine) return;
-  const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
+  if (desc.refinement.at == SoftDesc().refinement.at) return;
+  const double cell = desc.refinement.cell > 0 ? desc.refinement.cell : desc.geometry.cell / 2;
   const double edge = mean_edge(body.anatomy().surface);
   if (edge > coarse_surface * cell)
     say(
         fmt::format("{}: warning: refine creates elements of {:.1f} mm, but the surface triangles have edges "
-                    "of {:.1f} mm; reduce surface_cell to feel the refinement",
+                    "of {:.1f} mm; reduce surface_cell, or refinement has little effect",
                     desc.name, 1e3 * cell, 1e3 * edge));
 }
 
@@ -199,25 +201,26 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                             const std::function<void(const std::string&)>& say) {
   CompiledTissue out;
   if (const double moved = put_under_tension(desc, anatomy); moved > reported_tension)
-    say(fmt::format("{}: its tension moves it by {:.1f} mm from its imaged shape", desc.name, 1e3 * moved));
+    say(fmt::format("{}: the body's tension moves its nodes by up to {:.1f} mm from its imaged shape",
+                    desc.name, 1e3 * moved));
   out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
   const TriangleMesh& surface = out.solver->anatomy().surface;
-  const double cell = desc.self_contact ? mean_edge(surface) : 0;
+  const double cell = desc.contact.self_contact ? mean_edge(surface) : 0;
   const RoomSides passes = passed_sides(desc.name, surface.positions, model, say);
-  out.collision = {fidelity_of(desc.collision),
-                   groups.mask(desc.group, desc.touches),
+  out.collision = {desc.contact.collision,
+                   groups.mask(desc.contact.group, desc.contact.touches),
                    passes,
-                   desc.continuous,
-                   desc.self_contact,
+                   desc.contact.continuous,
+                   desc.contact.self_contact,
                    cell,
                    model.scene.contact_stiffness};
-  if (desc.contact == "surface") press_over_area(*out.solver, out.collision);
+  if (desc.contact.points == ContactPoints::surface) press_over_area(*out.solver, out.collision);
   warn_of_coarse_surface(*out.solver, say);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
                   out.solver->nodes(), surface.positions.size()));
   const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;
   if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
-    say(fmt::format("{}: warning: model {} {}", desc.name, desc.model, limit));
+    say(fmt::format("{}: warning: model {} {}", desc.name, desc.configuration.model, limit));
   return out;
 }
 
@@ -229,7 +232,7 @@ CompiledScene compile(const SceneDesc& written, const CompileOptions& options) {
     if (options.progress) options.progress(line);
   };
   if (!(scene.tick_rate > 0) || !std::isfinite(scene.tick_rate))
-    throw InputError(fmt::format("tick_rate: {} Hz must be positive", scene.tick_rate));
+    throw InputError(fmt::format("tick_rate is {} Hz; allowed: a positive rate", scene.tick_rate));
   CompiledScene out;
   Model& model = out.model;
   model.scene = scene;

@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Builds meshes, shapes, masses and matrices. Throws InputError if the scene is invalid.
+/// Builds the meshes, shapes, masses and matrices of a scene's bodies. Throws InputError if the scene is
+/// invalid.
 CompiledScene compile(const SceneDesc& scene, const CompileOptions& options);
 
 }  // namespace prosector

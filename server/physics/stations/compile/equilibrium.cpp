@@ -64,8 +64,8 @@ bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vec
   if (found.bytes && read_rests(*found.bytes, rests)) return true;
   if (found.bytes) found.trouble = "is damaged";
   if (!found.trouble.empty() && options.progress)
-    options.progress(
-        fmt::format("cache {} {}: equilibrium is computed again", file.filename().string(), found.trouble));
+    options.progress(fmt::format("cache file {} {}: the bodies' equilibrium is computed again",
+                                 file.filename().string(), found.trouble));
   return false;
 }
 
@@ -196,11 +196,13 @@ void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
   const SoftDesc& desc = b.desc();
   const std::string what =
       b.recovery().is_kept()
-          ? fmt::format("its own weight crushes it with model {}: fem_corotational is used", desc.model)
-          : fmt::format("its own weight crushes {:.2g} % of it", 100 * share);
-  options.progress(fmt::format(
-      "soft body \"{}\": {}; make it stiffer than {:.3g} Pa, make it smaller, or attach it ([[soft.attach]])",
-      desc.name, what, desc.youngs_modulus));
+          ? fmt::format("its own weight crushes it with model {}, so fem_corotational is used",
+                        desc.configuration.model)
+          : fmt::format("its own weight crushes {:.2g} % of its elements", 100 * share);
+  options.progress(
+      fmt::format("soft body \"{}\": {}; set youngs_modulus above {:.3g} Pa, make the body smaller, or "
+                  "attach it ([[soft.attach]])",
+                  desc.name, what, desc.material.youngs_modulus));
 }
 
 }  // namespace
@@ -229,7 +231,8 @@ void settle(State& state, SoftContactFinder& finder, const CompileOptions& optio
       tell_if_crushed(tissue, options);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
-            "{}: equilibrium found, {:.1f} mm from its imaged shape", tissue.solver->desc().name,
+            "{}: equilibrium found under gravity; nodes are up to {:.1f} mm from their imaged positions",
+            tissue.solver->desc().name,
             1e3 * (tissue.equilibrium - tissue.solver->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
     }
   }

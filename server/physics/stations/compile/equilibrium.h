@@ -8,8 +8,9 @@
 
 namespace prosector {
 
-/// Moves each soft body to its equilibrium, asleep; leaves it at its start, awake, if nothing supports it.
-/// Reports the result, and stores it in the cache of `options`.
+/// Moves each soft body to its equilibrium under gravity and contacts, and puts it to sleep there. A body
+/// that nothing supports stays at its initial position, awake. Reports the result, and stores it in the cache
+/// of `options`.
 void settle(State& state, SoftContactFinder& finder, const CompileOptions& options);
 
 }  // namespace prosector

@@ -74,15 +74,16 @@ TouchedPlaces places_on(const Rim& rim, double reach) {
 
 Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy) {
   const auto refusal = [&](const std::string& why) {
-    return InputError(fmt::format("[[soft]] \"{}\": grade is \"{}\", {}", desc.name, desc.grade, why));
+    return InputError(fmt::format("[[soft]] \"{}\": grade is \"rims\", {}", desc.name, why));
   };
-  if (mesh_kind(anatomy) != MeshKind::tets) throw refusal("allowed only for solids; otherwise use none");
+  if (mesh_kind(anatomy) != MeshKind::tets)
+    throw refusal("which is allowed only for solids; set grade = \"none\"");
   if (desc.attach.empty()) return anatomy;
   try {
-    const Rim rim = rim_of(desc, TetComplex(anatomy.tets, desc.density));
+    const Rim rim = rim_of(desc, TetComplex(anatomy.tets, desc.material.density));
     if (rim.edges.empty()) return anatomy;
     const double reach = reach_share * rim.longest;
-    RefinedBody body(std::move(anatomy), desc.density,
+    RefinedBody body(std::move(anatomy), desc.material.density,
                      {.edge = edge_share * rim.longest,
                       .reach = reach,
                       .most = std::numeric_limits<std::size_t>::max() / 2,
@@ -92,7 +93,8 @@ Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy) {
     }
     return refined_anatomy(body, refined_mesh(body));
   } catch (const InputError& error) {
-    throw refusal(fmt::format("but its mesh does not allow it: {}", error.what()));
+    throw refusal(fmt::format("but its mesh does not allow it: {}; set grade = \"none\" or use another mesh",
+                              error.what()));
   }
 }
 

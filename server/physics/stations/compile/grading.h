@@ -10,9 +10,9 @@
 
 namespace prosector {
 
-/// Returns the solid with edges near the attachment's rim bisected. Returns it unchanged if nothing, or all
-/// of the surface, is attached. The surface stays, embedded in the new mesh. Throws InputError for other
-/// bodies than solids, or with flat tetrahedra.
+/// Returns the solid with a finer mesh near the rim of its attachment: edges there are bisected. Returns it
+/// unchanged if nothing, or all of the surface, is attached. The surface is unchanged and is embedded in the
+/// new mesh. Throws InputError for bodies other than solids, and for flat tetrahedra.
 Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy);
 
 }  // namespace prosector

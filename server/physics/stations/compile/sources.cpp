@@ -25,7 +25,7 @@ Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const Compile
   std::optional<Anatomy> made;
   if (options.anatomy) made = options.anatomy(desc);
   if (!made) made = make_anatomy(desc, paths_of(scene, options), options.progress);
-  return desc.grade == "rims" ? graded_at_rims(desc, std::move(*made)) : std::move(*made);
+  return desc.geometry.grade == Grading::rims ? graded_at_rims(desc, std::move(*made)) : std::move(*made);
 }
 
 }  // namespace prosector

@@ -5,14 +5,17 @@
 
 namespace prosector {
 
-/// Returns the scene, completed from its label files: bodies of its atlases, names in languages. Throws
-/// InputError.
+/// Returns the scene completed from the label files that it names: the bodies of its atlases, and body names
+/// in several languages. Throws InputError if a file is missing or invalid.
 SceneDesc whole_scene(const SceneDesc& scene, const CompileOptions& options);
 
-/// Creates a rigid body's surface in its own frame. Throws InputError.
+/// Creates a rigid body's surface mesh in the body's own frame from the geometry source in its description.
+/// Throws InputError if the source is missing or invalid.
 TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
-/// Creates a soft body's mesh in the world frame, graded if the scene says so. Throws InputError.
+/// Creates a soft body's meshes in the world frame from the geometry source in its description. The mesh is
+/// finer at attachment rims if the description requests it. Throws InputError if the source is missing or
+/// invalid.
 Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
 }  // namespace prosector

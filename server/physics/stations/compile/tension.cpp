@@ -86,12 +86,13 @@ std::vector<Mat3> layer_stretch(const TetMesh& mesh, double strain, double depth
 }
 
 double put_under_tension(const SoftDesc& desc, Anatomy& anatomy) {
-  if (!desc.tension || mesh_kind(anatomy) == MeshKind::sheet) return 0;
+  if (!desc.material.tension || mesh_kind(anatomy) == MeshKind::sheet) return 0;
   require(
       mesh_kind(anatomy) == MeshKind::tets, desc,
-      "tension applies to an outermost layer, which ropes do not have; allowed for solid bodies and sheets");
+      "tension is given for a rope, which has no outermost layer; allowed only for solid bodies and sheets");
   BalancedStretch found = balanced_stretch(
-      desc, anatomy, layer_stretch(anatomy.tets, desc.tension.value / 100, desc.tension_depth));
+      desc, anatomy,
+      layer_stretch(anatomy.tets, desc.material.tension.value / 100, desc.material.tension_depth));
   anatomy.tets.stretch = std::move(found.stretch);
   return found.moved;
 }

@@ -60,8 +60,8 @@ void grip_blades(State& state, std::vector<BladeGrip>& grips) {
         if (!grip || edge.ray) continue;
         const SoftDesc& tissue = bodies.soft[grip->body].solver->desc();
         const Vec3 arm = now[p] - tool.pose.p, lag = now[p] - blade.cut_to[p];
-        const double force = (blade.cutting ? 1 : to_begin_cut) * tissue.toughness * edge.length_per_point *
-                             slicing(lag, along);
+        const double force = (blade.cutting ? 1 : to_begin_cut) * tissue.material.toughness *
+                             edge.length_per_point * slicing(lag, along);
         if (!(force > 0)) continue;
         grip->slot = blade.slot;
         grip->point = p;

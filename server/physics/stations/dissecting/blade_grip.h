@@ -8,11 +8,12 @@
 
 namespace prosector {
 
-/// Returns the positions of a held instrument's edge points, m, world frame.
+/// Returns the current positions (m, world frame) of the points on the cutting edges of a held instrument.
+/// `slot` is its index in the rigid world.
 std::vector<Vec3> edge_points(const Bodies& bodies, std::size_t slot);
 
-/// Updates the list of blades that hands hold, lists the ties of their points with tissue, and wakes that
-/// tissue.
+/// Updates the list of instruments with cutting edges that hands hold. Fills `grips` with the ties between
+/// points of their edges and tissue, and wakes that tissue.
 void grip_blades(State& state, std::vector<BladeGrip>& grips);
 
 }  // namespace prosector

@@ -9,15 +9,15 @@
 
 namespace prosector {
 
-/// m, world frame, by point of the blade's edges: current position of its material, and the point's new
-/// position.
+/// Motion of the points on a blade's cutting edges in a tick, m, world frame, by point. `from` is the current
+/// position of the material that the point had cut to, and `to` the point's new position.
 struct Sweep {
   std::vector<Vec3> from, to;
   bool in_tissue = false;  // whether some point is in tissue, or was in the course of the tick
 };
 
-/// Returns the motion of the blade's points after the tick, where tissue yields to them. The swept area is to
-/// be cut.
+/// Returns the motion of a blade's edge points in the tick. A point advances only where tissue yields to it.
+/// The area that the edges sweep is to be cut.
 Sweep sweep_of(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade);
 
 }  // namespace prosector

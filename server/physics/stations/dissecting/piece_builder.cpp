@@ -48,7 +48,7 @@ void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const Orga
                   const UndoneMotion& back, const OrganPiece& piece, NewPiece& made) {
   std::vector<const PieceMesh*> meshes;
   for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
-  const bool quadratic = bodies.soft[before.front().body].solver->desc().element == "tet10";
+  const bool quadratic = bodies.soft[before.front().body].solver->desc().configuration.is_quadratic();
   const NodeTransfer transfer(organ.complex(), meshes, piece.mesh, quadratic);
   const auto carried = [&](const auto& field) {
     std::vector<const VecX*> fields;

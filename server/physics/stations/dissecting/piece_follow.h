@@ -9,11 +9,12 @@
 
 namespace prosector {
 
-/// Updates a body incrementally if one piece was cut and nothing was severed. Returns false, and changes
-/// nothing, if that or the update is impossible. All operations that can fail come first.
+/// Updates a soft body incrementally after a cut of one piece that severed nothing. Returns false, and
+/// changes nothing, if the cut was of another kind or the update is impossible. All operations that can fail
+/// come first.
 bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId author, StepReport& report);
 
-/// Inputs for the incremental update of a piece's existing solver and surface.
+/// Data for updating the solver and surface of a piece incrementally after a cut.
 struct Following {
   PieceEdit edit;
   std::optional<SurfaceEdit> surface;  // none: the surface is replaced completely by `skin`
@@ -22,11 +23,12 @@ struct Following {
   Numbering numbering;
 };
 
-/// Returns the update of a piece for the changes since `then`; none if it must be rebuilt.
+/// Returns the data for updating a piece incrementally by the organ's changes since the state `then`. Returns
+/// none if the piece must be rebuilt instead.
 std::optional<Following> following_since(const Bodies& bodies, const Organ& organ, const Regrouped& then,
                                          const OrganPiece& piece);
 void take_solver_along(Bodies& bodies, Following& following);
-/// Updates the body's surface after its solver.
+/// Updates a body's surface for contacts after its solver was updated incrementally by the same change.
 void take_surface_along(Bodies& bodies, const Following& following);
 
 }  // namespace prosector

@@ -112,9 +112,10 @@ void take_effect(State& state, std::size_t body, RefinedBody& refined,
 void make_refinable(State& state) {
   std::size_t most = 0;  // largest possible number of tetrahedra
   for (const Tissue& tissue : state.bodies.soft) {
-    if (tissue.desc().refine == SoftDesc().refine) continue;
+    if (tissue.desc().refinement.at == SoftDesc().refinement.at) continue;
     state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
-    most += tissue.anatomy().tets.tets.size() + static_cast<std::size_t>(tissue.desc().refine_most);
+    most +=
+        tissue.anatomy().tets.tets.size() + static_cast<std::size_t>(tissue.desc().refinement.max_elements);
   }
   prefault_memory(std::min(bytes_a_tet * most, most_ahead));
 }

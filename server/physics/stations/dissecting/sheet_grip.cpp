@@ -144,7 +144,7 @@ void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& bla
     if (!can_cut_sheet(bodies, body)) continue;
     const SoftDesc& desc = bodies.soft[body].solver->desc();
     const Anatomy& sheet = bodies.soft[body].solver->anatomy();
-    const double toughness = (blade.cutting ? 1 : to_begin_cut) * desc.toughness;
+    const double toughness = (blade.cutting ? 1 : to_begin_cut) * desc.material.toughness;
     std::size_t first = 0;
     for (const BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
       const std::size_t count = edge.points.size();
@@ -226,7 +226,7 @@ bool stop_at_sheets(const Bodies& bodies, std::span<const BladeGrip> grips, cons
         in_sheet = true;
         continue;
       }
-      const bool tough = !edge.ray && bodies.soft[body].solver->desc().toughness > 0;
+      const bool tough = !edge.ray && bodies.soft[body].solver->desc().material.toughness > 0;
       for (std::size_t k = 0; k < before.size(); ++k) {
         const std::array<Vec3, 2> way = {before[k], after[k]};
         const Vec3 all = way[1] - way[0];

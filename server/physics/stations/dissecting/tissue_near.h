@@ -11,18 +11,20 @@
 
 namespace prosector {
 
-/// A solid near a box, with a point locator.
+/// A soft solid whose box is near a searched box, with a locator that finds which of its tetrahedra contains
+/// a point.
 struct TissueNear {
   std::size_t body = 0;  // soft body
   Locator locator;
 };
 
-/// Returns the bounding box of both lists of points.
+/// Returns the smallest axis-aligned box that contains all points of both lists.
 Aabb swept_box(std::span<const Vec3> from, std::span<const Vec3> to);
-/// Returns the touchable tissue near a box.
+/// Returns the solids near a box that can be touched, each with a point locator.
 std::vector<TissueNear> tissue_near(const Bodies& bodies, const Aabb& box);
-/// Returns the tissue that contains a point of that box, and the material point; the rest of the grip is
-/// unset.
+/// Returns the soft body that contains the point, and the material point there, as a BladeGrip whose other
+/// members are unset. Returns none if no tissue contains the point. `tissue` must have been found for a box
+/// that contains the point.
 std::optional<BladeGrip> tissue_at(std::span<const TissueNear> tissue, const Vec3& point);
 
 }  // namespace prosector

@@ -6,8 +6,8 @@
 
 namespace prosector {
 
-/// Bends the fingers of all hands for one tick. Refreshes `colliders` unless all fingers are and stay
-/// straight.
+/// Bends the fingers of all hands towards their tracked flexion for one tick, and stops them at obstacles.
+/// Updates `colliders` unless all fingers are and stay straight.
 void bend_fingers(State& state, Colliders& colliders);
 
 }  // namespace prosector

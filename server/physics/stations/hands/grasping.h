@@ -8,11 +8,13 @@
 
 namespace prosector {
 
-/// Grasps the wanted body if the hand reaches it. Otherwise grasps the nearest body that its touches can
-/// hold, rigid bodies first. Does nothing if the hand already holds a body. Refreshes `colliders`.
+/// Makes the hand grasp the body `wanted` if it reaches it. Otherwise it grasps the nearest body that its
+/// contact points can hold, rigid bodies first. Does nothing if the hand already holds a body. Updates
+/// `colliders` to current poses.
 void grasp(State& state, Colliders& colliders, Hand& hand, std::optional<BodyId> wanted = std::nullopt);
 
-/// Grasps that body if the hand reaches it. Refreshes `colliders`.
+/// Makes the hand grasp the body `wanted` if it reaches it, and no other body. Does nothing if the hand
+/// already holds a body. Updates `colliders` to current poses.
 void grasp_only(State& state, Colliders& colliders, Hand& hand, BodyId wanted);
 
 }  // namespace prosector

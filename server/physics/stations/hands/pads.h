@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// A finger pad's contact with a rigid body; its friction points follow the contact in the island.
+/// A finger pad's contact with a rigid body. The contacts that distribute its friction over a patch directly
+/// follow it in the list of contacts of its island (a set of bodies solved together).
 struct Pad {
   std::size_t island = 0, contact = 0;  // indices
   std::size_t hand = 0, body = 0;       // slots
@@ -18,20 +19,22 @@ struct Pad {
   Vec3 place = Vec3::Zero();            // m, position in the frame of the hand's centre
 };
 
-/// Replaces Bullet's contacts of the hand's segments by contacts with our own shapes. Bullet determines which
-/// pads touch which bodies. But it computes gaps in single precision, at one point of a line contact, and
-/// with boxes with rounded edges. Occasionally it reports no contact for a tick, and a pinched body would be
-/// shot out of the fingers. So the gap is recomputed at the nearest point of a segment and at its ends, also
-/// for pads that pressed in the last tick.
+/// Replaces the contacts that Bullet found for a hand's finger segments in `touches` by contacts with our own
+/// shapes. Bullet determines which pads touch which bodies. But it computes gaps in single precision, at one
+/// point of a line contact, and with boxes with rounded edges. Occasionally it reports no contact for a tick,
+/// and a pinched body would be shot out of the fingers. So the gap is recomputed at the nearest point of a
+/// segment and at its ends, also for pads that pressed in the last tick.
 void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
                 std::vector<RigidContact>& touches);
 
-/// Distributes the friction of the island's last contact, which came from `touch`, over a patch if a finger
-/// is involved, and lists the pad.
+/// Distributes the friction of the last entry of `contacts`, which was made from `touch`, over the points of
+/// a patch if one of its bodies is a finger. In that case appends the finger pad to `pads`. `contacts` are
+/// those of the island (a set of bodies solved together) with index `island`.
 void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const RigidContact& touch,
                      std::size_t island, std::vector<Contact>& contacts, std::vector<Pad>& pads);
 
-/// Stores the pads' contacts in the hands after the islands are solved.
+/// Stores the forces and friction of the finger pads' contacts in the hands after the islands (sets of bodies
+/// solved together) were solved. The next tick starts from them.
 void store_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
                 std::vector<Hand>& hands);
 

@@ -115,7 +115,7 @@ void add_near_tissue(const State& state, const Collider& collider, const Hand& h
       nearest->point = tissue.surface.vertices().positions()[vertex] - d.value * d.normal;
       nearest->gap = d.value;
       nearest->stiffness = tissue.contact_stiffness(vertex);
-      nearest->friction = std::sqrt(tissue.desc().friction * collider.friction);
+      nearest->friction = std::sqrt(tissue.desc().contact.friction * collider.friction);
     });
     if (!nearest) continue;
     nearest->give = give_of(state, hand, slot, nearest->point);

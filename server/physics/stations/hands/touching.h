@@ -12,9 +12,10 @@
 
 namespace prosector {
 
-/// Returns the surroundings of a hand. `touches` has the tick's contacts, holds and cut points of the hand.
-/// Then follow the nearest points of other tissue within `reach` (m), one per body, and the weight of a held
-/// rigid body. `supports` has the contacts and holds of the soft bodies among these.
+/// Returns what surrounds a hand after a tick, for a haptic arm. `touches` begins with the tick's contacts,
+/// holds and cut points of the hand. Then follow the nearest points of other tissue within `reach` (m), one
+/// per body, and the weight of a held rigid body. `supports` has the contacts and holds of the soft bodies in
+/// `touches`.
 HandSurroundings surroundings_of(const State& state, std::span<const Island> islands,
                                  std::span<const Collider> colliders, const HandRef& hand, double reach);
 

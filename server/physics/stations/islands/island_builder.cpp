@@ -197,7 +197,7 @@ void IslandBuilder::watch_flat_elements(Island& island) const {
                        return between_soft(c) && (c.a.body == s.index || c.b.body == s.index);
                      }))
       continue;
-    const double stiffness = bodies_.model.scene.contact_stiffness * s.body->desc().youngs_modulus;
+    const double stiffness = bodies_.model.scene.contact_stiffness * s.body->desc().material.youngs_modulus;
     find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v, {s.index, stiffness, h_},
                        island.contacts);
   }

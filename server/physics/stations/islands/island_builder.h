@@ -14,20 +14,23 @@
 
 namespace prosector {
 
-/// Finds the islands: bodies connected by contacts, holds and blades in tissue. The rigid world immediately
-/// solves islands without tissue and hands for h s; returns the others.
+/// Finds the islands of the rigid world: sets of bodies connected by contacts, holds and blades in tissue.
+/// The rigid world immediately solves those without tissue and hands for h s. Returns the other islands.
 const std::vector<MixedIsland>& find_islands(Bodies& bodies, std::span<const Hand> hands,
                                              const SoftContacts& touching, std::span<const BladeGrip> grips,
                                              double h);
 
-/// Builds mixed and soft islands from contacts and holds.
+/// Builder of the islands (sets of connected bodies that are solved together) that contain tissue or hands,
+/// from contacts and holds.
 class IslandBuilder {
  public:
-  /// Stores references to all inputs for a tick of h s; they outlive this.
+  /// Stores references to the inputs of a tick of h s: bodies, hands, contacts, colliders and ties of blades.
+  /// They must outlive the builder.
   IslandBuilder(Bodies& bodies, std::span<const Hand> hands, const SoftContacts& touching,
                 std::span<const Collider> colliders, std::span<const BladeGrip> grips, double h);
 
-  /// Sets `islands`: those of `mixed`, then islands of soft bodies only. Lists the finger contacts in `pads`.
+  /// Fills `islands`: first those of `mixed`, which contain rigid bodies, then islands of soft bodies only.
+  /// Appends the contacts of finger pads to `pads`.
   void build(std::span<const MixedIsland> mixed, std::vector<Island>& islands, std::vector<Pad>& pads);
 
  private:

@@ -195,7 +195,7 @@ bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b) {
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report) {
   if (part_at_once(bodies, a, b)) {
     tell_reset(bodies, a,
-               fmt::format("remained overlapping with {}: the two bodies were moved apart",
+               fmt::format("the body remained overlapping with {}: the two bodies were moved apart",
                            bodies.soft[b].desc().name),
                report);
     return;
@@ -209,13 +209,13 @@ void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& repor
 bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report) {
   const double moved =
       (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
-  if (moved < bodies.soft[body].desc().surface_cell) return false;
+  if (moved < bodies.soft[body].desc().geometry.surface_cell) return false;
   unfold(*bodies.soft[body].solver, bodies.soft[body].state);
   place_unfolded(bodies, body, 0);
-  tell_reset(
-      bodies, body,
-      fmt::format("remained overlapping with {}: moved to its rest position", bodies.soft[other].desc().name),
-      report);
+  tell_reset(bodies, body,
+             fmt::format("the body remained overlapping with {}: it was moved to its rest position",
+                         bodies.soft[other].desc().name),
+             report);
   return true;
 }
 
@@ -227,7 +227,8 @@ std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t 
   const auto &ruined = bodies.soft[body].inside_out(), &other_ruined = bodies.soft[other].inside_out();
   const Overlap overlap = {find_immersion(own, others, ruined, other_ruined),
                            find_immersion(others, own, other_ruined, ruined)};
-  const double cell = std::min(bodies.soft[body].desc().surface_cell, bodies.soft[other].desc().surface_cell);
+  const double cell = std::min(bodies.soft[body].desc().geometry.surface_cell,
+                               bodies.soft[other].desc().geometry.surface_cell);
   return overlap.deepest() < left_inside * cell ? std::nullopt : std::optional(overlap);
 }
 

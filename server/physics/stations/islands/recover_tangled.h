@@ -10,11 +10,13 @@
 
 namespace prosector {
 
-/// Returns whether the soft body is being led out of another; false after that has been given up.
+/// Returns whether the soft body overlaps another one and contact forces are leading it out. Returns false
+/// once that has lasted so long that it counts as failed.
 bool is_being_led(const Entanglements& entangled, std::size_t body);
 
-/// Unfolds, every few ticks, bodies of these islands that have stayed tangled, and separates bodies that have
-/// stayed in each other; reports both. `touching` and h (s): of the last solve.
+/// Resets bodies of these islands (sets of bodies solved together) that stayed tangled to their rest shape,
+/// separates bodies that stayed overlapping, and reports both. Does so only every few ticks. `touching` are
+/// the contacts of the last solve and `h` (s) its duration.
 void recover_tangled_bodies(State& state, std::vector<Island>& islands, const SoftContacts& touching,
                             double h, StepReport& report);
 

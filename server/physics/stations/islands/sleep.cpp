@@ -42,7 +42,7 @@ VibrationState calm(std::size_t slot, double within, RigidWorld& world, Lingerer
 /// Returns whether the body rests: it has been quiet, or has vibrated in place for so long that it must rest.
 bool rests(SoftMember& s, BodyId id, std::optional<double> may_linger_within, Lingerers& lingerers) {
   count_quiet_ticks(s);
-  if (!has_relaxed(s.body->desc(), s.state->history)) {  // the tissue still creeps
+  if (!has_relaxed(s.body->desc().material, s.state->history)) {  // the tissue still creeps
     s.state->quiet_ticks = 0;
     return false;
   }

@@ -8,9 +8,10 @@
 
 namespace prosector {
 
-/// Puts islands of the last tick to sleep if all their bodies have been quiet long enough, and keeps the
-/// others awake. Moves the surfaces of all their soft bodies to the current node positions. `driven`: whether
-/// kinematic bodies move and may move others.
+/// Puts islands (sets of bodies that were solved together in the last tick) to sleep if all their bodies have
+/// been quiet long enough, and keeps the others awake. Moves the contact surfaces of all their soft bodies to
+/// the current node positions. `driven`: whether kinematic bodies (on prescribed trajectories) move and may
+/// move others.
 void update_sleep(State& state, std::vector<Island>& islands, bool driven);
 
 }  // namespace prosector

@@ -25,7 +25,8 @@ BodyReport row_of(const SoftMember& s, const IslandReport& solved, const Bodies&
   row.note = s.note;
   if (touching.passed_through[s.index] > 0) {
     row.converged = false;
-    row.note = fmt::format("{} pairs of its elements penetrate each other", touching.passed_through[s.index]);
+    row.note = fmt::format("{} pairs of the body's own elements penetrate each other",
+                           touching.passed_through[s.index]);
   }
   if (touching.parted[s.index]) {
     row.converged = false;
@@ -33,7 +34,9 @@ BodyReport row_of(const SoftMember& s, const IslandReport& solved, const Bodies&
         fmt::format("overlaps {}: being separated", bodies.soft[*touching.parted[s.index]].desc().name);
   }
   row.reset = !solved.finite;
-  if (row.reset) row.note = "not finite or outside the room: stopped at its last valid state";
+  if (row.reset)
+    row.note =
+        "the body's positions were not finite or outside the room: it was stopped at its last valid state";
   return row;
 }
 

@@ -11,12 +11,14 @@
 
 namespace prosector {
 
-/// Solves the islands for h s. Sets velocities of rigid bodies, states and contact memories of soft bodies,
-/// and adds a report row for each soft body.
+/// Solves the islands, sets of connected bodies that contain tissue or hands, for a time step of h s. Stores
+/// the velocities of their rigid bodies and the states and contact memories of their soft bodies, and appends
+/// an entry for each soft body to the report.
 void solve_islands(std::vector<Island>& islands, IslandStepper& stepper, Bodies& bodies,
                    const SoftContacts& touching, double h, StepReport& report);
 
-/// Applies restitution to rigid contacts after poses were integrated.
+/// Changes the velocities of rigid bodies that collided in these islands (sets of bodies solved together) so
+/// that they rebound with their restitution. Must be called after poses were integrated over h s.
 void apply_restitution(std::vector<Island>& islands, RigidWorld& world, double h);
 
 }  // namespace prosector

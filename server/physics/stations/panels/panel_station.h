@@ -12,10 +12,11 @@
 
 namespace prosector {
 
-/// Answers the panels' queries about bodies.
+/// Source of the answers to control panels' queries about bodies: which have a panel, their bounding boxes,
+/// and which controls to show.
 class PanelStation final : public PanelSubjects {
  public:
-  /// Stores a reference: `state` outlives this.
+  /// Stores a reference to `state`, which must outlive the object.
   explicit PanelStation(const State& state) : state_(state) {}
   bool has_panel(BodyId body) const override;
   std::pair<Vec3, Vec3> box(BodyId body) const override;
@@ -26,7 +27,8 @@ class PanelStation final : public PanelSubjects {
   const State& state_;
 };
 
-/// Runs the panels after a tick. `hand_states`: parallel to the state's hands.
+/// Advances the control panels by one tick: finds the controls that hands press, and applies their effects.
+/// `hand_states` is parallel to the hands in `state`.
 void step_panels(State& state, std::span<const HandState> hand_states, StepReport& report);
 
 }  // namespace prosector

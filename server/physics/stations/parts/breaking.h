@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Breaks bones in which the force through a fracture plane in the last h s exceeds the limit. `islands` and
-/// `colliders`: of those h s.
+/// Breaks bones in which the force through a fracture plane exceeded its limit in the last h s, and reports
+/// it. `islands` (sets of bodies solved together) and `colliders` are those of the same time span.
 void break_bones(State& state, std::span<const Island> islands, std::span<const Collider> colliders, double h,
                  StepReport& report);
 

@@ -17,7 +17,7 @@ RigidDesc piece_of(const RigidDesc& whole, std::size_t plane, const char* side) 
   out.parts.clear();
   out.part = false;
   out.mass = 0;
-  if (out.collision == "none") out.collision = "hull";
+  if (out.collision == Fidelity::none) out.collision = Fidelity::hull;
   out.fractures.erase(out.fractures.begin() + static_cast<std::ptrdiff_t>(plane));
   return out;
 }
@@ -48,11 +48,14 @@ void add_pieces(Model& model, std::size_t body,
     const CutSurface cut = cut_surface(surface, plane.point, plane.normal);
     if (cut.above.triangles.empty() || cut.below.triangles.empty()) {
       if (root != body) continue;  // of a piece: this plane cuts another piece
-      throw InputError(fmt::format("rigid '{}': fracture {} does not intersect it", desc.name, k + 1));
+      throw InputError(
+          fmt::format("rigid '{}': the plane of fracture {} does not intersect it; move point or normal",
+                      desc.name, k + 1));
     }
     if (pieces_of(model, root) + 2 > most_pieces)
-      throw InputError(fmt::format("rigid '{}': its fractures create more than {} pieces; use fewer planes",
-                                   model.rigid[root].name, most_pieces));
+      throw InputError(
+          fmt::format("rigid '{}': its fractures create more than {} pieces; use fewer fracture planes",
+                      model.rigid[root].name, most_pieces));
     RigidModel::Fracture fracture;
     fracture.point = to_center * plane.point;
     fracture.normal = to_center.q * plane.normal.normalized();

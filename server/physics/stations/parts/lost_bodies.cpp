@@ -42,8 +42,9 @@ void bring_back(State& state, BodyId body, StepReport& report) {
   BodyReport& row = report.bodies.emplace_back();
   row.body = bodies.name_of(body);
   row.reset = true;
-  row.note = again ? "left the room again from its initial position: it rests there until something moves it"
-                   : "left the room: moved back to its initial position";
+  row.note = again ? "the body left the room again after it was moved back to its initial position: it rests "
+                     "there until something moves it"
+                   : "the body left the room: moved back to its initial position";
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ void recover_hands(State& state, std::span<const RigidMotion> last_good, StepRep
     BodyReport& row = report.bodies.emplace_back();
     row.body = "hand";
     row.reset = true;
-    row.note = "not finite or outside the room: stopped at its last valid state";
+    row.note =
+        "the hand's position was not finite or outside the room: it was stopped at its last valid state";
   }
 }
 

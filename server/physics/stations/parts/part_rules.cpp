@@ -44,12 +44,14 @@ void change_part(State& state, BodyId body, const Part& wanted, StepReport& repo
   if (!moves_otherwise) return;
   if (bodies.is_soft(body)) {
     if (wanted.out_of_touch()) {
-      let_go_of(state, body, "it was taken out of touch", report);
+      let_go_of(state, body, "the part was hidden or inspected, so it cannot be held", report);
       bodies.soft[bodies.soft_index(body)].freeze();
     }
   } else {
     if (wanted.out_of_touch() || (wanted.attached && !before.attached))
-      let_go_of(state, body, wanted.out_of_touch() ? "it was taken out of touch" : "it is back in its place",
+      let_go_of(state, body,
+                wanted.out_of_touch() ? "the part was hidden or inspected, so it cannot be held"
+                                      : "the part was attached again at its place",
                 report);
     if (wanted.attached && !before.attached) {
       RigidMotion motion;
@@ -69,20 +71,20 @@ Refusal obey(State& state, const PartEvent& event, StepReport& report) {
   using Kind = PartEvent::Kind;
   if (event.body >= bodies.parts.size()) return fmt::format("no body {}", event.body);
   if (!bodies.is_part(event.body))
-    return fmt::format("{} is not part of the anatomy", bodies.name_of(event.body));
+    return fmt::format("{} is not part of the anatomy: it lacks anatomy = true", bodies.name_of(event.body));
   Part wanted = bodies.parts[event.body];
   switch (event.kind) {
     case Kind::detach:
       wanted.attached = false;
       break;
     case Kind::attach: {
-      if (wanted.inspected) return "it is being inspected: end the inspection first";
+      if (wanted.inspected) return "the part is being inspected: end the inspection before attaching it";
       const double away = wanted.attached ? 0 : distance_from_place(bodies, event.body);
       const double near_enough = bodies.is_soft(event.body)
                                      ? bodies.soft[bodies.soft_index(event.body)].solver->desc().snap
                                      : bodies.model.scene.rigid[event.body].snap;
       if (away > near_enough)
-        return fmt::format("{} is {:.1f} cm from its original position: bring it within {:.1f} cm",
+        return fmt::format("{} is {:.1f} cm from its original position: attach it within {:.1f} cm",
                            bodies.name_of(event.body), 100 * away, 100 * near_enough);
       wanted.attached = true;
       break;
@@ -90,7 +92,7 @@ Refusal obey(State& state, const PartEvent& event, StepReport& report) {
     case Kind::inspect:
       if (!event.shape.A.allFinite() || !event.shape.p.allFinite() ||
           event.shape.A.cwiseAbs().maxCoeff() > max_shape_entry)
-        return "invalid pose or scale for inspection";
+        return "the pose or scale for the inspected part is not finite or too large";
       wanted.inspected = true;
       wanted.shape = event.shape;
       break;
@@ -105,13 +107,13 @@ Refusal obey(State& state, const PartEvent& event, StepReport& report) {
       wanted.hidden = false;
       break;
     case Kind::set_opacity:
-      if (!(event.value >= 0 && event.value <= 1)) return "opacity must be from 0 to 1";
+      if (!(event.value >= 0 && event.value <= 1)) return "the part's opacity must be from 0 to 1";
       wanted.opacity = event.value;
       break;
     case Kind::set_stiffness:
       if (!bodies.is_soft(event.body)) return fmt::format("{} is rigid", bodies.name_of(event.body));
       if (!(event.value >= min_stiffness && event.value <= max_stiffness))
-        return fmt::format("stiffness must be {} to {} times the scene's", min_stiffness, max_stiffness);
+        return fmt::format("stiffness must be {} to {} times the scene file's", min_stiffness, max_stiffness);
       wanted.stiffness = event.value;
       break;
     case Kind::light:

@@ -74,7 +74,7 @@ RestoredState::RestoredState(State& state, std::span<const std::uint8_t> bytes)
   ByteReader in(bytes, "checkpoint");
   RecordReader io(in);
   read(io);
-  in.require(in.done(), "data after the end of the checkpoint");
+  in.require(in.done(), "the checkpoint is damaged: there is data after its end");
 }
 
 void RestoredState::read(RecordReader& io) {
@@ -82,7 +82,7 @@ void RestoredState::read(RecordReader& io) {
   const Model& model = bodies.model;
   std::uint64_t format = 0;
   io.number(format, "format");
-  io.require(format == magic, "not a checkpoint of this version");
+  io.require(format == magic, "the data is not a checkpoint, or one of another version of the server");
   for (const std::uint8_t byte : model.hash) {
     std::uint8_t saved = 0;
     io.number(saved, "scene");

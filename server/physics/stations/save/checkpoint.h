@@ -18,19 +18,20 @@ namespace prosector {
 
 struct GraspableBodies;
 
-/// Writes the state as it is. Adds the names of its values to `labels`.
+/// Appends the state's saved form to `out`, without changing the state. Adds the names of the saved values
+/// and their offsets to `labels`, unless that is null.
 void save(const State& state, ByteWriter& out, RecordLabels* labels = nullptr);
 
-/// A saved state that was read and checked and is not yet in effect.
+/// A saved simulation state that was read and checked but has not replaced the current state yet.
 class RestoredState {
  public:
-  /// Throws InputError for bytes that are no saved state of this scene. Does not change `state`, which must
-  /// outlive this and stay as it is until take_effect().
+  /// Reads and checks a saved state. Throws InputError for bytes that are no saved state of this scene.
+  /// `state` is not changed. It must outlive this object and must not change until take_effect().
   RestoredState(State& state, std::span<const std::uint8_t> bytes);
-  /// Returns the number of soft bodies, pieces included.
+  /// Returns the number of soft bodies in the saved state, including pieces that were cut off.
   std::size_t soft_bodies() const { return soft_.size(); }
   const RestoredCuts& cuts() const { return cuts_; }
-  /// Replaces the state. Call it once.
+  /// Replaces the current state by the saved one. The function must be called at most once.
   void take_effect();
 
  private:
@@ -54,10 +55,10 @@ class RestoredState {
   Lingerers::Map lingerers_;
 };
 
-/// Reads a saved state and puts it into effect. Throws InputError, and changes nothing, for bytes that are no
-/// saved state of this scene.
+/// Reads a saved state and replaces `state` by it. Throws InputError, and changes nothing, for bytes that are
+/// no saved state of this scene.
 void load(State& state, std::span<const std::uint8_t> bytes);
-/// Returns a hash over every bit that changes the next tick.
+/// Returns a hash of every bit of the state that affects the next tick.
 std::uint64_t hash_of(const State& state);
 
 }  // namespace prosector

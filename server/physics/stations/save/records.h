@@ -30,8 +30,8 @@ void entry(Io& io, typename Io::template Entry<RigidMotion>& motion) {
   io.number(quiet_seconds, "quiet seconds");
 }
 
-/// Describes a soft body's state. `like`: the state of this body when a scene begins, whose vectors have the
-/// same lengths.
+/// Writes or reads (as `io` does) a soft body's state in a checkpoint. `like` is the state of this body at
+/// the start of the scene; its vectors have the same lengths.
 template <class Io>
 void entry(Io& io, typename Io::template Entry<SoftBodyState>& state, const SoftBodyState& like) {
   auto& [motion, warm_start, history, asleep, quiet_ticks, tangled_ticks, steps_down, recovering, law_seconds,
@@ -57,7 +57,8 @@ void entry(Io& io, typename Io::template Entry<SoftBodyState>& state, const Soft
   io.number(omega, "fastest angular frequency");
 }
 
-/// Returns how many features contacts may be remembered at.
+/// Returns an upper bound of the feature indices (vertices, face points, edges and elements) of a body's
+/// surface that a stored contact may refer to.
 inline std::size_t most_features(const Anatomy& anatomy) {
   const TriangleMesh& surface = anatomy.surface;
   const std::size_t features = area_features(surface) + surface.triangles.size() + most_corners;
@@ -69,7 +70,8 @@ inline std::size_t most_features(const Anatomy& anatomy) {
   return std::max(features, of_thin);
 }
 
-/// Describes what contacts remember. `features`: how many the body's surface has.
+/// Writes or reads (as `io` does) in a checkpoint the data of a body's contacts that the next tick starts
+/// from. `features` is the number of features of the body's surface.
 template <class Io>
 void entry(Io& io, typename Io::template Entry<ContactMemories>& memories, std::size_t features) {
   io.list(memories, most_memories, "contact", [&](auto& memory) {
@@ -99,7 +101,7 @@ void entry(Io& io, typename Io::template Entry<PadMemory>& pad, std::size_t rigi
   io.require(part >= 1 && part <= hand_joints && force > 0, "an invalid pad, or one that pulls");
 }
 
-/// Bodies that a hand's record refers to.
+/// Rigid and soft bodies of a scene. The hands' records in a checkpoint are checked against them.
 struct GraspableBodies {
   const Model& model;
   std::span<const SoftBody* const> tissues;
@@ -133,7 +135,7 @@ void entry(Io& io, typename Io::template Entry<Hold>& hold, const GraspableBodie
   io.number(resting_ticks, "resting ticks");
 }
 
-/// Describes all but the slot in the rigid world.
+/// Writes or reads (as `io` does) a hand's state in a checkpoint, except its slot (index) in the rigid world.
 template <class Io>
 void entry(Io& io, typename Io::template Entry<Hand>& hand, const GraspableBodies& bodies) {
   auto& [participant, side, slot, target, previous_target, target_flexion, flexion, draws, reaction, hold,
@@ -153,7 +155,8 @@ void entry(Io& io, typename Io::template Entry<Hand>& hand, const GraspableBodie
   if (hold) entry(io, *hold, bodies);
 }
 
-/// Describes the key of a map by two soft bodies, of `soft_bodies`.
+/// Writes or reads (as `io` does) a pair of soft bodies, the key of a map in a checkpoint. Both indices are
+/// below `soft_bodies`, the lower one first.
 template <class Io>
 void pair_entry(Io& io, typename Io::template Entry<std::pair<std::size_t, std::size_t>>& bodies,
                 std::size_t soft_bodies) {

@@ -84,11 +84,11 @@ void restore_hands(State& state, std::span<const Hand> present, std::span<const 
 /// Returns why this run can't rewind to the given state: it isn't one of the run's own past states.
 Refusal refuse_foreign_state(const State& state, const RestoredState& past) {
   if (past.soft_bodies() > state.bodies.soft.size())
-    return "cutting: the saved state has bodies that never existed";
+    return "cannot rewind: the saved state has pieces of cut bodies that never existed in this session";
   const std::map<std::size_t, Organ>& cut = state.dissection.organs;
   for (const auto& [first, then] : past.cuts().organs())
     if (!cut.contains(first) || !cut.at(first).has_past(then))
-      return "cutting: the saved state has another history";
+      return "cannot rewind: the cuts in the saved state are not earlier cuts of this session";
   return {};
 }
 
@@ -110,10 +110,11 @@ void go_back(State& state, RestoredState& past, const CutEvent& event, StepRepor
   for (auto& [first, organ] : cut) {
     take_refinement_back(state, first);  // it goes on as one that was cut
     const auto then = state.dissection.organs.find(first);
-    organ.rewind(then != state.dissection.organs.end()
-                     ? then->second
-                     : Organ(first, organ.whole(), bodies.soft[first].solver->desc().density, organ.held()),
-                 event.participant);
+    organ.rewind(
+        then != state.dissection.organs.end()
+            ? then->second
+            : Organ(first, organ.whole(), bodies.soft[first].solver->desc().material.density, organ.held()),
+        event.participant);
   }
   state.dissection.organs = std::move(cut);
   state.dissection.blades.clear();
@@ -138,7 +139,7 @@ Refusal read_past(State& state, const CutEvent& event, std::optional<RestoredSta
 }  // namespace
 
 Refusal rewind(State& state, const CutEvent& event, StepReport& report) {
-  if (!event.state) return "that state is not stored";
+  if (!event.state) return "cannot rewind: the requested state is not stored";
   std::optional<RestoredState> past;
   if (Refusal why = read_past(state, event, past)) return why;
   if (Refusal why = refuse_foreign_state(state, *past)) return why;

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Rewinds the state, or returns the reason why not; then nothing has changed except rebuilt caches.
+/// Rewinds the simulation to the saved state of the event. If that is impossible, returns the reason; then
+/// nothing has changed.
 Refusal rewind(State& state, const CutEvent& event, StepReport& report);
 
 }  // namespace prosector

@@ -2,7 +2,7 @@
 
 #include "server/physics/mechanics/organs/cut_records.h"
 #include "server/physics/mechanics/soft/rungs.h"
-#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/dissecting/piece_builder.h"
 #include "server/physics/stations/dissecting/refining.h"
 
@@ -84,7 +84,7 @@ void RestoredCuts::read(RecordReader& io) {
   const Model& model = state_.bodies.model;
   const std::size_t described = model.scene.soft.size();
   io.index(count_, most_soft_bodies, "soft bodies");
-  io.require(count_ >= described, "fewer bodies than the scene has");
+  io.require(count_ >= described, "the checkpoint is damaged: it has fewer soft bodies than the scene");
   std::size_t organs = 0;
   io.index(organs, described + 1, "organs");
   for (; organs > 0; --organs) {
@@ -94,7 +94,8 @@ void RestoredCuts::read(RecordReader& io) {
     read_organ(io, first);
   }
   for (std::size_t body = described; body < count_; ++body)
-    io.require(pieces_.contains(body), "a body that is no piece of anything");
+    io.require(pieces_.contains(body),
+               "the checkpoint is damaged: it has an additional body that is not a piece of any cut body");
   io.number(strokes_, "strokes");
   io.list(blades_, model.rigid.size(), "blade", [&](Blade& blade) { entry(io, blade, model.blades); });
 }
@@ -105,8 +106,9 @@ void RestoredCuts::read_organ(RecordReader& io, std::size_t first) {
   const auto cut = state_.dissection.organs.find(first);
   const Anatomy& whole =
       cut == state_.dissection.organs.end() ? unrefined_anatomy(state_, first) : cut->second.whole();
-  Organ& organ = organs_.try_emplace(first, first, whole, body.desc().density, held_nodes_of(state_, first))
-                     .first->second;
+  Organ& organ =
+      organs_.try_emplace(first, first, whole, body.desc().material.density, held_nodes_of(state_, first))
+          .first->second;
   OrganLog log;
   PieceMarks marks;
   entry(io, log);

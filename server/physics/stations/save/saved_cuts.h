@@ -12,20 +12,20 @@ namespace prosector {
 
 void save_cuts(const State& state, RecordWriter& io);
 
-/// Cuts restored from a checkpoint, before they replace those of the state. The state doesn't change before
-/// take_effect().
+/// Cut organs and blades read from a checkpoint. They replace those of the state only in take_effect().
 class RestoredCuts {
  public:
-  /// Starts with nothing cut.
+  /// Starts with no cuts. `state` must outlive the object.
   explicit RestoredCuts(State& state);
-  /// Throws InputError for what doesn't fit.
+  /// Reads the cuts from a checkpoint. Throws InputError for cuts that don't fit the scene.
   void read(RecordReader& io);
   bool is_cut(std::size_t body) const { return organs_.contains(body); }
-  /// Returns the organs that are cut, by the index of the soft body that they were.
+  /// Returns the cut organs of the checkpoint, by the index of the soft body that each was originally.
   const std::map<std::size_t, Organ>& organs() const { return organs_; }
-  /// Returns the soft bodies with all pieces, by index; valid as long as this and the state are.
+  /// Returns the soft bodies with the checkpoint's cuts, including all pieces, by index. The pointers are
+  /// valid as long as this object and the state are.
   std::vector<const SoftBody*> bodies() const;
-  /// Gives the state these bodies, and hands these blades, from now on.
+  /// Replaces the state's soft bodies, organs and the blades that hands hold by those of the checkpoint.
   void take_effect();
 
  private:

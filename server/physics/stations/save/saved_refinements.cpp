@@ -46,7 +46,8 @@ void RestoredRefinements::read(RecordReader& io, const RestoredCuts& cuts) {
   for (auto& [body, restored] : refined_) {
     RefinementRecord record;
     entry(io, record);
-    io.require(record.edges.empty() || !cuts.is_cut(body), "a body that is both cut and refined");
+    io.require(record.edges.empty() || !cuts.is_cut(body),
+               "the checkpoint is damaged: it has a body that is both cut and locally refined");
     restored.mesh.bisect(record.edges);
     restored.touched = record.touched;
   }

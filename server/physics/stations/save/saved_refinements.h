@@ -13,18 +13,20 @@ namespace prosector {
 
 void save_refined(const State& state, RecordWriter& io);
 
-/// Refinements restored from a checkpoint, before they replace those of the state. The state doesn't change
-/// before take_effect().
+/// Local mesh refinements read from a checkpoint. They replace those of the state only in take_effect().
 class RestoredRefinements {
  public:
-  /// Starts with nothing refined.
+  /// Starts with no refined mesh. `state` must outlive the object.
   explicit RestoredRefinements(State& state);
-  /// Throws InputError for what doesn't fit.
+  /// Reads the local mesh refinements from a checkpoint, for bodies with the cuts `cuts`. Throws InputError
+  /// for refinements that don't fit the scene.
   void read(RecordReader& io, const RestoredCuts& cuts);
-  /// Puts the solvers of what is refined, or isn't any more, in the place of others in `bodies`, the soft
-  /// bodies as RestoredCuts has them. Those are valid as long as this is.
+  /// Replaces, in `bodies`, each soft body whose refinement in the checkpoint differs from its current one by
+  /// a body with the checkpoint's mesh. `bodies` is the list that RestoredCuts::bodies() returns. The new
+  /// pointers are valid as long as this object is.
   void replace(std::vector<const SoftBody*>& bodies);
-  /// Gives the state these bodies; after the cuts.
+  /// Replaces the meshes of the state's refined bodies by those of the checkpoint. Must be called after
+  /// RestoredCuts::take_effect().
   void take_effect();
 
  private:

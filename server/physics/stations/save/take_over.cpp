@@ -12,7 +12,10 @@
 namespace prosector {
 
 Refusal cut_stays(const std::string& body) {
-  return fmt::format("{} was cut, and its cuts belong to its mesh: its model is unchanged", body);
+  return fmt::format(
+      "{} was cut, and its cuts belong to its mesh, which another model would replace: its model is "
+      "unchanged",
+      body);
 }
 
 namespace {
@@ -61,7 +64,9 @@ class FieldTransfer {
 };
 
 bool same_rung(const SoftDesc& a, const SoftDesc& b) {
-  return a.model == b.model && a.element == b.element && a.integrator == b.integrator;
+  return a.configuration.model == b.configuration.model &&
+         a.configuration.element == b.configuration.element &&
+         a.configuration.integrator == b.configuration.integrator;
 }
 
 bool modelled_alike(const Tissue& a, const Tissue& b) {
@@ -134,7 +139,8 @@ void take_cuts(const State& from, State& to) {
 }  // namespace
 
 Refusal take_over(const State& from, State& to) {
-  if (!same_bodies(from, to)) return "the scenes have other bodies";
+  if (!same_bodies(from, to))
+    return "the state cannot be transferred: the two scenes do not have the same bodies";
   const Remodelled changed(from, to);
   if (changed.refusal) return changed.refusal;
 

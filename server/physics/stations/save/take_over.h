@@ -8,13 +8,14 @@
 
 namespace prosector {
 
-/// Says why a body that was cut is not modelled in another way.
+/// Returns the reason, as text for users, why a body that was cut keeps its model. `body` is its name.
 Refusal cut_stays(const std::string& body);
 
-/// Takes over from `from` where everything is and what was made of it. Bodies that are modelled alike keep
-/// every bit. Of a soft body that isn't, the shape and motion are kept: at each node the displacement from
-/// rest under gravity that was there. Hands and their panels stay behind. Refuses, and changes nothing, where
-/// the scenes have other bodies, or a body that is modelled in another way was cut.
+/// Copies the state `from` into `to`, a state of the same scene in which some bodies are modelled
+/// differently. Bodies with the same model keep every bit. A soft body with another model gets the old shape
+/// and motion: its nodes get the displacements from equilibrium that the old body has at their rest
+/// positions. Hands and their panels are not copied. Returns the reason, and changes nothing, if the scenes
+/// have other bodies, or a body with another model was cut.
 Refusal take_over(const State& from, State& to);
 
 }  // namespace prosector

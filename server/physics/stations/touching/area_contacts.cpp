@@ -46,14 +46,15 @@ struct Met {
 /// Returns the stiffness of a triangle's area against a body of that curvature (1/m).
 Stiffness stiffness_of(const Tissue& tissue, std::uint32_t triangle, double area, double curvature) {
   const SoftDesc& desc = tissue.desc();
-  const double flat = area * desc.youngs_modulus * tissue.collision.stiffness_factor / desc.surface_cell;
+  const double flat =
+      area * desc.material.youngs_modulus * tissue.collision.stiffness_factor / desc.geometry.surface_cell;
   if (curvature < least_round) return {flat, 0};
-  const double nu = desc.poisson_ratio;
+  const double nu = desc.material.poisson_ratio;
   const double dent =
-      (desc.element == "tet10" ? dent_of_quadratic / (1 - nu) : dent_of_linear) / (1 - nu * nu);
+      (desc.configuration.is_quadratic() ? dent_of_quadratic / (1 - nu) : dent_of_linear) / (1 - nu * nu);
   const double wanted = tissue.collision.stiffness_factor / usual_stiffness;
   const double round =
-      std::min(flat, area * desc.youngs_modulus * wanted * dent / element_size(tissue, triangle));
+      std::min(flat, area * desc.material.youngs_modulus * wanted * dent / element_size(tissue, triangle));
   return {round, flat - round};
 }
 
@@ -128,7 +129,7 @@ class AreaContacts {
   }
 
   Division division(double area, double curvature) const {
-    return division_for(area, curvature, tissue_.desc().element == "tet10");
+    return division_for(area, curvature, tissue_.desc().configuration.is_quadratic());
   }
 
   void add_points(std::uint32_t triangle, double curvature) {
@@ -157,7 +158,7 @@ class AreaContacts {
       approach.depth = memory->force / met.stiffness.at_first;
     }
     approach.outward = met.outward;
-    approach.lip = lip * tissue_.desc().surface_cell;
+    approach.lip = lip * tissue_.desc().geometry.surface_cell;
     const std::optional<Distance> side = side_of(collider_, approach);
     if (!side || !(met.stiffness.at_first > 0)) return;
     Contact& c = out_.emplace_back(rigid_contact(tissue_, approach.at, *side, collider_));

@@ -13,13 +13,15 @@
 
 namespace prosector {
 
-/// Returns the number of features of such contacts on a surface.
+/// Returns the number of feature indices of a surface that area contacts (points that integrate the pressure)
+/// may use.
 std::uint32_t area_features(const TriangleMesh& surface);
 
-/// Appends contacts at the points of the body's surface within `margin` (m) of the collider, with their
-/// memories from `held`. A vertex' feature is its index. A face point's feature is the number of vertices
-/// plus most_face_points times its triangle plus its own index. The pressure of a point beyond the depth of a
-/// dent is a separate contact; its features follow all these.
+/// Appends contacts at the points of the body's surface within `margin` (m) of the collider to `out`. A
+/// contact that existed in the last tick continues with its force and friction from `held`. A vertex' feature
+/// (contact index) is its index. A face point's feature is the number of vertices plus most_face_points times
+/// its triangle plus its own index. The pressure of a point beyond the depth of a dent is a separate contact,
+/// whose feature follows all these.
 void add_area_contacts(const Tissue& tissue, const Collider& collider, double margin,
                        const ContactMemories& held, std::vector<Contact>& out);
 

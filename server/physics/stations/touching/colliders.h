@@ -11,14 +11,17 @@
 
 namespace prosector {
 
-/// All colliders by slot, then the sides of the room. Absent bodies have no parts.
+/// All rigid bodies and hands that soft bodies may touch, by slot (index) in the rigid world, then the sides
+/// of the room. Bodies that can't be touched now have no shape parts.
 using Colliders = std::vector<Collider>;
 
-/// Rebuilds the list: current poses, and which instruments are held as blades.
+/// Rebuilds the list of colliders from the bodies' current poses, and marks the instruments that hands hold
+/// as blades.
 void refresh(Colliders& colliders, const Bodies& bodies, std::span<const Hand> hands,
              std::span<const Blade> blades);
 
-/// Returns an upper bound of the speed of any point of the collider, m/s.
+/// Returns an upper bound of the speed (m/s) of any point of the collider, from its linear and angular
+/// velocity.
 double total_speed(const Collider& collider);
 
 }  // namespace prosector

@@ -44,8 +44,10 @@ void fit_to_mesh(State& state, std::size_t body, Numbering numbering) {
   if (tissue.collision.with_itself && !tissue.is_thin() && tissue.surface.faces()) {
     const bool closed = tissue.surface.fit_self_collision(tissue.collision.cell);
     if (!closed && state.dissection.organs.empty())
-      throw InputError(fmt::format("[[soft]] \"{}\": self_contact needs a closed surface without holes",
-                                   tissue.desc().name));
+      throw InputError(
+          fmt::format("[[soft]] \"{}\": self_contact needs a closed surface without holes; close the surface "
+                      "or omit self_contact",
+                      tissue.desc().name));
   }
   const bool with_blades = blades_come(state.bodies.model);
   tissue.surface.set_thin_shell(std::any_of(all.begin(), all.end(), [&](const Tissue& other) {

@@ -6,13 +6,14 @@
 
 namespace prosector {
 
-/// Updates the body's contact geometry for its mesh, which has `numbering`. Its `surface` must be built or
-/// updated already. All other soft bodies must exist, since possible contacts determine what is needed.
-/// Throws InputError for a solid of the scene with self-contact whose surface isn't closed.
+/// Updates a soft body's contact geometry for its current mesh, whose permanent numbers are `numbering`. The
+/// body's `surface` must be built or updated already. All other soft bodies must exist, since possible
+/// contacts determine what is needed. Throws InputError for a solid of the scene with self-contact whose
+/// surface isn't closed.
 void fit_to_mesh(State& state, std::size_t body, Numbering numbering);
 
-/// Returns whether thin bodies may touch, so that checkpoints must store on which sides of each other they
-/// are.
+/// Returns whether any thin bodies (sheets or ropes) may touch, so that checkpoints must store on which sides
+/// of each other they are.
 bool has_thin_shells(const Bodies& bodies);
 
 }  // namespace prosector

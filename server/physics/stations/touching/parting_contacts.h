@@ -9,9 +9,10 @@
 
 namespace prosector {
 
-/// Separates the two bodies in a tick of h s, if needed, by contacts. They replace the contacts from `first`
-/// on in `out` that can't determine the way out. `before`: previous entanglement; null: none. `pressed`:
-/// whether a hand holds or presses one of them. Returns the new entanglement; none: ordinary contacts
+/// Appends contacts that separate the soft bodies a and b in a tick of h s, if they overlap too deeply for
+/// ordinary contacts. Removes ordinary contacts between them, which `out` contains from index `first` on,
+/// that can't determine the way out. `before` is their entanglement in the last tick, or null. `pressed`:
+/// whether a hand holds or presses one of them. Returns the new entanglement, or none if ordinary contacts
 /// suffice.
 std::optional<Entanglement> add_parting_contacts(Tissue& a, Tissue& b, const Entanglement* before,
                                                  bool pressed, double h, std::size_t first,

@@ -20,14 +20,14 @@ constexpr double sides = 6;  // of a box around a body: contacts on one side sha
 double proxy_stiffness(const Tissue& tissue) {
   const auto areas = tissue.solver->surface_area();
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / sides;
-  return tissue.collision.stiffness_factor * tissue.desc().youngs_modulus * std::sqrt(area);
+  return tissue.collision.stiffness_factor * tissue.desc().material.youngs_modulus * std::sqrt(area);
 }
 
 /// Returns the body's rolling parameters; boxes don't roll.
 RollingSide rolling_side(const Tissue& tissue) {
   if (!rolls(tissue.collision.fidelity)) return {};
   const ProxyShape& shape = *tissue.surface.proxy();
-  return {tissue.desc().rolling_resistance, (shape.box().lo + shape.box().hi) / 2,
+  return {tissue.desc().contact.rolling_resistance, (shape.box().lo + shape.box().hi) / 2,
           shape.shape_matching().spin(tissue.state.motion.v)};
 }
 

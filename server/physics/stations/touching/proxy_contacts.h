@@ -8,12 +8,13 @@
 
 namespace prosector {
 
-/// Appends contacts of the body's proxy with the collider's outline, within `margin` (m). Returns whether
-/// there was any.
+/// Appends contacts of the soft body's proxy shape (sphere, box or hull) with the collider's outline, within
+/// `margin` (m), to `out`. Returns whether there was any.
 bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double margin,
                         std::vector<Contact>& out);
 
-/// Appends contacts of two soft bodies of which at least one has a proxy. Returns whether there was any.
+/// Appends contacts within `margin` (m) of two soft bodies, of which at least one collides as a proxy shape
+/// (sphere, box or hull), to `out`. Returns whether there was any.
 bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out);
 
 }  // namespace prosector

@@ -58,7 +58,7 @@ void add_vertex_contacts(const Tissue& tissue, const Collider& collider, double 
       approach.depth = memory->force / tissue.contact_stiffness(vertex);
     }
     if (skin == 0) approach.outward = vertices.outward_at(vertex);
-    approach.lip = lip * tissue.desc().surface_cell;
+    approach.lip = lip * tissue.desc().geometry.surface_cell;
     std::optional<Distance> side = side_of(collider, approach);
     if (!side) return;
     side->value -= skin;
@@ -75,7 +75,7 @@ void add_between(const Tissue& tissue, const Collider& collider, double margin, 
   // Thin parts are round and boxes are flat; these are the regular contact points under each.
   std::span<const Vec3> under_round, under_flat;
   if (tissue.collision.over_area) under_round = places_on_quarters();
-  if (tissue.collision.over_area && tissue.desc().element == "tet10")
+  if (tissue.collision.over_area && tissue.desc().configuration.is_quadratic())
     under_flat = places_on_quarters().last(1);
   ContactSide other;
   other.body = collider.slot;
@@ -132,7 +132,7 @@ Contact rigid_contact(const Tissue& tissue, const Vec3& point, const Distance& d
     c.b.arm = point - collider.pose.p;
   }
   c.b.moved = kinematic_way(collider, point);
-  c.friction = std::sqrt(tissue.desc().friction * collider.friction);
+  c.friction = std::sqrt(tissue.desc().contact.friction * collider.friction);
   return c;
 }
 

@@ -11,19 +11,19 @@
 
 namespace prosector {
 
-/// Finds the contacts of all soft bodies in a tick.
+/// Finder of the contacts of all soft bodies in a tick, with rigid bodies and with each other.
 class SoftContactFinder {
  public:
   explicit SoftContactFinder(std::size_t soft_bodies);
 
-  /// Lists all contacts of soft bodies for a tick of h s. Waking propagates until no further body wakes:
-  /// tissue wakes bodies that rest on it, and vice versa. Changes these parts of the state: sleep states,
-  /// known sides of thin shells, and entanglements.
+  /// Finds all contacts of soft bodies for a tick of h s. Wakes sleeping bodies that awake ones touch,
+  /// repeatedly until no further body wakes: tissue wakes bodies that rest on it, and vice versa. Changes
+  /// these parts of the state: sleep states, known sides of thin shells, and entanglements.
   const SoftContacts& find(State& state, std::span<const Collider> colliders, double h);
   const SoftContacts& found() const { return found_; }
 
-  /// Appends contacts of two soft bodies, or of one with itself, within `margin` (m). Returns whether there
-  /// was any.
+  /// Appends contacts of the soft bodies a and b (indices), or of one with itself if a == b, within `margin`
+  /// (m) to `out`, for a tick of h s. Returns whether there was any.
   bool add_pair_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
                          std::vector<Contact>& out);
 

@@ -18,7 +18,8 @@ constexpr double most_pressure = 4;
 double pair_stiffness(const Tissue& a, const Tissue& b, std::uint32_t vertex) {
   const SoftDesc &of_a = a.desc(), &of_b = b.desc();
   const double own = a.contact_stiffness(vertex);
-  const double ratio = of_b.youngs_modulus / of_b.surface_cell / (of_a.youngs_modulus / of_a.surface_cell);
+  const double ratio = of_b.material.youngs_modulus / of_b.geometry.surface_cell /
+                       (of_a.material.youngs_modulus / of_a.geometry.surface_cell);
   return 2 * own * ratio / (1 + ratio);
 }
 
@@ -29,9 +30,9 @@ Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, doubl
   c.a.body = a.index;
   c.b.body = b.index;
   c.normal = normal;
-  const double cell = std::min(of_a.surface_cell, of_b.surface_cell);
+  const double cell = std::min(of_a.geometry.surface_cell, of_b.geometry.surface_cell);
   c.gap = std::max(gap, -most_pressure * cell / a.collision.stiffness_factor);
-  c.friction = std::sqrt(of_a.friction * of_b.friction);
+  c.friction = std::sqrt(of_a.contact.friction * of_b.contact.friction);
   return c;
 }
 

@@ -8,22 +8,26 @@
 
 namespace prosector {
 
-/// Returns the stiffness of a contact of a's vertex with b, N/m. Both surfaces yield: the result is twice two
-/// springs in series. For equal bodies it is the stiffness against a rigid body.
+/// Returns the stiffness (N/m) of a contact of a vertex of body a with body b. Both surfaces yield: the
+/// result is twice that of two springs in series. For equal bodies it is the stiffness against a rigid body.
 double pair_stiffness(const Tissue& a, const Tissue& b, std::uint32_t vertex_of_a);
 
-/// Returns a contact with the properties common to all contacts of the two; its sides have no nodes yet.
+/// Returns a contact of the soft bodies a and b with the properties that all kinds of such contacts share.
+/// Its sides have no nodes yet. `gap` is in m; `normal` is a unit vector.
 Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, double gap);
 
-/// Returns the contact of a's vertex with b's face, with its memory in a.
+/// Returns the contact of a vertex of body a with a face of body b, with the data that body a stored for it
+/// in the last tick.
 Contact pair_contact(const Tissue& a, const Tissue& b, const VertexMeeting& meeting);
 
-/// Appends contacts of vertices of one body with faces of the other within `margin` (m). `meetings` is a
-/// buffer. Returns whether some are deep, so that parting.h must be used.
+/// Appends contacts of vertices of each body with faces of the other within `margin` (m) to `out`. `meetings`
+/// is a buffer. Returns whether some vertices are so deep inside that the bodies must be separated as
+/// described in parting.h.
 bool add_vertex_contacts(Tissue& a, Tissue& b, double margin, std::vector<VertexMeeting>& meetings,
                          std::vector<Contact>& out);
 
-/// Appends a solid's contacts with itself within `margin` (m), for a tick of h s.
+/// Appends a solid's contacts with itself within `margin` (m) to `out`, for a tick of h s. `meetings` is a
+/// buffer.
 void add_self_contacts(Tissue& tissue, double margin, double h, std::vector<VertexMeeting>& meetings,
                        std::vector<Contact>& out);
 

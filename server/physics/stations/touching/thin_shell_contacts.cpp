@@ -52,7 +52,8 @@ int add_thin_shell_contacts(Tissue& a, Tissue& b, std::vector<LayerSide>& sides,
   search.thickness = a.half_thickness() + b.half_thickness();
   search.margin = margin;
   if (one_organ) {
-    search.apart_at_rest = std::max(cells_apart * a.desc().cell, thicknesses_apart * search.thickness);
+    search.apart_at_rest =
+        std::max(cells_apart * a.desc().geometry.cell, thicknesses_apart * search.thickness);
     search.seam = (thicknesses_apart - 1) * search.thickness;
   }
   std::vector<LayerMeeting> found;

@@ -11,9 +11,10 @@ namespace prosector {
 // m/s: separation speed of overlaps at the tick's start, which limits their energy gain.
 inline constexpr double overlap_opening_speed = 0.06;
 
-/// Appends contacts of elements of the two within `margin` (m) that may touch within h s. `sides`: known
-/// sides of the pairs, which are updated. `one_organ`: both belong to one original body, or are the same
-/// body. Returns the number of element pairs that have passed through each other.
+/// Appends contacts of the elements of two sheets or ropes within `margin` (m) that may touch within h s to
+/// `out`. `sides` are the known sides of element pairs, which are updated. `one_organ`: whether both were cut
+/// from one original body, or are the same body. Returns the number of element pairs that have passed through
+/// each other.
 int add_thin_shell_contacts(Tissue& a, Tissue& b, std::vector<LayerSide>& sides, bool one_organ,
                             double margin, double h, std::vector<Contact>& out);
 

@@ -9,27 +9,30 @@
 
 namespace prosector {
 
-/// Bit masks of named collision groups. By default an object is in the first group and collides with all
-/// groups.
+/// Collision filter of an object as bit masks: its group, and the groups with which it may collide. By
+/// default an object is in the first group and collides with all groups.
 struct CollisionMask {
   std::uint32_t group = 1;   // the group of the object
   std::uint32_t mask = ~0u;  // the groups the object collides with
 };
 
-/// Returns whether the masks of both objects allow a collision.
+/// Returns whether two objects may collide: each one's mask must include the other's group.
 constexpr bool may_touch(const CollisionMask& a, const CollisionMask& b) {
   return (a.group & b.mask) != 0 && (b.group & a.mask) != 0;
 }
 
-/// Names of a scene's collision groups, at most 32. Each name is assigned the next free bit.
+/// Names of a scene's collision groups, at most 32. The names are assigned the bits of CollisionMask in the
+/// order in which they are added.
 class CollisionGroups {
  public:
-  /// Starts with the group "default".
+  /// Creates the list with one group, "default".
   CollisionGroups();
-  /// Adds a group. Throws InputError for an empty or duplicate name, and when all 32 bits are in use.
+  /// Adds a collision group and assigns it the next free bit. Throws InputError for an empty or duplicate
+  /// name, and when all 32 bits are in use.
   void add(std::string_view name);
-  /// Returns the mask of a group that collides with the groups `touches`; empty: with all. Throws InputError
-  /// for an unknown name and lists the known names.
+  /// Returns the collision mask of an object in `group` that collides with the groups `touches`; an empty
+  /// `touches` means all groups. Throws InputError for an unknown group name; the message lists the known
+  /// names.
   CollisionMask mask(std::string_view group, std::span<const std::string> touches) const;
   std::span<const std::string> names() const { return names_; }
 

@@ -10,23 +10,25 @@
 namespace prosector {
 
 /// Bounding volume tree of enlarged (fat) boxes, so that small movements do not change the tree. A leaf is
-/// inserted next to the sibling that increases the total surface area least (Goldsmith and Salmon 1987).
-/// Rotations reduce the surface area of the inner boxes (Catto 2019, "Dynamic bounding volume hierarchies").
-/// Nodes are stored in arrays and linked by indices: the same calls build the same tree.
+/// inserted next to the node whose choice increases the total surface area of the tree's boxes least
+/// (Goldsmith and Salmon 1987). Rotations reduce the surface area of the inner boxes (Catto 2019, "Dynamic
+/// bounding volume hierarchies"). Nodes are stored in arrays and linked by indices: the same calls build the
+/// same tree.
 ///
-/// Not Bullet's btDbvt: that tree is single precision, links nodes by pointers, and returns pairs in an order
-/// that depends on its history.
+/// Bullet's btDbvt is not used: it is single precision, links nodes by pointers, and returns pairs in an
+/// order that depends on its history.
 class DynamicTree {
  public:
   using Leaf = std::uint32_t;
   static constexpr std::uint32_t nothing = ~0u;
 
-  /// Takes the margin, m, by which leaf boxes are enlarged on each side.
+  /// Creates an empty tree. `margin`: distance, m, by which each leaf's box is enlarged on each side.
   explicit DynamicTree(double margin) : margin_(margin) {}
 
   Leaf insert(const Aabb& box, std::uint32_t user);
   void remove(Leaf leaf);
-  /// Updates the box of a leaf. Returns whether the leaf was reinserted.
+  /// Updates the box of a leaf. Returns whether the leaf was reinserted, because the box left its enlarged
+  /// (fat) box or that had become too large.
   bool move(Leaf leaf, const Aabb& box);
 
   std::size_t size() const { return leaves_; }
@@ -34,14 +36,16 @@ class DynamicTree {
   std::uint32_t user(Leaf leaf) const { return nodes_[leaf].user; }
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
-  /// Calls f(user) for all leaves whose fat boxes overlap `box`.
+  /// Calls f(user) for each leaf whose enlarged (fat) box overlaps `box`. `user` is the number given at the
+  /// leaf's insertion.
   template <class F>
   void query(const Aabb& box, const F& f) const;
-  /// Calls f(user, user) once for each pair of leaves of this tree whose fat boxes overlap.
+  /// Calls f(user, user) once for each pair of leaves of this tree whose enlarged (fat) boxes overlap. `user`
+  /// is the number given at a leaf's insertion.
   template <class F>
   void pairs_within(const F& f) const;
-  /// Calls f(user of this, user of other) once for each pair of leaves, one of each tree, whose fat boxes
-  /// overlap.
+  /// Calls f(user of this, user of other) once for each pair of a leaf of this tree and a leaf of `other`
+  /// whose enlarged (fat) boxes overlap. `user` is the number given at a leaf's insertion.
   template <class F>
   void pairs_with(const DynamicTree& other, const F& f) const;
 

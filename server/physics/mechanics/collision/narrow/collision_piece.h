@@ -18,17 +18,15 @@ struct ConvexShape {
 
 using CollisionPiece = std::variant<SphereShape, BoxShape, ConvexShape, MeshShape>;
 
-/// Returns the distance or the penetration depth of two pieces. Returns nothing if they are farther apart
-/// than `margin`. Seven kernels cover all sixteen pairs of kinds:
+/// Returns the distance or the penetration depth of two collision pieces, with normal and closest points.
+/// Returns nothing if they are farther apart than `margin`, m.
 ///
-///            sphere   box      convex   mesh
-///   sphere   closed   closed   GJK      signed distance of the centre
-///   box               SAT      GJK      as triangle surfaces
-///   convex                     GJK      as triangle surfaces
-///   mesh                                as triangle surfaces
+/// Two spheres, or a sphere and a box, are solved in closed form. Two boxes use the separating axis test.
+/// Other pairs without a mesh use GJK and EPA. A sphere and a mesh use the signed distance of the sphere's
+/// centre. All other pairs with a mesh are tested as two triangle surfaces.
 std::optional<Proximity> proximity(const CollisionPiece& a, const CollisionPiece& b, double margin);
 
-/// Returns the axis-aligned bounding box of the piece in the world frame.
+/// Returns the axis-aligned bounding box of a collision piece in the world frame, its rounding included.
 Aabb box_of(const CollisionPiece& piece);
 
 inline bool is_mesh(const CollisionPiece& piece) {

@@ -8,9 +8,10 @@
 
 namespace prosector {
 
-/// Computes the distance by our GJK (gjk.h) and the depth by Bullet's expanding polytope algorithm (EPA, van
-/// den Bergen 2001), which is single precision. The polytope gives a lower bound of the depth. The two
-/// supporting planes with the polytope's normal, in double precision, give an upper bound. If the bounds
+/// Returns the distance or the penetration depth of two convex shapes, with normal and closest points. The
+/// distance is computed by our GJK (gjk.h). The depth is computed by Bullet's expanding polytope algorithm
+/// (EPA, van den Bergen 2001), which is single precision. The polytope gives a lower bound of the depth. The
+/// two supporting planes with the polytope's normal, in double precision, give an upper bound. If the bounds
 /// differ, the normal is searched from many start directions. The returned depth is that of the planes: it is
 /// never less than the true depth, so no contact is missed.
 ///
@@ -21,7 +22,7 @@ namespace prosector {
 /// side.
 ///
 /// Both poses are in the same frame, and so is the result. Returns nothing if the shapes are farther apart
-/// than `margin`.
+/// than `margin`, m.
 std::optional<Proximity> convex_proximity(const Convex& a, const Pose& pose_a, const Convex& b,
                                           const Pose& pose_b, double margin);
 

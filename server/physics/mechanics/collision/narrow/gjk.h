@@ -14,13 +14,16 @@ struct ClosestPoints {
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
 };
 
-/// Gilbert, Johnson and Keerthi 1988, in double precision: adds support points of the Minkowski difference a
-/// − b until none is closer to the origin. Closest points on the simplex are computed by closest_points.h,
-/// those of a tetrahedron from its four faces.
+/// Closest points of two convex sets by the algorithm of Gilbert, Johnson and Keerthi (GJK, 1988), in double
+/// precision. It adds support points of the Minkowski difference a − b to a simplex until no support point is
+/// closer to the origin. The simplex's point closest to the origin is computed with closest_points.h, for a
+/// tetrahedron from its four faces.
 class Gjk {
  public:
-  /// Returns the closest points of two sets. `farthest_a` and `farthest_b` are support functions Vec3(const
-  /// Vec3& direction). `start`: any non-zero vector, best the vector from b to a. `size`: of the sets.
+  /// Returns the closest points of two convex sets a and b; only `apart` = false if the sets overlap.
+  /// `farthest_a` and `farthest_b` are their support functions Vec3(const Vec3& direction). `start`: any
+  /// non-zero vector, best the vector from b to a. `size`: approximate size of the sets, m, which scales the
+  /// tolerance for touching sets.
   template <class A, class B>
   static ClosestPoints run(const A& farthest_a, const B& farthest_b, const Vec3& start, double size);
 
@@ -28,8 +31,8 @@ class Gjk {
   struct Corner {
     Vec3 on_a, on_b, difference;
   };
-  /// Computes the point of the simplex nearest to the origin and drops the corners that it does not need.
-  /// Returns false if the origin is inside.
+  /// Computes the weights of the simplex's point closest to the origin, and drops the corners with weight 0.
+  /// Returns false, and drops nothing, if the origin is inside the simplex (a tetrahedron).
   bool reduce();
   bool origin_inside() const;
   void keep(const std::array<std::size_t, 3>& which, const Vec3& weights);

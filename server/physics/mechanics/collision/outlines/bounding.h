@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Point cloud: each point is a ball of radius `rounding`.
+/// Point cloud to be enclosed by a bounding volume. Each point stands for a ball of radius `rounding`.
 struct Cloud {
   std::span<const Vec3> points;  // m, at least one
   double rounding = 0;           // m
@@ -16,18 +16,20 @@ struct Cloud {
 
 Aabb enclosing_box(std::span<const Cloud> clouds);
 
-/// Returns the sphere centred on the world-axis box that reaches to the farthest point. It encloses all
-/// points and is at most √3 times the smallest radius. A sphere with the box's largest half extent as radius
-/// would not enclose: it reaches only 58 % of the way to a cube's corners.
+/// Returns a sphere that encloses all balls of the clouds. Its centre is that of their bounding box along the
+/// frame's axes, and it reaches to the farthest point plus rounding. Its radius is at most √3 times the
+/// smallest possible radius. (A sphere whose radius is the box's largest half extent would not enclose: it
+/// reaches only 58 % of the way to a cube's corners.)
 SphereShape enclosing_sphere(std::span<const Cloud> clouds);
 
 SphereShape enclosing_sphere_about(const Vec3& center, std::span<const Cloud> clouds);
 
-/// Returns the box that encloses the points along given axes.
+/// Returns the smallest box with the given orientation that encloses all balls of the clouds. `axes`:
+/// rotation from the box's axes to the clouds' frame.
 BoxShape enclosing_box_along(const Quat& axes, std::span<const Cloud> clouds);
 
-/// Returns the smaller of two boxes: along the frame's axes, or along the eigenvectors of the points'
-/// covariance (Gottschalk, Lin and Manocha 1996).
+/// Returns a box that encloses all balls of the clouds. It is the smaller of two boxes: one along the frame's
+/// axes, and one along the eigenvectors of the points' covariance (Gottschalk, Lin and Manocha 1996).
 BoxShape enclosing_oriented_box(std::span<const Cloud> clouds);
 
 }  // namespace prosector

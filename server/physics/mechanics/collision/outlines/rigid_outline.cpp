@@ -36,7 +36,8 @@ RigidOutline::RigidOutline(std::vector<ShapePart> parts, Fidelity fidelity) : fi
 
 RigidOutline::Part RigidOutline::make_part(const ShapePart& shape) const {
   check_part(shape);
-  if (!is_finite(shape.pose)) throw InputError("collision part: its pose is not finite");
+  if (!is_finite(shape.pose))
+    throw InputError("collision part: its position or rotation is not a finite number");
   Part out{shape, nullptr, nullptr, {}, 0};
   const bool simple = shape.kind == ShapeKind::box || shape.kind == ShapeKind::sphere;
   switch (fidelity_) {

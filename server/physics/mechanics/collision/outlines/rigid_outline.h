@@ -5,31 +5,33 @@
 #include <span>
 #include <vector>
 
+#include "common/fidelity.h"
 #include "server/physics/mechanics/collision/narrow/collision_piece.h"
 #include "server/physics/mechanics/collision/outlines/bounding.h"
-#include "server/physics/mechanics/collision/shapes/fidelity.h"
 
 namespace prosector {
 
-/// Collision shape of a rigid body. The fidelity selects the shape:
-///   none    no shape
-///   sphere  one sphere that encloses the mesh shape
-///   aabb    one world-axis box that encloses the mesh shape, refitted at each pose
-///   obb     one box that encloses the mesh shape and rotates with the body
-///   hull    one convex shape per part: box, sphere, capsule, cylinder and ellipsoid exactly,
-///           meshes by their hull; encloses the mesh shape
-///   mesh    each part's triangles: round parts within chord_error or 48 segments around
+/// Collision shape of a rigid body that consists of parts. The fidelity selects the shape:
+///   none: no shape;
+///   sphere: one sphere that encloses the triangles of all parts;
+///   aabb: one box along the world axes that encloses the triangles of all parts, refitted at each pose;
+///   obb: one oriented box that encloses the triangles of all parts and rotates with the body;
+///   hull: one convex shape per part. Box, sphere, capsule, cylinder and ellipsoid are exact, and a mesh is
+///         replaced by its convex hull;
+///   mesh: each part's triangles. Round parts are tessellated to within chord_error, or with 48
+///         segments around.
 class RigidOutline {
  public:
-  /// Throws InputError for a part without a valid size, and for an empty list.
+  /// Builds the collision shape at this fidelity. Throws InputError for an empty list, and for a part whose
+  /// size, mesh or pose is invalid.
   RigidOutline(std::vector<ShapePart> parts, Fidelity fidelity);
 
   Fidelity fidelity() const { return fidelity_; }
   std::size_t parts() const { return parts_.size(); }
-  /// Returns the poses of the parts in the body frame at rest.
+  /// Returns the pose of each part in the body's frame when no part is displaced.
   std::vector<Pose> rest_poses() const;
-  /// Fills `out` with the collision pieces of a body at `pose`. `part_poses`: the current poses of the parts
-  /// in the body frame.
+  /// Replaces the content of `out` by the body's collision pieces in the world frame. `pose`: the body's pose
+  /// in the world frame. `part_poses`: the current pose of each part in the body's frame.
   void place(const Pose& pose, std::span<const Pose> part_poses, std::vector<CollisionPiece>& out) const;
 
  private:
@@ -41,7 +43,8 @@ class RigidOutline {
     double rounding = 0;                             // … each a ball of this radius, m
   };
   Part make_part(const ShapePart& shape) const;
-  /// Fits one shape to all parts, in the frame of `part_poses`.
+  /// Calls `fit` with the outlines of all parts, transformed by `part_poses`, and returns the bounding shape
+  /// that `fit` computes.
   template <class Fit>
   auto fit(std::span<const Pose> part_poses, const Fit& fit) const;
 

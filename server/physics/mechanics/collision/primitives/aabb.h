@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Axis-aligned box, m. A default box is empty: lo > hi, and it overlaps nothing.
+/// Axis-aligned bounding box from corner `lo` to corner `hi`, m. A default-constructed box is empty: lo > hi,
+/// and it overlaps nothing.
 struct Aabb {
   Vec3 lo = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 hi = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -25,7 +26,7 @@ struct Aabb {
   Vec3 center() const { return (lo + hi) / 2; }
   Vec3 half() const { return (hi - lo) / 2; }
   Aabb grown(double by) const { return {lo.array() - by, hi.array() + by}; }
-  /// Returns whether the boxes overlap; touching counts.
+  /// Returns whether the two boxes overlap; boxes that only touch overlap, too.
   bool overlaps(const Aabb& b) const {
     return (lo.array() <= b.hi.array()).all() && (b.lo.array() <= hi.array()).all();
   }
@@ -36,14 +37,15 @@ struct Aabb {
     const Vec3 d = hi - lo;
     return 2 * (d.x() * d.y() + d.y() * d.z() + d.z() * d.x());
   }
-  /// Returns the squared distance, m²; 0 if the boxes overlap.
+  /// Returns the squared distance of the two boxes, m²; 0 if they overlap.
   double squared_distance(const Aabb& b) const {
     return (lo - b.hi).cwiseMax(b.lo - hi).cwiseMax(0).squaredNorm();
   }
   double squared_distance(const Vec3& x) const { return (lo - x).cwiseMax(x - hi).cwiseMax(0).squaredNorm(); }
 };
 
-/// Returns the axis-aligned box around a rotated and shifted box; `rotation` is pose.q as a matrix.
+/// Returns the axis-aligned box around `box` after a rotation and a translation. `rotation`: rotation matrix,
+/// applied first. `shift`: translation, m.
 inline Aabb transformed(const Aabb& box, const Mat3& rotation, const Vec3& shift) {
   const Vec3 center = rotation * box.center() + shift, half = rotation.cwiseAbs() * box.half();
   return {center - half, center + half};

@@ -8,15 +8,15 @@
 
 namespace prosector {
 
-/// A material point of a triangle surface.
+/// Point that moves with a triangle surface, given by a triangle and barycentric weights.
 struct SurfacePoint {
   static constexpr std::uint32_t none = ~0u;
   std::uint32_t triangle = none;  // none: the shape has no triangles
   Vec3 weights = Vec3::Zero();    // barycentric, of the triangle's corners
 };
 
-/// Closest or deepest points of two shapes. Moving a by −gap along the normal brings the shapes just into
-/// contact at that point. on_a − on_b = gap · normal.
+/// Signed distance of two shapes a and b, with normal and closest or deepest points. Moving a by −gap along
+/// the normal brings the shapes just into contact at these points. on_a − on_b = gap · normal.
 struct Proximity {
   Vec3 normal = Vec3::UnitY();                    // unit, from b to a
   double gap = 0;                                 // m, negative: penetration depth
@@ -27,7 +27,8 @@ struct Proximity {
   Proximity flipped() const { return {-normal, gap, on_b, on_a, at_b, at_a}; }
 };
 
-/// Returns the proximity of the two shapes after each is offset outwards by its rounding radius, m.
+/// Returns the proximity (gap, normal and closest points) that results when both shapes are offset outwards
+/// by their rounding radii, m.
 inline Proximity rounded(Proximity p, double rounding_a, double rounding_b) {
   p.gap -= rounding_a + rounding_b;
   p.on_a -= rounding_a * p.normal;

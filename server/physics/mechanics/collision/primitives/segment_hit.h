@@ -12,8 +12,9 @@ struct SegmentHit {
   Vec3 weights;  // barycentric, of the triangle's corners
 };
 
-/// Returns the intersection of segment a–b and a triangle; none if the segment lies in the triangle's plane.
-/// Weights may be as low as −`slack`, so that no segment slips between two triangles with a common edge.
+/// Returns the intersection of the segment a–b and a triangle; empty if they do not meet, or if the segment
+/// lies in the triangle's plane. Barycentric weights may be as low as −`slack`, so that no segment passes
+/// between two triangles with a common edge.
 inline std::optional<SegmentHit> segment_hit(const Vec3& a, const Vec3& b, const Triangle& x,
                                              double slack = 0) {
   const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);

@@ -131,9 +131,10 @@ bool is_mesh(const ShapePart& part) {
 void check_part(const ShapePart& part) {
   if (is_mesh(part)) {
     if (!part.mesh || part.mesh->positions.empty())
-      throw InputError("collision part: a mesh without vertices");
+      throw InputError("collision part: its mesh has no vertices; at least one is needed");
     for (const Vec3& x : part.mesh->positions)
-      if (!is_finite(x)) throw InputError("collision part: a vertex is not a finite number");
+      if (!is_finite(x))
+        throw InputError("collision part: a coordinate of a mesh vertex is not a finite number");
     return;
   }
   Vec3 needed = part.half;

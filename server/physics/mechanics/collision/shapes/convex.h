@@ -10,13 +10,15 @@
 
 namespace prosector {
 
-/// Convex shape in its own frame: a core, and all points within `rounding` of the core. The core lies within
-/// `reach` of `center`.
+/// Convex shape in its own frame: a convex core, offset outwards by the radius `rounding`. The shape is all
+/// points within `rounding` of the core. The core is contained in the ball of radius `reach` about `center`.
+/// Lengths in metres.
 class Convex {
  public:
   virtual ~Convex() = default;
-  /// Returns the core's support point: the farthest in a direction, which must not be zero but need not be
-  /// unit.
+  /// Returns the core's support point: the point of the core, without the rounding, that is farthest along
+  /// `direction`. The direction and the point are in the shape's frame. The direction must not be zero but
+  /// need not be a unit vector.
   virtual Vec3 farthest(const Vec3& direction) const = 0;
 
   const Vec3& center() const { return center_; }
@@ -32,7 +34,8 @@ class Convex {
   double reach_, rounding_;  // m
 };
 
-/// A box about the origin.
+/// Convex shape of a box centred on the origin and aligned with the axes of the shape's frame, without
+/// rounding.
 class ConvexBox final : public Convex {
  public:
   explicit ConvexBox(const Vec3& half) : Convex(Vec3::Zero(), half.norm(), 0), half_(half) {}
@@ -44,28 +47,30 @@ class ConvexBox final : public Convex {
   Vec3 half_;
 };
 
-/// A sphere: a point with rounding.
+/// Convex shape of a sphere: its core is a single point, and its rounding is the radius.
 class ConvexBall final : public Convex {
  public:
   ConvexBall(const Vec3& center, double radius) : Convex(center, 0, radius) {}
   Vec3 farthest(const Vec3&) const override { return center(); }
 };
 
-/// Convex shape that also has faces, for contact with triangle meshes.
+/// Convex shape that can also return its surface as triangles, for contact with triangle meshes.
 class FacetedConvex : public Convex {
  public:
-  /// Returns the faces. Round shapes are tessellated within `chord_error` or with 48 segments around
-  /// (common/scene/primitives.h). Hulls of points are accurate to 1e-4 of their size.
+  /// Returns the shape's surface as triangles, in the shape's frame. Capsules, cylinders and ellipsoids are
+  /// tessellated to within `chord_error`, or with 48 segments around (common/scene/primitives.h). Hulls of
+  /// points are accurate to 1e-4 of their size.
   virtual std::shared_ptr<const TriangleSurface> faces() const = 0;
-  /// Returns the part of the rounding that the faces do not include, m.
+  /// Returns the distance, m, by which the triangles of faces() must be offset outwards to give the shape's
+  /// surface. It is 0 where the triangles include the rounding already.
   virtual double faces_rounding() const { return 0; }
 
  protected:
   using Convex::Convex;
 };
 
-/// Convex hull of a soft surface's current points. Support points are found with the surface's tree, so a
-/// moved surface needs no new hull. faces() builds a new hull at each call.
+/// Convex hull of the current vertices of a soft body's surface. Support points are searched in the surface's
+/// own tree, so no hull is computed when the surface moves. Only faces() computes the hull, at each call.
 class SurfaceHull final : public FacetedConvex {
  public:
   SurfaceHull(std::shared_ptr<const TriangleSurface> surface, double rounding)
@@ -81,14 +86,15 @@ class SurfaceHull final : public FacetedConvex {
   std::shared_ptr<const TriangleSurface> surface_;
 };
 
-/// Exact convex hull of a set of points.
+/// Exact convex hull of a set of points, with its triangles.
 class PointHull final : public FacetedConvex {
  public:
-  /// Throws InputError without points.
+  /// Builds the hull of these points and its triangles. Throws InputError if there is no point.
   explicit PointHull(const std::vector<Vec3>& points);
   Vec3 farthest(const Vec3& direction) const override;
   std::shared_ptr<const TriangleSurface> faces() const override { return faces_; }
-  /// Returns the points that may be corners of the hull.
+  /// Returns those of the given points that may be corners of the hull: all corners, and points within
+  /// rounding of the hull's surface.
   const std::vector<Vec3>& points() const { return points_; }
 
  private:
@@ -97,18 +103,21 @@ class PointHull final : public FacetedConvex {
   std::shared_ptr<const TriangleSurface> faces_;
 };
 
-/// Creates the convex shape of a part other than box and sphere, in the part's frame. Capsule, cylinder and
-/// ellipsoid are exact; hull and triangles become the hull of their points.
+/// Creates the convex shape of a collision part that is neither a box nor a sphere, in the part's frame.
+/// Capsules, cylinders and ellipsoids are exact. Parts of kind `hull` or `triangles` become the convex hull
+/// of their mesh's points.
 std::shared_ptr<const FacetedConvex> make_convex(const ShapePart& part);
 
-/// Creates a part's triangle surface, in the part's frame. Throws InputError for a size that is not positive
-/// and finite.
+/// Creates the triangle surface of a collision part, in the part's frame; round parts are tessellated. Throws
+/// InputError for a size that is not positive and finite, or for a missing mesh.
 std::shared_ptr<const TriangleSurface> part_surface(const ShapePart& part);
 
-/// Creates a box of twelve triangles; the volume is zero if an extent is 0.
+/// Creates the surface of a box as twelve triangles, centred on the origin. `half`: half extents, m; one may
+/// be 0, which gives a flat box without volume.
 std::shared_ptr<const TriangleSurface> box_surface(const Vec3& half);
 
-/// Throws InputError for a size that is not positive and finite, or for a missing mesh.
+/// Validates a collision part. Throws InputError for a size that is not positive and finite, for a missing or
+/// empty mesh, or for a mesh vertex that is not finite.
 void check_part(const ShapePart& part);
 
 }  // namespace prosector

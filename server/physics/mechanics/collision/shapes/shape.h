@@ -10,7 +10,8 @@ namespace prosector {
 
 enum class ShapeKind : std::uint8_t { box, sphere, capsule, cylinder, ellipsoid, hull, triangles };
 
-/// One part of a body's collision shape. Capsules and cylinders are aligned with local y.
+/// One part of a rigid body's collision shape: a primitive, or a mesh. Capsules and cylinders are aligned
+/// with the y axis of the part's frame.
 struct ShapePart {
   ShapeKind kind = ShapeKind::box;
   Vec3 half = Vec3::Zero();  // m: box, ellipsoid: half extents; sphere, capsule, cylinder: radius in x;
@@ -19,28 +20,31 @@ struct ShapePart {
   std::shared_ptr<const TriangleMesh> mesh;  // hull, triangles: in the part's frame
 };
 
-/// Mass, centre and inertia of a solid.
+/// Mass, centre of mass and inertia tensor of a solid.
 struct MassProperties {
   double mass = 0;              // kg
   Vec3 center = Vec3::Zero();   // m
   Mat3 inertia = Mat3::Zero();  // kg·m², about `center`
 };
 
-/// Returns the part's mass properties in the parent frame of `part.pose`; density in kg/m³. Primitives use
-/// closed forms; meshes use signed tetrahedra over the surface (Mirtich 1996). A mesh must be closed.
+/// Returns the part's mass, centre of mass and inertia, in the frame in which `part.pose` is given; `density`
+/// in kg/m³. Primitives use closed forms. Meshes sum signed tetrahedra over the surface (Mirtich 1996), so a
+/// mesh must be closed.
 MassProperties part_mass(const ShapePart& part, double density);
 
-/// Combines mass properties by the parallel-axis theorem.
+/// Returns the total mass, the common centre of mass and the inertia of several solids, by the parallel-axis
+/// theorem. All are given in the same frame. All results are zero if the total mass is zero.
 MassProperties combine(const std::vector<MassProperties>& parts);
 
-/// Bounding box of a part in the part's frame: half extents about `center`, m.
+/// Axis-aligned bounding box of a collision part, in the part's frame: half extents `half` about `center`, m.
 struct Extent {
   Vec3 center;
   Vec3 half;
 };
 Extent part_extent(const ShapePart& part);
 
-/// Returns the convex hull of points as a closed triangle mesh.
+/// Returns the convex hull of points as a closed triangle mesh. The hull is computed by Bullet with rounded
+/// coordinates.
 TriangleMesh convex_hull(const std::vector<Vec3>& points);
 
 }  // namespace prosector

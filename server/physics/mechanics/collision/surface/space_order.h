@@ -10,15 +10,17 @@
 
 namespace prosector {
 
-/// Order of points along a Morton curve through their bounding box, with 1024 cells along its longest side.
-/// Points in the same cell are ordered by index.
+/// Order of points along a Morton curve, in which neighbouring points are near each other. The curve passes
+/// through the points' bounding box, with 1024 cells along its longest side. Points in the same cell are
+/// ordered by index.
 class SpaceOrder {
  public:
   SpaceOrder() = default;
-  /// Orders the points in linear time.
+  /// Sorts the points along the curve, in linear time.
   explicit SpaceOrder(std::vector<Vec3> points);
-  /// Updates the order after an edit of the point list; equals a rebuild. Merges the added points `come` into
-  /// the order, or sorts all points again if the bounding box changed.
+  /// Updates the order after points were added to and removed from the list; the result equals a rebuild.
+  /// `come`: positions of the added points. They are merged into the order; all points are sorted again if
+  /// the bounding box changed.
   void follow(const ListEdit& edit, std::span<const Vec3> come);
 
   std::size_t size() const { return order_.size(); }

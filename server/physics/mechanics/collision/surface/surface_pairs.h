@@ -8,8 +8,10 @@
 
 namespace prosector {
 
-/// Calls leaf(node of a, node of b) for pairs of leaves, nearest boxes first, while the boxes' squared
-/// distance is at most `limit()`. `rotation` and `shift` transform the boxes of b into the frame of a.
+/// Traverses the bounding volume trees of two surfaces simultaneously. Calls leaf(node of a, node of b) for
+/// pairs of leaves whose boxes' squared distance is at most `limit()`, m². The nearer boxes are visited
+/// first, and `limit()` may decrease during the traversal. `rotation` and `shift` transform the boxes of b
+/// into the frame of a.
 template <class Limit, class Leaf>
 void descend_pairs(const SurfaceTree& a, const SurfaceTree& b, const Mat3& rotation, const Vec3& shift,
                    const Limit& limit, const Leaf& leaf) {

@@ -17,10 +17,12 @@ std::vector<Corners> checked(std::vector<Corners> triangles, std::size_t vertice
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Corners& c = triangles[t];
     if (std::max({c[0], c[1], c[2]}) >= vertices)
-      throw InputError(fmt::format("surface: triangle {} refers to vertex {}; there are {}", t,
-                                   std::max({c[0], c[1], c[2]}), vertices));
+      throw InputError(fmt::format(
+          "surface: triangle {} refers to vertex {}, but the surface has {} vertices, numbered from 0", t,
+          std::max({c[0], c[1], c[2]}), vertices));
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
-      throw InputError(fmt::format("surface: triangle {} has a vertex twice; its three must differ", t));
+      throw InputError(
+          fmt::format("surface: triangle {} has a vertex twice; its three vertices must differ", t));
   }
   return triangles;
 }

@@ -13,23 +13,26 @@ namespace prosector {
 class SurfaceTopology {
  public:
   using Corners = std::array<std::uint32_t, 3>;
-  /// Throws InputError if a triangle has an unknown vertex index or a repeated vertex.
+  /// Builds the connectivity of a surface with this number of vertices. Throws InputError if a triangle has
+  /// an index that is not below `vertices`, or a repeated vertex.
   SurfaceTopology(std::vector<Corners> triangles, std::size_t vertices);
-  /// Updates the topology after an edit of the surface; equals a rebuild. The work is local, except for
-  /// moving memory and the search for connected pieces.
+  /// Updates the connectivity after an edit of the surface (triangles or vertices added or removed); the
+  /// result equals a rebuild. Only the edited triangles and their neighbours are recomputed, except for
+  /// copying arrays and searching the connected pieces.
   void follow(const SurfaceEdit& edit);
 
   std::span<const Corners> triangles() const { return triangles_; }
   std::size_t vertices() const { return stars_.vertices(); }
-  /// Returns the triangles at a vertex, ascending.
+  /// Returns the indices of the triangles that have this vertex as a corner, ascending.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
-  /// Returns the triangle across edge (k, k + 1); the triangle itself if the edge has no or several other
-  /// triangles.
+  /// Returns the index of the neighbour of `triangle` across its edge from corner `edge` to corner (`edge` +
+  /// 1) % 3. Returns `triangle` if the edge has no other triangle or several others.
   std::uint32_t across(std::uint32_t triangle, std::size_t edge) const { return across_[triangle][edge]; }
-  /// Returns whether each edge has exactly two triangles of consistent orientation, so that the surface has
-  /// an inside.
+  /// Returns whether the surface is closed and so has an inside: each edge belongs to exactly two triangles,
+  /// which traverse it in opposite directions.
   bool closed() const { return closed_; }
-  /// Returns one vertex of each connected piece, ascending.
+  /// Returns the lowest vertex index of each connected piece of the surface, ascending. Vertices without
+  /// triangles are left out.
   std::span<const std::uint32_t> pieces() const { return pieces_; }
 
  private:

@@ -12,17 +12,19 @@
 
 namespace prosector {
 
-/// Balanced tree of axis-aligned boxes. It is built once: by splitting at the median centroid along the
-/// longest side, or from runs of a given order. When the surface moves, refit() updates the boxes in
-/// O(triangles) and keeps the tree structure. Up to rounding, query results do not depend on the tree: ties
-/// are broken by index. Query costs do.
+/// Bounding volume hierarchy of a surface's triangles: a balanced tree of axis-aligned boxes. It is built
+/// once: by splitting at the median centroid along the longest side, or by halving a given order of the
+/// triangles. When the surface moves, refit() updates the boxes in O(triangles) and keeps the tree structure.
+/// Up to rounding, query results do not depend on the tree structure, as ties are broken by index; the cost
+/// of queries does.
 class SurfaceTree {
  public:
   using Corners = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t leaf_triangles = 4;
   static constexpr std::size_t deepest = 40;  // levels: enough for more than 2³² triangles
 
-  /// Nodes are in preorder: the left child follows its parent.
+  /// Node of a surface's bounding volume tree: a box around a range of triangles. Nodes are stored in
+  /// preorder, so the left child directly follows its parent.
   struct Node {
     Aabb box;
     std::uint32_t begin = 0, end = 0;  // range of the node's triangles in order()
@@ -31,8 +33,9 @@ class SurfaceTree {
   };
 
   SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions);
-  /// Builds the tree from runs of `order`, which keeps neighbours together (space_order.h). When triangles
-  /// are added or removed, the tree is rebuilt from the updated order.
+  /// Builds the tree by halving `order`, a list of all triangle indices in which neighbours are close to each
+  /// other (space_order.h). After triangles were added or removed, the tree is built in this way from the
+  /// updated order.
   SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions,
               std::span<const std::uint32_t> order);
   void refit(std::span<const Corners> triangles, std::span<const Vec3> positions);
@@ -42,11 +45,13 @@ class SurfaceTree {
   bool empty() const { return nodes_.empty(); }
   const Aabb& box() const { return nodes_.front().box; }
 
-  /// Calls leaf(node), from left to right, for all leaves whose own and ancestors' boxes pass enter(box).
+  /// Visits the tree from left to right and calls leaf(node) for each leaf. Skips each node, with its
+  /// descendants, for whose box enter(box) returns false.
   template <class Enter, class Leaf>
   void visit(const Enter& enter, const Leaf& leaf) const;
-  /// Traverses the tree, best child first. `bound(box)`: a lower bound of the result of leaf(node). Skips
-  /// nodes whose bound exceeds `limit()`.
+  /// Searches the tree for a minimum, the child with the lower bound first, and calls leaf(node) for each
+  /// leaf reached. `bound(box)`: a lower bound of the values of all triangles in the box. `limit()`: the best
+  /// value so far; nodes whose bound exceeds it are skipped.
   template <class Bound, class Limit, class Leaf>
   void descend(const Bound& bound, const Limit& limit, const Leaf& leaf) const;
 

@@ -24,7 +24,7 @@ std::vector<Vec3> checked(const SurfaceTopology& topology, std::vector<Vec3> pos
   if (positions.size() != topology.vertices())
     throw InputError(
         fmt::format("surface: {} positions for {} vertices", positions.size(), topology.vertices()));
-  if (!all_finite(positions)) throw InputError("surface: a position is not a finite number");
+  if (!all_finite(positions)) throw InputError("surface: a vertex position is not a finite number");
   return positions;
 }
 

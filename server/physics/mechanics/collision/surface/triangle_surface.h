@@ -21,23 +21,27 @@ struct NearestPoint {
   double distance = 0;          // m
 };
 
-/// Triangle surface with a bounding volume hierarchy. move() moves the vertices and refits the tree. A cut
-/// changes the topology: construct a new surface, O(n log n), or call follow() on a surface built from an
-/// order. Construct from rest positions if the tree must not depend on the time of the cut; query results
-/// never do.
+/// Triangle surface with distance queries, accelerated by a bounding volume hierarchy. move() moves the
+/// vertices and updates the hierarchy's boxes. After a cut, construct a new surface, O(n log n), or call
+/// follow() on a surface that was constructed with an order of its triangles. If the hierarchy must not
+/// depend on when the cut is made, construct from rest positions; query results never depend on it.
 class TriangleSurface {
  public:
   using Corners = SurfaceTopology::Corners;
-  /// Throws InputError for an empty surface, for numbers that are not finite, and for an invalid topology.
+  /// Builds the surface and its hierarchy. Throws InputError for a mesh without triangles, for positions that
+  /// are not finite, and for a triangle with an invalid or repeated vertex.
   explicit TriangleSurface(const TriangleMesh& mesh);
   TriangleSurface(std::shared_ptr<const SurfaceTopology> topology, std::vector<Vec3> positions);
-  /// Builds the surface with a tree from an order of the triangles (surface_tree.h).
+  /// Builds the surface with a hierarchy from a given order of the triangle indices, in which neighbours are
+  /// close to each other (space_order.h).
   TriangleSurface(const TriangleMesh& mesh, std::span<const std::uint32_t> order);
-  /// Updates the surface after an edit; equals a rebuild by the constructor that takes an order.
+  /// Updates the surface after an edit such as a cut. The result equals a surface constructed from `mesh`
+  /// (the surface after the edit) and `order` (its triangle indices, neighbours close to each other).
   void follow(const SurfaceEdit& edit, const TriangleMesh& mesh, std::span<const std::uint32_t> order);
 
-  /// Moves the vertices. Returns false, and moves nothing, if a number is not finite. Throws InputError for a
-  /// wrong number of positions.
+  /// Replaces all vertex positions, m, and updates the hierarchy's boxes. Returns false, and moves nothing,
+  /// if a coordinate is not finite. Throws InputError if the number of positions is not the number of
+  /// vertices.
   bool move(std::span<const Vec3> positions);
 
   const SurfaceTopology& topology() const { return *topology_; }
@@ -49,23 +53,25 @@ class TriangleSurface {
     return {positions_[c[0]], positions_[c[1]], positions_[c[2]]};
   }
 
-  /// Returns the closest point of the surface; nothing if it is farther away than `limit`. Of equally close
-  /// triangles, the one with the lowest index is returned.
+  /// Returns the point of the surface closest to x; nothing if it is farther away than `limit`, m. Of equally
+  /// close triangles, it uses the one with the lowest index.
   std::optional<NearestPoint> nearest(const Vec3& x,
                                       double limit = std::numeric_limits<double>::infinity()) const;
-  /// Returns the unit normal at a point of the surface: the face normal, or the angle-weighted pseudonormal
-  /// of the edge or corner (Bærentzen and Aanæs 2005). Its sign separates inside from outside. The normal is
-  /// zero if all adjacent triangles are degenerate.
+  /// Returns the outward unit normal at the point with these barycentric weights on a triangle. It is the
+  /// face normal inside the triangle, and the angle-weighted pseudonormal on an edge or at a corner
+  /// (Bærentzen and Aanæs 2005). For a closest point, the sign of its dot product with the offset separates
+  /// inside from outside. The normal is zero if all adjacent triangles are degenerate.
   Vec3 normal_at(std::uint32_t triangle, const Vec3& weights) const;
-  /// Returns whether x is inside the surface; false for an open surface. `nearest`: the closest point to x.
+  /// Returns whether x is inside the closed surface; always false for an open surface. `nearest`: the point
+  /// of the surface closest to x, as returned by nearest().
   bool is_inside(const Vec3& x, const NearestPoint& nearest) const;
-  /// Returns the winding number of the surface around x; for a closed surface 1 inside, 0 outside. Also valid
-  /// for a surface that intersects itself, for which the closest point does not determine the side. Source:
-  /// Jacobson et al. 2013, "Robust inside-outside segmentation using generalized winding numbers". The cost
-  /// is O(log triangles) for a closed surface. It is O(triangles) for an open one, and where the ray along +x
-  /// meets an edge.
+  /// Returns the winding number of the surface around x: for a closed surface, 1 inside and 0 outside. It is
+  /// also valid for a surface that intersects itself, for which the closest point does not determine the
+  /// side. Source: Jacobson et al. 2013, "Robust inside-outside segmentation using generalized winding
+  /// numbers". The cost is O(log triangles) for a closed surface. It is O(triangles) for an open surface, and
+  /// where the ray from x along +x meets an edge.
   double winding_number(const Vec3& x) const;
-  /// Returns the vertex farthest in a direction; of equals, the one with the lowest index.
+  /// Returns the index of the vertex farthest along `direction`; of equally far vertices, the lowest index.
   std::uint32_t farthest(const Vec3& direction) const;
 
  private:

@@ -12,23 +12,24 @@
 
 namespace prosector {
 
-/// List of elements, each with its nodes in ascending order. The corners of element e are numbered from
-/// first_corner(e), so per-corner data of all elements (forces) form one flat array. The blocks of element e,
-/// one per pair of corners a < b, start at first_block(e) in the order of pair_index.
+/// List of a body's elements, each with its nodes in ascending order. The corners of element e are numbered
+/// from first_corner(e) on, so that data per corner (forces) of all elements form one array. Each element has
+/// one stiffness block per pair of corners a < b. They start at index first_block(e), in the order of
+/// pair_index.
 class Connectivity {
  public:
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
-  /// Adds an element. Its nodes must be ascending and in range.
+  /// Appends an element with these nodes, which must be in ascending order and less than the number of nodes.
   void add(std::span<const std::uint32_t> element);
-  /// Appends `elements` elements of `corners_each` corners. `nodes_of`(e): the nodes of the e-th one,
-  /// ascending and in range.
+  /// Appends a number of `elements` with `corners_each` corners each. `nodes_of`(e) must return the nodes of
+  /// the e-th of them, ascending and less than the number of nodes.
   template <class NodesOf>
   void append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of);
   void append(const Connectivity& elements);
-  /// Removes all elements and sets the number of nodes.
+  /// Removes all elements and sets the number of the body's nodes to `nodes`.
   void clear(std::size_t nodes);
-  /// Updates the connectivity after an edit of the mesh. The elements must be linear or quadratic tetrahedra,
-  /// one for each tetrahedron of the mesh in the same order, each with sorted corners.
+  /// Updates the elements after `edit` changed the mesh. They must be linear or quadratic tetrahedra, one for
+  /// each tetrahedron of the mesh in the same order, each with sorted corners.
   void follow(const MeshEdit& edit);
 
   std::size_t nodes() const { return nodes_; }
@@ -39,7 +40,7 @@ class Connectivity {
   std::span<const std::uint32_t> element(std::size_t e) const {
     return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
   }
-  /// Returns the number of corners of each element; 0: it varies.
+  /// Returns the number of corners that each element has; 0 if elements have different numbers of corners.
   std::size_t corners_each() const { return each_; }
   std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
@@ -48,14 +49,16 @@ class Connectivity {
     return each_ > 0 ? corner / each_ : element_[corner];
   }
 
-  /// Returns the index of the pair a < b in an element of n nodes: (0,1), (0,2), … (n−2,n−1).
+  /// Returns the index of the pair of corners a < b of an element with n corners in the order (0,1), (0,2),
+  /// …, (n−2,n−1), which is the order of its stiffness blocks.
   static constexpr std::size_t pair_index(std::size_t a, std::size_t b, std::size_t n) {
     return a * (2 * n - 3 - a) / 2 + b - 1;
   }
   static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
 
  private:
-  /// Adds elements and returns the memory to which their nodes must be written, concatenated.
+  /// Appends a number of `elements` with `corners_each` corners each. Returns the memory into which the
+  /// caller must write their nodes, element by element.
   std::span<std::uint32_t> grow(std::size_t elements, std::size_t corners_each);
   void list_elements_of_corners(std::size_t first);
 
@@ -72,19 +75,21 @@ void Connectivity::append(std::size_t elements, std::size_t corners_each, const 
   for (std::size_t e = 0; e < elements; ++e) to = std::ranges::copy(nodes_of(e), to).out;
 }
 
-/// Corners at each node, in the order of the elements. Sums per-corner data into nodes with bitwise equal
-/// results for any number of threads.
+/// For each node, the list of element corners at that node, in the order of the elements. Used to sum data
+/// per corner into nodes with bitwise equal results for any number of threads.
 class Incidence {
  public:
   explicit Incidence(const Connectivity& elements);
-  /// Updates the incidence after `elements` followed `edit`; local if the elements are the mesh's tetrahedra.
+  /// Updates the lists of corners at nodes after `elements` were updated for the mesh edit `edit`. Only lists
+  /// near the edit are recomputed if the elements are the mesh's tetrahedra.
   void follow(const Connectivity& elements, const MeshEdit& edit);
 
-  /// Returns the corners of node i, ascending.
+  /// Returns the element corners at this node, as ascending indices among all corners of the body's elements.
   std::span<const std::uint32_t> corners(std::size_t node) const {
     return std::span(corner_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
   }
-  /// Adds g_i += Σ f over the corners at i; `f` by corner, `g` 3n.
+  /// Adds forces at element corners to nodes: g_i += Σ f over the corners at node i. `f`: one vector per
+  /// corner; `g`: 3 values per node.
   void add(std::span<const Vec3> f, double* g) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Returns the row called `name`; throws InputError that lists the allowed names. `field`: the scene file's
-/// field, for the message.
+/// Returns the row called `name` of a table of models, laws, integrators or solvers. Throws InputError that
+/// lists the allowed names if there is none. `field`: name of the scene file's field, for the message.
 template <class Row>
 const Row& find_row(const std::vector<Row>& rows, const char* field, const std::string& name) {
   std::string allowed;

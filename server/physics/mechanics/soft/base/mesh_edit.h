@@ -12,9 +12,11 @@
 
 namespace prosector {
 
-/// Entries of a list that an edit keeps, and their new indices.
+/// Entries of a list, such as nodes or tetrahedra, that an edit preserves, with their indices before and
+/// after it. They keep their order.
 struct Kept {
-  /// Entries from index `from` on before the edit, which are at `to` on now.
+  /// Run of `count` consecutive entries that an edit preserves. The first has index `from` before the edit
+  /// and index `to` after it.
   struct Run {
     std::uint32_t from = 0, to = 0, count = 0;
   };
@@ -23,19 +25,21 @@ struct Kept {
   std::vector<Run> runs;  // ascending in both indices
   std::size_t before = 0, now = 0;
 
-  /// Returns an edit that keeps all entries: the first `before` of `now` are the old ones.
+  /// Returns the record of an edit that preserves all `before` entries at their indices and appends new ones,
+  /// so that there are `now` entries after it.
   static Kept all(std::size_t before, std::size_t now);
-  /// Adds a kept entry that moves from index `from` to index `to`. Calls must be ascending.
+  /// Records that the entry with index `from` before the edit has index `to` after it. Calls must be in
+  /// ascending order of both.
   void add(std::uint32_t from, std::uint32_t to);
 
-  /// Returns how many of the first entries keep their index.
+  /// Returns how many entries at the beginning of the list the edit preserves at the same index.
   std::size_t unmoved() const;
   bool all_unmoved() const { return unmoved() == before; }
   std::vector<std::uint32_t> destinations() const;  // by index before: the index now, or none
   std::vector<std::uint32_t> origins() const;       // by index now: the index before, or none
 
-  /// Moves `values`, with `each` values per entry, to the present indices; values of new entries are
-  /// undefined.
+  /// Moves data of a list's preserved entries to the indices after the edit, and resizes `values`. `each`:
+  /// number of values per entry. The values of new entries are undefined.
   template <class T>
   void carry(std::vector<T>& values, std::size_t each = 1) const;
   void carry(VecX& values) const;
@@ -50,10 +54,11 @@ struct MeshEdit {
   std::vector<Vec3> positions;            // m, rest positions of the new nodes
   std::vector<std::uint32_t> tets;        // new tetrahedra, and those whose corners changed; ascending
   std::vector<Corners> corners;           // of these tetrahedra
-  /// Edge nodes of quadratic elements (edge_nodes.h): six of each of these tetrahedra, on the edges between
-  /// its corners in ascending order.
+  /// Indices of the edge nodes of the new and changed tetrahedra, for quadratic elements only. There are six
+  /// for each tetrahedron, on the edges between its corners in ascending order (edge_nodes.h).
   std::vector<std::uint32_t> middles;
-  /// Corners of these tetrahedra, now and before the edit, and of removed ones; ascending.
+  /// Nodes at which elements changed: the corners, before and after the edit, of new, changed and removed
+  /// tetrahedra. Given by their present indices, ascending.
   std::vector<std::uint32_t> nodes;
 };
 

@@ -12,7 +12,8 @@ class NodeSum {
  public:
   explicit NodeSum(std::size_t nodes) : nodes_(nodes), sums_(chunk_count(nodes, nodes_per_chunk)) {}
 
-  /// Returns Σ f(i) over the nodes, without allocating memory.
+  /// Returns the sum of f(i) over the body's nodes i, computed in parallel with equal results for any number
+  /// of threads. Allocates no memory.
   template <class F>
   double operator()(const F& f) {
     parallel_chunks(nodes_, nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {

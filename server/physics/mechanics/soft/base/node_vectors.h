@@ -14,7 +14,8 @@ inline VecX to_vector(std::span<const Vec3> points) {
   return x;
 }
 
-/// Adds partial sums in their order.
+/// Returns the total of partial sums (one per chunk of a parallel loop), added in their order, so that it
+/// does not depend on the number of threads.
 inline double ordered_sum(const std::vector<double>& sums) {
   double total = 0;
   for (double sum : sums) total += sum;

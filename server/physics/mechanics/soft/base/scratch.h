@@ -6,9 +6,9 @@
 
 namespace prosector {
 
-/// Resizes to `count` entries of undefined value. When memory must be moved, reserves a quarter more, about
-/// what cuts add before a body is rebuilt (is_worth_following). Moving tens of megabytes, and requesting as
-/// many pages from the system, took most of the tick of a first cut.
+/// Resizes scratch memory to `count` entries of undefined value. When it must be reallocated, reserves a
+/// quarter more, about as much as cuts add before a body is rebuilt (is_worth_following). Without that
+/// reserve, reallocation took most of the tick of a first cut.
 template <class T>
 void fit_scratch(std::vector<T>& values, std::size_t count) {
   if (count > values.capacity()) {

@@ -11,15 +11,18 @@
 
 namespace prosector {
 
-/// Replacement rows, concatenated.
+/// Replacement rows for a table of rows of different lengths: the values of all rows, concatenated, and the
+/// number of values in each row.
 template <class T>
 struct FreshRows {
   std::vector<T> values;
   std::vector<std::size_t> counts;
 };
 
-/// Replaces rows of a table. `rows`: present indices, ascending, of the rows that become `fresh`. The other
-/// rows are kept as `kept` says, with `renumbered` applied to each value.
+/// Updates a table of rows of different lengths after an edit. `kept`: the rows that remain, with their new
+/// indices. `rows`: ascending indices, after the edit, of the rows that become `fresh`, which are new or
+/// changed. In the other rows, each value v is replaced by renumbered(v). Row i of the table is
+/// values[begin[i]] up to values[begin[i + 1]].
 template <class T, class Renumbered>
 void replace_rows(const Kept& kept, std::span<const std::uint32_t> rows, const FreshRows<T>& fresh,
                   const Renumbered& renumbered, std::vector<std::size_t>& begin, std::vector<T>& values) {

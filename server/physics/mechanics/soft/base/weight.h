@@ -5,21 +5,22 @@
 
 namespace prosector {
 
-/// Gravitational acceleration relative to nodal masses. With quadratic elements, consistent shape functions
-/// give an edge node more of an element's weight than its share of the mass. They give a vertex a negative
-/// weight.
+/// Gravitational acceleration of a soft body's nodes, either equal for all or distributed by shape functions.
+/// In quadratic elements, shape functions give an edge node more of the element's weight than its share of
+/// the mass, and a vertex a negative weight.
 struct Weight {
-  /// Creates a weight distributed by nodal masses. `gravity`: m/s²; zero: no gravity.
+  /// Creates a weight that accelerates all nodes equally by `gravity`, m/s². A zero vector means no gravity.
   Weight(const Vec3& gravity = Vec3::Zero()) : acceleration(gravity) {}
-  /// Creates a weight distributed by shape functions. `shares`: n, ratio of a node's weight by shape
-  /// functions to its weight by mass; must outlive this object.
+  /// Creates a weight that accelerates node i by shares[i] times `gravity` (m/s²). `shares`: ratio of a
+  /// node's weight by shape functions to its weight by mass, for n nodes; must outlive this object.
   Weight(const Vec3& gravity, const VecX& shares) : acceleration(gravity), by_shape(&shares) {}
 
-  /// Returns the acceleration of a node, m/s².
+  /// Returns the gravitational acceleration of the node with index `node`, m/s².
   Vec3 at(Eigen::Index node) const {
     return by_shape ? Vec3((*by_shape)[node] * acceleration) : acceleration;
   }
-  /// Adds `factor` times the acceleration of each node to 3n values.
+  /// Adds `factor` times the gravitational acceleration of each node to the vector `to`, which has 3 values
+  /// per node.
   void add(double factor, VecX& to) const {
     auto nodes = to.reshaped(3, to.size() / 3);
     if (by_shape)

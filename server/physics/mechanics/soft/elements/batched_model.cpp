@@ -18,11 +18,11 @@ BatchedModel::BatchedModel(const TetMesh& mesh, Connectivity connectivity,
       sums_(chunk_count(connectivity_.size(), elements_per_chunk)),
       moved_to_(VecX::Zero(rest_.size())) {}
 
-void BatchedModel::follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+void BatchedModel::follow_elements(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) {
   rest_ = to_vector(mesh.positions);
   connectivity_.follow(edit);
   incidence_.follow(connectivity_, edit);
-  batches_->follow(desc, mesh, edit);
+  batches_->follow(material, mesh, edit);
   sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk_));
   moved_to_.setZero(rest_.size());
   moved_ = energy_known_ = forces_known_ = false;

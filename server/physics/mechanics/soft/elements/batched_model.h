@@ -13,38 +13,45 @@
 
 namespace prosector {
 
-/// Elements [first, last), whose integration points are batch number `batch`.
+/// Elements first … last − 1 of a body, which are processed together. Their integration points form the batch
+/// with index `batch`.
 struct ElementChunk {
   std::size_t batch, first, last;
   std::size_t size() const { return last - first; }
 };
 
-/// Operations in which element types differ. Different chunks may be processed concurrently.
+/// Operations on chunks (ranges) of a body's elements in which linear and quadratic tetrahedra differ.
+/// Different chunks may be processed concurrently.
 class ChunkedElements {
  public:
   virtual ~ChunkedElements() = default;
 
-  /// Moves the chunk's elements to positions x, 3n, m.
+  /// Computes the deformation of the chunk's elements at node positions x (3n, m), for the functions below.
   virtual void place(const ElementChunk& chunk, const double* x) = 0;
 
   // ---- The chunk at the positions of the last place()
-  /// Returns the energy of the chunk, J.
+  /// Returns the strain energy, J, of the chunk's elements at the node positions of its last place().
   virtual double energy_of(const ElementChunk& chunk) const = 0;
   virtual void find_forces(const ElementChunk& chunk) = 0;
-  /// Computes the tangent or the warped stiffness.
+  /// Computes the stiffness blocks of the chunk's elements at the node positions of its last place(). If
+  /// `warped`, this is the linear elastic stiffness rotated with each element, otherwise the projected
+  /// tangent.
   virtual void find_stiffness(const ElementChunk& chunk, bool warped) = 0;
-  /// Writes the chunk's rotated elements, see ElasticModel::linearise().
+  /// Computes the chunk's rotated elements (data from which the corotational stiffness is assembled) into
+  /// `out`. `share` is defined at ElasticModel::linearise().
   virtual void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const = 0;
 
   // ---- All elements
   virtual std::span<const Vec3> forces() const = 0;     // N, by corner
   virtual std::span<const Mat3> stiffness() const = 0;  // N/m, by block
-  /// Allocates the stiffness when first needed; models with rotated elements seldom need it.
+  /// Allocates memory for the stiffness blocks of all elements. Called before the first assembly that needs
+  /// them; models with rotated elements seldom do.
   virtual void reserve_stiffness() = 0;
   virtual void reserve(CorotatedElements& out) const = 0;
 };
 
-/// Caches the positions of the elements and the results there, and processes the elements in chunks.
+/// Base class of finite-element models. It processes elements in chunks, in parallel, and caches energy and
+/// forces at the last node positions, so that repeated calls for the same positions cost nothing.
 class BatchedModel : public ElasticModel, protected ChunkedElements {
  public:
   const VecX& rest() const final { return rest_; }
@@ -63,9 +70,9 @@ class BatchedModel : public ElasticModel, protected ChunkedElements {
   void relax_fully() final;
 
  protected:
-  /// Updates the data shared by all element types after an edit. The derived class must have updated the
-  /// elements before.
-  void follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
+  /// Updates rest positions, connectivity and element batches after `edit` changed the mesh to `mesh`. The
+  /// derived class must have updated its elements before.
+  void follow_elements(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit);
   const Incidence& incidence() const { return incidence_; }
 
   BatchedModel(const TetMesh& mesh, Connectivity connectivity, std::unique_ptr<ElementBatches> batches,
@@ -73,7 +80,8 @@ class BatchedModel : public ElasticModel, protected ChunkedElements {
 
   ElementBatches& batches() { return *batches_; }
   const ElementBatches& batches() const { return *batches_; }
-  /// Returns the factor by which a step scales the law's instantaneous stress, see relaxation.h.
+  /// Returns the factor by which stress relaxation scales the law's instantaneous stress in the present step
+  /// (c in relaxation.h); 1 without relaxation.
   double instant_share() const { return relaxing_ ? relaxing_->instant_share() : 1; }
 
  private:

@@ -13,17 +13,20 @@
 
 namespace prosector {
 
-/// Vector x, y, z with padding, so that one load reads it; gradients are in √(N/m).
+/// Vector of three floats x, y, z, padded to four so that one SIMD load reads it. Used for rotated gradients
+/// r_a = √(Vμ)·R·∇N_a, in √(N/m).
 struct alignas(16) CorotatedVector {
   float at[4];
 };
 
-/// Columns of T; the fourth float of the first column is λ/μ.
+/// Columns of the 3×3 matrix T of an integration point, which determines the rotational part of the
+/// corotational tangent. The fourth float of the first column is λ/μ.
 struct Twist {
   CorotatedVector column[3];
 };
 
-/// Ordered by element, then point, then corner.
+/// Rotated elements: rotated gradients and twist matrices T, from which the corotational tangent and the
+/// warped stiffness are assembled. Entries are ordered by element, then integration point, then corner.
 struct CorotatedElements {
   std::vector<CorotatedVector> gradient;
   std::vector<Twist> twist;           // by point

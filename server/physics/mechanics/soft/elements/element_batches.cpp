@@ -68,9 +68,9 @@ double ElementBatches::rest_trace() const {
   return ordered_sum(trace_);
 }
 
-void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+void ElementBatches::follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) {
   const std::size_t each = elements_.size() / edit.kept_tets.now;
-  materials_.follow(desc, mesh, edit, each);
+  materials_.follow(material, mesh, edit, each);
   rest_.resize(chunk_count(elements_.size(), elements_per_batch));
   strain_.resize(rest_.size());
   trace_.resize(rest_.size());

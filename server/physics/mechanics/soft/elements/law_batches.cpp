@@ -15,8 +15,8 @@ class LawBatches final : public ElementBatches {
     for (const Material& material : materials.kinds) laws_.push_back(make(material));
   }
 
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
-    ElementBatches::follow(desc, mesh, edit);
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override {
+    ElementBatches::follow(material, mesh, edit);
     F_.resize(elements_.size());
   }
 

@@ -46,9 +46,9 @@ RelaxingBatches::RelaxingBatches(std::unique_ptr<ElementBatches> law, std::vecto
       held_(elements.size(), Mat3::Zero()),
       start_(elements.size(), Mat3::Zero()) {}
 
-void RelaxingBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
-  ElementBatches::follow(desc, mesh, edit);
-  law_->follow(desc, mesh, edit);
+void RelaxingBatches::follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) {
+  ElementBatches::follow(material, mesh, edit);
+  law_->follow(material, mesh, edit);
   std::fill(keep_.begin(), keep_.end(), 1);
   std::fill(gain_.begin(), gain_.end(), 0);
   share_ = 1;
@@ -173,9 +173,9 @@ std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, co
   return std::make_unique<RelaxingBatches>(std::move(batches), terms, materials, elements);
 }
 
-bool has_relaxed(const SoftDesc& desc, const VecX& history) {
+bool has_relaxed(const SoftMaterial& material, const VecX& history) {
   constexpr double least_strain = 1e-3;
-  return history.size() == 0 || history.lpNorm<Eigen::Infinity>() <= least_strain * desc.youngs_modulus;
+  return history.size() == 0 || history.lpNorm<Eigen::Infinity>() <= least_strain * material.youngs_modulus;
 }
 
 }  // namespace prosector

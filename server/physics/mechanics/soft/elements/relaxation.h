@@ -17,28 +17,35 @@
 
 namespace prosector {
 
-/// Batches of a law with stress relaxation. Between begin_step and end_step, their energy is the one that the
-/// step minimises; before the first begin_step, it is that of the law.
+/// Element batches of any material law with viscoelastic stress relaxation. Between begin_step and end_step,
+/// their energy is the one that the step must minimise. Before the first begin_step it is that of the law.
 class RelaxingBatches final : public ElementBatches {
  public:
   RelaxingBatches(std::unique_ptr<ElementBatches> law, std::vector<RelaxationDesc> terms,
                   const Materials& materials, const Tet4Elements& elements);
 
-  /// Returns the size of the history: six numbers (h_i's upper triangle, Pa) per term and element.
+  /// Returns the number of values of the stress history: for each element and each relaxation term six
+  /// numbers, the upper triangle of the symmetric stress h_i (Pa).
   std::size_t history_size() const { return history_per_element() * elements_.size(); }
-  /// Sets c, e_i and γ_i for the next step of `h` s.
+  /// Computes the coefficients of the relaxation terms for the next step of `h` s: the factor c on the law's
+  /// stress, the decay factors e_i and the gains γ_i.
   void set_step(double h);
-  /// Sets c = 1 − Σg_i and H = 0: relaxation is complete.
+  /// Sets relaxation to complete, as after an infinite time. The factor on the law's stress becomes c = 1 −
+  /// Σg_i, with the shares g_i of the relaxation terms, and the stress H from the history becomes 0.
   void relax_fully();
-  /// Returns c, by which a step scales λ''.
+  /// Returns the factor c by which the present step scales the law's instantaneous stress. It also scales
+  /// λ'', the part of the bulk stiffness that acts on an element's mean volume change.
   double instant_share() const { return share_; }
-  /// Begins a step of the batch, which is at x_n with pressures set.
+  /// Begins a step of the batch: computes from the stress `history` and the stress at the step's start the
+  /// stress H that the step adds. The batch must have been moved to the start positions, with its pressures
+  /// set.
   void begin_step(std::size_t batch, const double* history);
-  /// Ends the step of the batch, which is at the end positions with pressures set.
+  /// Ends a step of the batch: updates the stress `history`. The batch must have been moved to the end
+  /// positions, with its pressures set.
   void end_step(std::size_t batch, double* history) const;
 
   bool can_follow() const override { return law_->can_follow(); }
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override;
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override;
   bool objective() const override { return law_->objective(); }
   void move(std::size_t batch, const double* x) override;
   double energy(std::size_t batch) const override;
@@ -63,7 +70,9 @@ class RelaxingBatches final : public ElementBatches {
  private:
   std::size_t history_per_element() const { return 6 * terms_.size(); }
   Mat3 gradient(std::size_t batch, std::size_t lane) const;
-  /// Computes S of the batch's elements at their positions; 0 for flat and inverted elements.
+  /// Computes the second Piola stress S (Pa) of the law for each element of the batch at its present
+  /// positions. S is set to 0 for flat and inverted elements. For a law that is not objective, computes the
+  /// first Piola stress instead.
   void second_piola(std::size_t batch, std::span<Mat3> S) const;
 
   std::unique_ptr<ElementBatches> law_;
@@ -74,13 +83,14 @@ class RelaxingBatches final : public ElementBatches {
   std::vector<Mat3> start_;          // by element: S_n
 };
 
-/// Creates the batches of the law called `law` in laws(), with relaxation unless `terms` is empty.
+/// Creates the element batches of the material law called `law`, with viscoelastic stress relaxation by these
+/// `terms`, or without relaxation if there are none. `elements` must outlive the result.
 std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, const Materials& materials,
                                                       const std::vector<RelaxationDesc>& terms,
                                                       const Tet4Elements& elements);
 
-/// Returns whether relaxation is complete: no h_i exceeds a thousandth of E, so the shape is that of a body
-/// held for an infinite time. `history`: of a state of that body.
-bool has_relaxed(const SoftDesc& desc, const VecX& history);
+/// Returns whether viscoelastic stress relaxation is practically complete. No stress in `history`, the stress
+/// history of a state of this body, may exceed a thousandth of Young's modulus.
+bool has_relaxed(const SoftMaterial& material, const VecX& history);
 
 }  // namespace prosector

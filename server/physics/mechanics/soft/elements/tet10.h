@@ -22,59 +22,70 @@ class Tet10Elements {
  public:
   static constexpr std::size_t nodes_per_element = 10, points_per_element = 4;
   using Nodes = std::array<std::uint32_t, nodes_per_element>;
-  /// The vertices of edge node 4 + k.
+  /// Edges of the tetrahedron, as pairs of its four vertices. Node 4 + k of an element is on edge k.
   static constexpr auto& edge = EdgeNodes::edges_of_tet;
 
-  /// Creates the elements of `mesh`, which must have edge nodes, see add_edge_nodes. Elements that are too
-  /// flat are left out as in tet4.h. Each element's nodes ascend: its vertices, then its edge nodes.
+  /// Creates quadratic elements for all tetrahedra of `mesh`, whose nodes must include the edge nodes
+  /// (add_edge_nodes()). Tetrahedra that are too flat are left out, see Tet4Elements::least_quality. Each
+  /// element's nodes ascend: its vertices, then its edge nodes.
   explicit Tet10Elements(const TetMesh& mesh);
 
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return corners_.dropped(); }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
-  /// Returns the index of the mesh's tetrahedron that is this element.
+  /// Returns the index in the mesh of the tetrahedron of element e. Indices differ if flat tetrahedra were
+  /// left out.
   std::uint32_t source(std::size_t e) const { return corners_.source()[e]; }
-  /// Returns, by integration point, the index of its tetrahedron in the mesh.
+  /// Returns for each integration point, four per element, the index in the mesh of its tetrahedron.
   std::vector<std::uint32_t> point_source() const;
-  /// Returns the volume of each node, m³, dropped elements included: the diagonal of the consistent mass
-  /// matrix, scaled to the correct total (Hinton, Rock, Zienkiewicz 1976). Vertices get V/36, edge nodes
-  /// 4V/27. All values are positive; row sums would be negative at vertices.
+  /// Returns the lumped volume of each node, n, m³, including tetrahedra without an element. It is the
+  /// diagonal of the consistent mass matrix, scaled to the correct total (Hinton, Rock, Zienkiewicz 1976). An
+  /// element of volume V gives V/36 to each vertex and 4V/27 to each edge node. All values are positive,
+  /// unlike row sums, which are negative at vertices.
   const VecX& lumped_volume() const { return volume_; }
-  /// Returns the volume of each node by the integrals of the shape functions, m³: −V/20 at vertices, V/5 at
-  /// edge nodes.
+  /// Returns for each node the integral of its shape function over the body, n, m³. An element of volume V
+  /// contributes −V/20 to each vertex and V/5 to each edge node.
   const VecX& shape_volume() const { return shape_volume_; }
 
-  /// Returns the integration points as linear tetrahedra without common corners, each with a quarter of the
+  /// Returns the integration points as linear tetrahedra without common corners, each with a quarter of its
   /// element's volume. Points 4e … 4e + 3 belong to element e.
   Tet4Elements points() const { return Tet4Elements::parted(corners_, points_per_element); }
 
-  /// Returns the elements as linear tetrahedra.
+  /// Returns the linear tetrahedra with the same vertices as the quadratic elements, in the same order.
   const Tet4Elements& corners() const { return corners_; }
 
   // ---- Updates after a cut
-  /// Returns whether the elements can follow the edit, see tet4.h. `corners`: the edit of the vertices.
+  /// Returns whether follow() can update the elements after an edit of the mesh: no tetrahedron was or must
+  /// be left out as too flat. `rest`: rest positions before the edit (3n, m); `corners`: the edit of the
+  /// vertices.
   bool can_follow(const VecX& rest, const MeshEdit& corners) const {
     return corners_.can_follow(rest, corners);
   }
-  /// Updates the elements after an edit of `mesh` and its edge nodes, except the volumes. follow_volume()
-  /// updates these from the elements' updated connectivity and incidence.
+  /// Updates the elements after `edit` changed the mesh and its edge nodes to `mesh`. Does not update the
+  /// nodes' volumes. follow_volume() does that afterwards, from the updated `connectivity` and `incidence` of
+  /// the elements.
   void follow(const TetMesh& mesh, const MeshEdit& edit);
   void follow_volume(const TetMesh& mesh, const MeshEdit& edit, const Connectivity& connectivity,
                      const Incidence& incidence);
 
-  /// Computes D_c of the four points of element e at node positions x (3n), 3 numbers per corner: to[48].
+  /// Represents the strain at each of the four integration points of element e by a linear tetrahedron with
+  /// the same deformation gradient. Computes the corners of these tetrahedra at node positions x (3n, m).
+  /// Writes 3 numbers per corner, 48 in all, to `to`.
   void move(std::size_t e, const double* x, double* to) const;
-  /// Computes T_qᵀf summed over the element's points.
+  /// Computes the forces on the ten nodes of an element from the forces f on the corners of its four
+  /// integration points: the sum of T_qᵀf. T_q maps node positions to the corners of point q.
   static void gather(const Tet4Elements::Forces* points, Vec3* f);
-  /// Computes T_qᵀK T_q summed over the element's points, one block per pair of nodes a < b in the order of
-  /// Connectivity::pair_index.
+  /// Computes an element's stiffness from the stiffnesses K of its four integration points: the sum of T_qᵀK
+  /// T_q. T_q maps node positions to the corners of point q. Writes one block per pair of nodes a < b, in the
+  /// order of Connectivity::pair_index.
   static void gather(const Tet4Elements::Stiffness* points, Mat3* K);
-  /// Ratios of squared gradients at rest: of the nodes' shape functions, g_n, to those of the corners,
-  /// Σ|b_c|². The first is Σ over points and nodes of |g_n|², the second Σ over nodes of |Σ over points of
-  /// g_n|².
+  /// Constant factors for the trace of an element's stiffness at rest, relative to Σ|b_c|². That is the sum
+  /// of squared shape gradients of the linear tetrahedron with the same vertices. g_n: gradient of node n's
+  /// shape function at an integration point. `squares_of_points` is for the sum of |g_n|² over points and
+  /// nodes. `squares_of_sums` is for the sum over nodes of |Σ over points of g_n|².
   static const double squares_of_points, squares_of_sums;
-  /// Computes the gradients of the nodes' shape functions from those of the points' corners (transposes of
-  /// D): r[40].
+  /// Computes the gradients of the ten nodes' shape functions at the four integration points of an element,
+  /// r[40], from the gradients of the points' corners, `corners`[16].
   static void spread(const CorotatedVector* corners, CorotatedVector* r);
 
  private:

@@ -52,10 +52,10 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   bool can_follow(const MeshEdit& edit) const override {
     return batches().can_follow() && elements.can_follow(rest(), edit);
   }
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override {
     elements.follow(mesh, edit);
     points.follow_parted(elements.corners(), edit);
-    follow_elements(desc, mesh, edit);
+    follow_elements(material, mesh, edit);
     elements.follow_volume(mesh, edit, connectivity(), incidence());
     if (!mean_.empty()) {
       edit.kept_tets.carry(mean_modulus_);

@@ -6,8 +6,10 @@
 
 namespace prosector {
 
-/// Creates a model of quadratic tetrahedra, with the mean dilatation of mean_dilatation.h against volumetric
-/// locking. `law` is a row of laws(); `mesh` must have edge nodes (add_edge_nodes). Throws InputError.
+/// Creates the elastic model of a body of quadratic tetrahedra under the material law called `law`. Mean
+/// dilatation (mean_dilatation.h) prevents volumetric locking. `relaxation`: terms of viscoelastic stress
+/// relaxation, may be empty. `mesh` must have edge nodes (add_edge_nodes). Throws InputError for an unknown
+/// law.
 std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Materials& materials,
                                                const std::vector<RelaxationDesc>& relaxation,
                                                const TetMesh& mesh);

@@ -46,7 +46,7 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   bool can_follow(const MeshEdit& edit) const override {
     return batches().can_follow() && elements.can_follow(rest(), edit);
   }
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override;
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override;
   double rest_trace() override { return batches().rest_trace(); }
 
  private:
@@ -85,9 +85,9 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   std::vector<Stiffness> stiffness_;
 };
 
-void Tet4Model::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+void Tet4Model::follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) {
   elements.follow(mesh, edit);
-  follow_elements(desc, mesh, edit);
+  follow_elements(material, mesh, edit);
   edit.kept_nodes.carry(volume_);
   for (const std::uint32_t node : edit.nodes) {
     double sum = 0;  // in the order of the elements, as in lumped_volume()

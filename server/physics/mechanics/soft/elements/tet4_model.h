@@ -6,12 +6,14 @@
 
 namespace prosector {
 
-/// Creates a model of linear tetrahedra with the row of laws() called `law`. Throws InputError.
+/// Creates the elastic model of a body of linear tetrahedra under the material law called `law`.
+/// `relaxation`: terms of viscoelastic stress relaxation, may be empty. Throws InputError for an unknown law.
 std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Materials& materials,
                                               const std::vector<RelaxationDesc>& relaxation,
                                               const TetMesh& mesh);
 
-/// Creates a model whose elements resist changes of volume only, see make_volume_law.
+/// Creates an elastic model of linear tetrahedra that resist changes of their volume only (make_volume_law).
+/// It is added to the springs of a mass-spring solid.
 std::unique_ptr<ElasticModel> make_tet4_volume_model(const Materials& materials, const TetMesh& mesh);
 
 }  // namespace prosector

@@ -96,12 +96,18 @@ constexpr double most_step = 4;      // ωh: no method is stable here
 
 const std::vector<ExplicitRow>& explicit_integrators() {
   static const std::vector<ExplicitRow> rows = {
-      {"explicit_euler", "first order; gains energy unless damped; for comparison", 1, make<ExplicitEuler>},
-      {"symplectic_euler", "first order, symplectic; the cheapest stable explicit one", 1,
-       make<SymplecticEuler>},
-      {"rk2", "midpoint, second order; gains energy slowly unless damped; for comparison", 2, make<Rk2>},
-      {"rk4", "fourth order; four force evaluations per substep; for accurate motion", 4, make<Rk4>},
-      {"verlet", "second order, symplectic; one force evaluation per substep without damping", 2,
+      {"explicit_euler",
+       "explicit integrator of first order; gains energy unless damped; for comparison only", 1,
+       make<ExplicitEuler>},
+      {"symplectic_euler", "explicit integrator of first order, symplectic; the cheapest stable explicit one",
+       1, make<SymplecticEuler>},
+      {"rk2",
+       "explicit midpoint method of second order; gains energy slowly unless damped; for comparison only", 2,
+       make<Rk2>},
+      {"rk4", "explicit integrator of fourth order; four force evaluations per substep; for accurate motion",
+       4, make<Rk4>},
+      {"verlet",
+       "explicit integrator of second order, symplectic; one force evaluation per substep without damping", 2,
        make<Verlet>},
   };
   return rows;

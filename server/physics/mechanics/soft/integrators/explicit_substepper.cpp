@@ -28,7 +28,7 @@ class BodyField final : public AccelerationField {
   void fit() {
     gradient_.resize(body_.model.rest().size());
     damping_.resize(gradient_.size());
-    if (body_.desc.damping_stiffness > 0) fit_scratch(stiffness_, body_.pattern.blocks());
+    if (body_.desc.material.damping_stiffness > 0) fit_scratch(stiffness_, body_.pattern.blocks());
   }
   void begin(const double* x) {
     if (!stiffness_.empty()) body_.pattern.gather(body_.model.warped_stiffness(x), 0, {}, stiffness_);
@@ -36,7 +36,7 @@ class BodyField final : public AccelerationField {
   void set_weight(const Weight& weight) { weight_ = weight; }
 
   void at(const VecX& x, const VecX& v, VecX& a) override {
-    const double alpha = body_.desc.damping_mass, beta = body_.desc.damping_stiffness;
+    const double alpha = body_.desc.material.damping_mass, beta = body_.desc.material.damping_stiffness;
     const VecX& rest = body_.model.rest();
     a.resize(x.size());
     gradient_.setZero();
@@ -52,7 +52,9 @@ class BodyField final : public AccelerationField {
       a.segment<3>(3 * i) = weight_.at(i) - alpha * v.segment<3>(3 * i) - g / body_.mass[i];
     }
   }
-  bool damped() const override { return body_.desc.damping_mass > 0 || body_.desc.damping_stiffness > 0; }
+  bool damped() const override {
+    return body_.desc.material.damping_mass > 0 || body_.desc.material.damping_stiffness > 0;
+  }
 
  private:
   const SubstepBody body_;
@@ -65,7 +67,7 @@ class ExplicitSubstepper final : public Substepper {
  public:
   explicit ExplicitSubstepper(const SubstepBody& body)
       : body_(body),
-        sounded_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
+        sounded_(find_row(explicit_integrators(), "integrator", body.desc.configuration.integrator).make()),
         limit_(*sounded_),
         needs_damping_(limit_.at(1) == 0),
         field_(body) {
@@ -75,7 +77,7 @@ class ExplicitSubstepper final : public Substepper {
   /// Updates the substepper for the present body. The power method starts from the same arbitrary vector each
   /// time: starting from the previous mode, the result would depend on the cuts in between.
   void fit() override {
-    method_ = find_row(explicit_integrators(), "integrator", body_.desc.integrator).make();
+    method_ = find_row(explicit_integrators(), "integrator", body_.desc.configuration.integrator).make();
     field_.fit();
     fit_scratch(stiffness_, body_.pattern.blocks());
     scale_.resize(body_.model.rest().size());
@@ -98,7 +100,7 @@ class ExplicitSubstepper final : public Substepper {
     const double limit = limit_at(state.omega);
     return limit > 0 ? std::ceil(h / (safety * limit)) : std::numeric_limits<double>::infinity();
   }
-  int allowed() const override { return body_.desc.max_substeps; }
+  int allowed() const override { return body_.desc.configuration.max_substeps; }
   double most_gain(double h) const override { return needs_damping_ ? 1 + growth * h : 2; }
   double most_pushed(double h) const override {
     return needs_damping_ ? growth * h : 2;  // work of the push, and strain energy from it
@@ -140,8 +142,8 @@ class ExplicitSubstepper final : public Substepper {
     if (!std::isfinite(omega)) return 0;
     if (!(omega > 0)) return std::numeric_limits<double>::infinity();
     const bool stiffened = omega > most_stiffening * omega_;
-    return limit_.at(omega, body_.desc.damping_mass,
-                     stiffened && needs_damping_ ? 0 : body_.desc.damping_stiffness);
+    return limit_.at(omega, body_.desc.material.damping_mass,
+                     stiffened && needs_damping_ ? 0 : body_.desc.material.damping_stiffness);
   }
 
   const SubstepBody body_;
@@ -162,9 +164,9 @@ std::unique_ptr<Substepper> make_explicit_substepper(const SubstepBody& body) {
 }
 
 std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anatomy& anatomy) {
-  if (body.desc.model == "xpbd") return make_xpbd_substepper(body, anatomy);
+  if (body.desc.configuration.is_position_based()) return make_xpbd_substepper(body, anatomy);
   for (const ExplicitRow& row : explicit_integrators())
-    if (body.desc.integrator == row.name) return make_explicit_substepper(body);
+    if (body.desc.configuration.integrator == row.name) return make_explicit_substepper(body);
   return nullptr;
 }
 

@@ -14,41 +14,53 @@ namespace prosector {
 class Substepper {
  public:
   virtual ~Substepper() = default;
-  /// Initialises the method's part of the state for a body at rest.
+  /// Initialises those parts of `state` that only this integration method uses, for a body at rest in its
+  /// rest shape.
   virtual void initialise(SoftBodyState& state) = 0;
-  /// Returns the number of equal substeps that a tick of h s needs; infinity if no number is sufficient.
+  /// Returns the number of equal substeps into which a tick of h s must be divided for the body in this
+  /// state. Infinity if no number is sufficient.
   virtual double needed(double h, const SoftBodyState& state) const = 0;
-  /// Returns the maximum number of substeps that the scene allows.
+  /// Returns the maximum number of substeps per tick that the scene allows for the body.
   virtual int allowed() const = 0;
-  /// Returns whether the method has a stability limit. If so, a tick that needs more substeps than allowed is
-  /// refused with the needed number. If not, too few substeps only reduce accuracy.
+  /// Returns whether the method is unstable with too few substeps. If so, the body is not substepped in a
+  /// tick that needs more substeps than allowed, and the needed number is reported. If not, too few substeps
+  /// only reduce accuracy.
   virtual bool has_limit() const { return true; }
-  /// Returns the allowed ratio of the body's energy after a tick of h s to its energy before plus the work of
-  /// gravity. Methods whose energy oscillates near their limit get a large margin, others almost none.
+  /// Returns the largest acceptable ratio of the body's energy after a tick of h s to its energy before plus
+  /// the work of gravity. Methods whose energy oscillates near their stability limit get a large margin,
+  /// others almost none.
   virtual double most_gain(double h) const = 0;
-  /// Returns the allowed energy gain by impulses, relative to their work. It is almost zero for methods that
-  /// are stable only with damping. A push excites modes that damping does not reach, so such bodies are
-  /// stepped by implicit Euler while they are pushed.
+  /// Returns the acceptable energy gain by contact impulses in a tick of h s, relative to their work. It is
+  /// almost zero for methods that are stable only with damping. A push excites modes that damping does not
+  /// reach, so such bodies are stepped by implicit Euler while they are pushed.
   virtual double most_pushed(double h) const { return most_gain(h) - 1; }
-  /// Returns a message for users about parts of the description that the method ignores; empty: none.
+  /// Returns a text for users about parts of the scene's description that the method does not follow, for
+  /// example a limited Poisson's ratio. Empty if there are none.
   virtual const char* remark() const { return ""; }
-  /// Updates data stored per tetrahedron, if any, after an edit of `mesh`.
+  /// Updates data that the method stores for each tetrahedron after `edit` changed the body's mesh to `mesh`.
+  /// Does nothing for methods without such data.
   virtual void follow(const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}
-  /// Updates the substepper after it and the body followed a cut. Bitwise equal to a rebuild.
+  /// Recomputes the data derived from the body's masses and connectivity after a cut changed them. The result
+  /// is bitwise equal to that of a newly built substepper.
   virtual void fit() = 0;
-  /// Begins a tick.
+  /// Begins a tick from the body's `state`: computes data that are constant over the substeps, such as the
+  /// damping matrix.
   virtual void begin(const SoftBodyState& state) = 0;
-  /// Advances the body by hs s without contacts.
+  /// Advances the body's positions and velocities by one substep of hs s under its internal forces and
+  /// `weight`, without contacts.
   virtual void step(double hs, const Weight& weight, SoftBodyState& state) = 0;
-  /// Ends a tick with substeps of hs s (0: the body was stepped by another method) and computes the needs of
-  /// the next tick. Returns false if hs was too long, because the body became stiffer during the tick.
+  /// Ends a tick and updates the number of substeps that the next tick needs. `hs`: length of the tick's
+  /// substeps, s; 0 if another method stepped the body. Returns false if the tick must be repeated: the
+  /// result is not finite, or hs was too long because the body became stiffer.
   virtual bool finish(double hs, SoftBodyState& state) = 0;
-  /// Increases the number of substeps after a tick of h s in `taken` substeps that gained energy or diverged,
-  /// for that tick and the following ones. Returns false if the method cannot use more substeps.
+  /// Increases the number of substeps for this tick, which will be repeated, and the following ones. Called
+  /// after a tick of h s in `taken` substeps in which the body gained energy or diverged. Returns false if
+  /// the method cannot use more substeps.
   virtual bool refine(double /*h*/, int /*taken*/, SoftBodyState& /*state*/) const { return false; }
 };
 
-/// The data a substepper works on; they must outlive it.
+/// References to the data of the body that a substepper advances: description, elastic model, matrix pattern,
+/// masses and attachments. They must outlive the substepper.
 struct SubstepBody {
   const SoftDesc& desc;
   ElasticModel& model;
@@ -57,11 +69,13 @@ struct SubstepBody {
   const VecX& attached;  // n, N/m
 };
 
-/// Creates the explicit substepper for the row of explicit_integrators() that desc.integrator names.
+/// Creates a substepper that uses the explicit integrator named by `desc.configuration.integrator` in the
+/// body's description.
 std::unique_ptr<Substepper> make_explicit_substepper(const SubstepBody& body);
-/// Creates extended position-based dynamics for the anatomy.
+/// Creates a substepper that uses extended position-based dynamics (XPBD). `anatomy`: the body's mesh.
 std::unique_ptr<Substepper> make_xpbd_substepper(const SubstepBody& body, const Anatomy& anatomy);
-/// Creates the body's substepper; null for bodies that are minimised.
+/// Creates the substepper that the body's description asks for, explicit or position-based. Returns null if
+/// the body uses an implicit integrator and is stepped by minimisation.
 std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anatomy& anatomy);
 
 }  // namespace prosector

@@ -7,10 +7,16 @@ namespace prosector {
 
 const std::vector<IntegratorRow>& integrators() {
   static const std::vector<IntegratorRow> rows = {
-      {"implicit_euler", "first order, strong numerical damping, the most robust", 1, make_implicit_euler},
-      {"bdf2", "second order, little numerical damping; restarts with implicit_euler", 2, make_bdf2},
-      {"tr_bdf2", "second order, twice the cost; conserves the energy of motions that a tick resolves", 2,
-       make_tr_bdf2},
+      {"implicit_euler", "implicit integrator of first order with strong numerical damping; the most robust",
+       1, make_implicit_euler},
+      {"bdf2",
+       "implicit integrator of second order with little numerical damping; its first step is by "
+       "implicit_euler",
+       2, make_bdf2},
+      {"tr_bdf2",
+       "implicit integrator of second order at twice the cost; conserves the energy of motions that a tick "
+       "resolves",
+       2, make_tr_bdf2},
   };
   return rows;
 }

@@ -28,16 +28,19 @@
 
 namespace prosector {
 
-/// The part of a soft body's state that integrators read and write; everything here is saved and hashed.
+/// Positions and velocities of a soft body's nodes, now and one step before: the part of its state that
+/// integrators read and write. All of it is saved in checkpoints and hashed.
 struct Motion {
   VecX x, v;            // 3n: metres, m/s
   VecX x_prev, v_prev;  // one step before, for multistep methods
-  /// False after a start, a cut or a reset: multistep methods restart. Must be set to false by any code
-  /// outside the integrators that changes h, x or v.
+  /// Whether `x_prev` and `v_prev` hold the previous step. False after a start, a cut or a reset, so that
+  /// multi-step integrators restart. Code outside the integrators that changes the step length, x or v must
+  /// set it to false.
   bool has_history = false;
 };
 
-/// Data of the function that a stage minimises, see above.
+/// Parameters of the function E(x) = α/2·‖x − y‖²_M + W(x) + 1/(2c)·‖x − x_v‖²_C that one stage of an
+/// implicit step minimises over the node positions x: α, c (`dxdv`), y, x_v and v_h.
 struct Stage {
   double alpha = 0;  // 1/s²
   double dxdv = 0;   // s: c
@@ -50,15 +53,18 @@ class TimeIntegrator {
  public:
   virtual ~TimeIntegrator() = default;
   virtual int stages() const = 0;
-  /// Returns the fraction of the step's time that the stage covers.
+  /// Returns the fraction (0 to 1) of the step's time that the stage with this index covers.
   virtual double share(int /*stage_index*/) const { return 1; }
-  /// Returns whether a step depends on states before its start.
+  /// Returns whether a step of this integrator depends on states before the step's start, as in multi-step
+  /// methods.
   virtual bool remembers() const = 0;
-  /// Begins a stage of a step of `h` s. Writes to `stage`, without allocating memory once its vectors have
-  /// their size.
+  /// Computes the parameters of a stage (one minimisation) of a step of `h` s from the body's `motion` and
+  /// its `weight`, and writes them to `stage`. Allocates no memory once the vectors of `stage` have their
+  /// size.
   virtual void begin(int stage_index, double h, const Weight& weight, const Motion& motion,
                      Stage& stage) const = 0;
-  /// Stores the stage's minimiser x in the motion; after the last stage the step is complete.
+  /// Stores the node positions x (3n, m) that minimise the stage's function in `motion`, with the velocities
+  /// that follow from them. After the last stage the step is complete.
   virtual void finish(int stage_index, double h, const Stage& stage, const Eigen::Ref<const VecX>& x,
                       Motion& motion) const = 0;
 };
@@ -70,7 +76,8 @@ struct IntegratorRow {
   std::unique_ptr<TimeIntegrator> (*make)();
 };
 const std::vector<IntegratorRow>& integrators();
-/// Throws InputError that lists the known names.
+/// Creates the implicit integrator with this name. Throws InputError that lists the known names if there is
+/// none.
 std::unique_ptr<TimeIntegrator> make_integrator(const std::string& name);
 
 }  // namespace prosector

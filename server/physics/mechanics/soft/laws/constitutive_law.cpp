@@ -9,18 +9,21 @@ namespace prosector {
 
 const std::vector<LawRow>& laws() {
   static const std::vector<LawRow> rows = {
-      {"fem_linear", "small strain, constant stiffness matrix; for small rotations", make_fem_linear},
-      {"fem_corotational", "linear in a frame that rotates with each element; moderate strain, any rotation",
+      {"fem_linear", "linear elasticity for small strain and small rotations; constant stiffness matrix",
+       make_fem_linear},
+      {"fem_corotational",
+       "linear elasticity in a frame that rotates with each element; moderate strain, any rotation",
        make_fem_corotational},
-      {"fem_stvk", "St. Venant-Kirchhoff; moderate strain, any rotation, but stable when inverted",
+      {"fem_stvk", "St. Venant-Kirchhoff; moderate strain, any rotation, but inverted elements stay inverted",
        make_fem_stvk},
-      {"fem_neo_hookean", "stable neo-Hookean that recovers from collapse; large strain",
+      {"fem_neo_hookean", "stable neo-Hookean law for large strain; recovers from collapse",
        make_fem_neo_hookean},
       {"fem_neo_hookean_polynomial",
-       "stable neo-Hookean without the logarithmic term; large strain, but stays collapsed when compressed "
-       "to a point",
+       "stable neo-Hookean law without the logarithmic term, for large strain; stays collapsed when "
+       "compressed to a point",
        make_fem_neo_hookean_polynomial},
-      {"fem_fibers", "fem_neo_hookean with fibres along one direction; muscle, tendon", make_fem_fibers},
+      {"fem_fibers", "fem_neo_hookean with fibres along one direction; for muscle and tendon",
+       make_fem_fibers},
   };
   return rows;
 }

@@ -17,7 +17,7 @@ Material make_material(double youngs_modulus, double poisson_ratio, double fiber
     throw InputError(fmt::format("fiber_stiffness is {}; allowed: 0 or more, in Pa", fiber_stiffness));
   const double length = fiber_direction.norm();
   if (!(length > 1e-9) || !std::isfinite(length))
-    throw InputError("fiber_direction is zero or not finite; allowed: any other length");
+    throw InputError("fiber_direction is zero or not finite; allowed: a vector of any other length");
   material.fiber_stiffness = fiber_stiffness;
   material.fiber = fiber_direction / length;
   return material;
@@ -28,7 +28,7 @@ void bound_for_xpbd(Materials& materials) {
   for (Material& m : materials.kinds) m.lame.lambda = std::min(m.lame.lambda, most_xpbd_lambda * m.lame.mu);
 }
 
-Material make_material(const RegionDesc& region, const SoftDesc& body) {
+Material make_material(const RegionDesc& region, const SoftMaterial& body) {
   return make_material(region.youngs_modulus == 0 ? body.youngs_modulus : region.youngs_modulus,
                        region.poisson_ratio < 0 ? body.poisson_ratio : region.poisson_ratio,
                        region.fiber_stiffness < 0 ? body.fiber_stiffness : region.fiber_stiffness,
@@ -64,37 +64,38 @@ Materials Materials::at(std::span<const std::uint32_t> source) const {
   return out;
 }
 
-void Materials::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit, std::size_t each) {
+void Materials::follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit,
+                       std::size_t each) {
   if (kind.empty()) return;
   edit.kept_tets.carry(kind, each);
   for (const std::size_t tet : edit.tets)
     std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(each * tet), each,
-                prosector::kind_of(desc, mesh, tet));
+                prosector::kind_of(material, mesh, tet));
 }
 
-std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet) {
+std::uint32_t kind_of(const SoftMaterial& material, const TetMesh& mesh, std::size_t tet) {
   Vec3 middle = Vec3::Zero();
   for (const std::uint32_t node : mesh.tets[tet]) middle += mesh.positions[node] / 4;
   std::uint32_t kind = 0;
-  for (std::uint32_t r = 0; r < desc.regions.size(); ++r)
-    if (contains(desc.regions[r], middle)) kind = r + 1;
+  for (std::uint32_t r = 0; r < material.regions.size(); ++r)
+    if (contains(material.regions[r], middle)) kind = r + 1;
   return kind;
 }
 
-Materials make_materials(const SoftDesc& desc, const TetMesh& mesh) {
-  Materials out =
-      make_material(desc.youngs_modulus, desc.poisson_ratio, desc.fiber_stiffness, desc.fiber_direction);
-  for (std::size_t r = 0; r < desc.regions.size(); ++r) {
+Materials make_materials(const SoftMaterial& material, const TetMesh& mesh, bool for_xpbd) {
+  Materials out = make_material(material.youngs_modulus, material.poisson_ratio, material.fiber_stiffness,
+                                material.fiber_direction);
+  for (std::size_t r = 0; r < material.regions.size(); ++r) {
     try {
-      out.kinds.push_back(make_material(desc.regions[r], desc));
+      out.kinds.push_back(make_material(material.regions[r], material));
     } catch (const InputError& error) {
       throw InputError(fmt::format("region {}: {}", r + 1, error.what()));
     }
   }
-  if (desc.model == "xpbd") bound_for_xpbd(out);
-  if (desc.regions.empty()) return out;
+  if (for_xpbd) bound_for_xpbd(out);
+  if (material.regions.empty()) return out;
   out.kind.reserve(mesh.tets.size());
-  for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) out.kind.push_back(kind_of(desc, mesh, tet));
+  for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) out.kind.push_back(kind_of(material, mesh, tet));
   return out;
 }
 

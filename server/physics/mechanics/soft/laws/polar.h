@@ -5,9 +5,9 @@
 
 namespace prosector {
 
-/// F = R·S with R the proper rotation closest to F (it maximises tr(RᵀF)) and S symmetric. For det F < 0 the
-/// smallest principal stretch in S is negative. In terms of principal stretches σ₁ ≥ σ₂ ≥ |σ₃|, every sum σᵢ
-/// + σⱼ ≥ 0, and R is unique unless σ₂ + σ₃ = 0.
+/// Polar decomposition F = R·S of a 3×3 matrix. R is the proper rotation closest to F (it maximises tr(RᵀF)),
+/// and S is symmetric. For det F < 0 the smallest principal stretch in S is negative. With principal
+/// stretches σ₁ ≥ σ₂ ≥ |σ₃|, every sum σᵢ + σⱼ is at least 0, and R is unique unless σ₂ + σ₃ = 0.
 struct Polar {
   Mat3 R, S;
 };

@@ -11,8 +11,8 @@ struct SymmetricEigen {
   Mat3 vectors;  // orthonormal columns
 };
 
-/// Returns the eigenvalues and eigenvectors of `A`, which must be symmetric and finite; only its upper
-/// triangle is read.
+/// Computes the eigenvalues and eigenvectors of the symmetric, finite matrix `A`. Reads only its upper
+/// triangle.
 SymmetricEigen symmetric_eigen(const Mat3& A);
 
 }  // namespace prosector

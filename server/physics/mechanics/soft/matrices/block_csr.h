@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// Block sparse matrix; columns ascend within a row.
+/// Sparse matrix of dense R×C blocks in compressed row storage: columns and blocks of all rows, concatenated,
+/// and the start of each row. Columns ascend within a row.
 template <int R, int C>
 struct BlockCsr {
   using Block = Eigen::Matrix<double, R, C>;
@@ -34,7 +35,9 @@ struct BlockCsr {
 
 inline constexpr std::size_t csr_rows_per_chunk = 64;
 
-/// Finds the columns of rows [first, last) of A·B, ascending, and the number of columns up to each row's end.
+/// Finds the columns of the nonzero blocks in rows first … last − 1 of the product A·B. Appends them to
+/// `column`, ascending within each row, and sets ends[i] to the size of `column` after row i. `columns`:
+/// number of columns of B.
 template <int R, int K, int C>
 void product_columns(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns, std::size_t first,
                      std::size_t last, std::vector<std::uint32_t>& column, std::size_t* ends) {
@@ -53,8 +56,9 @@ void product_columns(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size
   }
 }
 
-/// Computes the blocks of rows [first, last) of A·B, whose columns are known. Sums are in the order of A's
-/// row.
+/// Computes the blocks of rows first … last − 1 of the product A·B into `out`, whose columns must be known.
+/// Sums are in the order of the blocks in A's row, so results do not depend on the number of threads.
+/// `columns`: number of columns of B.
 template <int R, int K, int C>
 void product_blocks(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns, std::size_t first,
                     std::size_t last, BlockCsr<R, C>& out) {
@@ -70,7 +74,8 @@ void product_blocks(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_
   }
 }
 
-/// Returns A·B; `columns`: number of columns of B.
+/// Returns the product A·B of two block sparse matrices, computed in parallel. `columns`: number of columns
+/// of B.
 template <int R, int K, int C>
 BlockCsr<R, C> product(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns) {
   BlockCsr<R, C> out;
@@ -110,7 +115,8 @@ BlockCsr<C, R> transposed(const BlockCsr<R, C>& A, std::size_t columns) {
   return out;
 }
 
-/// Returns the inverses of the diagonal blocks, which must be present and positive definite.
+/// Returns the inverse of each diagonal block of A. All diagonal blocks must be present and positive
+/// definite.
 template <int B>
 std::vector<Eigen::Matrix<double, B, B>> inverse_diagonal(const BlockCsr<B, B>& A) {
   std::vector<Eigen::Matrix<double, B, B>> out(A.rows());

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Input of the kernel: rows, incidences and elements.
+/// Input of the assembly kernel for rotated elements: the matrix patterns, which give rows and incident
+/// elements, and the elements' data.
 struct CorotatedRows {
   const BlockPattern& blocks;
   const SymmetricPattern& pattern;
@@ -16,23 +17,26 @@ struct CorotatedRows {
 
 class CorotatedStiffness {
  public:
-  /// Takes elements with 4 corners and one point, or with 10 corners and four points. All arguments must
-  /// outlive this object.
+  /// Prepares for matrices of these elements, which must have 4 corners and one integration point each, or 10
+  /// corners and four points. All arguments must outlive this object.
   CorotatedStiffness(const Connectivity& elements, const BlockPattern& blocks,
                      const SymmetricPattern& pattern);
 
-  /// Updates the object for the present elements.
+  /// Resizes the arrays after the body's elements changed.
   void fit();
 
-  /// Assembles K with the elements' twists. Each row is summed separately, in the order of its elements:
-  /// bitwise equal for any number of threads.
+  /// Assembles the stiffness matrix K of the corotational law from rotated elements, including their twists
+  /// (the rotational part of the tangent). Each row is summed separately, in the order of its elements, so
+  /// results are bitwise equal for any number of threads.
   void assemble(const CorotatedElements& elements, SymmetricRows& K) const;
 
   // ---- K, the warped stiffness (independent of the twists), element by element, in double precision except
   // for the gradients; exactly zero for translations. 3n vectors.
-  /// Returns ½uᵀKu.
+  /// Returns ½uᵀKu, J, for node displacements u (3n, m), where K is the warped stiffness: the linear elastic
+  /// stiffness, rotated with each element.
   double energy(const CorotatedElements& elements, const double* u);
-  /// Returns ½uᵀKu and computes f = K·u.
+  /// Returns ½uᵀKu, J, for node displacements u (3n, m), and computes the forces f = K·u (3n, N). K is the
+  /// warped stiffness: the linear elastic stiffness, rotated with each element.
   double multiply(const CorotatedElements& elements, const double* u, double* f);
 
  private:

@@ -62,12 +62,13 @@ HWY_INLINE V4 multiply_add(V4 a, V4 b, V4 sum) {
 HWY_INLINE V4 scaled(float s, V4 v) {
   return hn::Set(Four(), s) * v;
 }
-/// Returns y, z, x; the fourth entry is undefined.
+/// Returns the vector (y, z, x) for v = (x, y, z), a cyclic permutation. The fourth entry of the result is
+/// undefined.
 HWY_INLINE V4 rotated4(V4 v) {
   alignas(16) static constexpr std::int32_t from[4] = {1, 2, 0, 3};
   return hn::TableLookupLanes(v, hn::SetTableIndices(Four(), from));
 }
-/// Returns the cross product of the first three entries.
+/// Returns the cross product a × b of the first three entries. The fourth entry of the result is undefined.
 HWY_INLINE V4 cross4(V4 a, V4 b) {
   return rotated4(hn::MulSub(a, rotated4(b), rotated4(a) * b));
 }
@@ -97,7 +98,8 @@ HWY_INLINE W4 multiply_add(double s, W4 v, W4 sum) {
 HWY_INLINE void store(W4 v, double* p) {
   hn::StoreU(v, FourDoubles(), p);
 }
-/// Adds A += Aᵀ for three columns; fourth entries are ignored.
+/// Adds the transpose of a 3×3 matrix to it: A += Aᵀ. `A`: its three columns; their fourth entries are
+/// ignored.
 HWY_INLINE void add_transposed(W4* A) {
   const FourDoubles d;
   const W4 even = hn::InterleaveLower(d, A[0], A[1]),
@@ -142,7 +144,7 @@ HWY_INLINE void add_transposed(W4* A) {
   }
 }
 #endif
-/// Returns the sum of the first three entries.
+/// Returns the sum of the first three of the four entries of v.
 HWY_INLINE double sum_of_three(const W4& v) {
   double entry[4];
   store(v, entry);

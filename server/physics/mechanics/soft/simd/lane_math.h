@@ -22,12 +22,13 @@ using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-/// Vectors of registers of doubles, or of equally many floats.
+/// Three-dimensional vectors of several elements, one SIMD register per component. T: a register of doubles,
+/// or one of equally many floats.
 template <class T>
 struct VectorOf {
   T x, y, z;
 };
-/// Matrices as three columns.
+/// 3×3 matrices of several elements, as three columns, with one SIMD register of type T per entry.
 template <class T>
 struct MatrixOf {
   VectorOf<T> a, b, c;
@@ -75,7 +76,8 @@ HWY_INLINE Matrix transposed(const Matrix& A) {
   return {{A.a.x, A.b.x, A.c.x}, {A.a.y, A.b.y, A.c.y}, {A.a.z, A.b.z, A.c.z}};
 }
 
-/// Conversions to single precision.
+/// SIMD register with as many floats as V has doubles. The functions `single` convert registers, vectors and
+/// matrices of doubles to it.
 using Single = hn::Vec<hn::Rebind<float, D>>;
 HWY_INLINE Single single(V x) {
   return hn::DemoteTo(hn::Rebind<float, D>(), x);

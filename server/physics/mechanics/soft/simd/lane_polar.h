@@ -23,7 +23,7 @@ HWY_INLINE Quaternion normalized(const Quaternion& q) {
   return {s * q.w, s * q.v};
 }
 
-/// Returns the rotation of a unit quaternion.
+/// Returns the 3×3 rotation matrices of the unit quaternions q, one per SIMD lane.
 HWY_INLINE Matrix rotation(const Quaternion& q) {
   const V one = number(1);
   const Vector t = q.v + q.v;
@@ -34,8 +34,9 @@ HWY_INLINE Matrix rotation(const Quaternion& q) {
           {xz + wy, yz - wx, one - (xx + yy)}};
 }
 
-/// Returns the largest root of Horn's quartic for ‖F‖ = 1 to half the digits; polished() doubles the number
-/// of digits. A lane that has converged does not change.
+/// Returns the largest root of the characteristic quartic of Horn's 4×4 matrix of F, for ‖F‖ = 1, in each
+/// SIMD lane. Accurate to half the digits; polished() doubles their number. `gap`: receives the derivative at
+/// the root, which is near 0 if the rotation is not unique. A lane that has converged does not change.
 HWY_INLINE V largest_root(const Matrix& F, V& gap) {
   const Vector bc = cross(F.b, F.c), ca = cross(F.c, F.a), ab = cross(F.a, F.b);
   const V one = number(1), two = number(2), four = number(4);
@@ -54,8 +55,9 @@ HWY_INLINE V largest_root(const Matrix& F, V& gap) {
   return x;
 }
 
-/// Returns the null vector of Horn's matrix minus its root times I: the column of the adjugate with the
-/// largest diagonal entry.
+/// Returns the unit eigenvector of Horn's symmetric 4×4 matrix of F for the eigenvalue `root`, in each SIMD
+/// lane: the quaternion of the rotation closest to F. It is the column of the adjugate with the largest
+/// diagonal entry.
 HWY_INLINE Quaternion null_vector(const Matrix& F, V root) {
   const V m00 = F.a.x + F.b.y + F.c.z - root, m11 = F.a.x - F.b.y - F.c.z - root,
           m22 = F.b.y - F.a.x - F.c.z - root, m33 = F.c.z - F.a.x - F.b.y - root;
@@ -87,7 +89,8 @@ HWY_INLINE Quaternion null_vector(const Matrix& F, V root) {
   return normalized(q);
 }
 
-/// Performs one Newton step towards symmetric RᵀF.
+/// Performs one Newton step that improves the rotation R of the unit quaternion q, so that RᵀF is symmetric
+/// up to rounding. Returns the improved R, in each SIMD lane.
 HWY_INLINE Matrix polished(const Quaternion& q, const Matrix& F) {
   const Matrix R = rotation(q), Rt = transposed(R), S = {Rt * F.a, Rt * F.b, Rt * F.c};
   const V half = number(0.5);
@@ -102,7 +105,8 @@ HWY_INLINE Matrix polished(const Quaternion& q, const Matrix& F) {
   return rotation(normalized({q.w - dot(q.v, v), q.v + q.w * v + cross(q.v, v)}));
 }
 
-/// Returns R of F; `unique` is false in lanes that need polar().
+/// Returns the rotation R of the polar decomposition of F in each SIMD lane. `unique`: receives false for
+/// lanes in which R is nearly not unique and must be computed by polar() instead.
 HWY_INLINE Matrix polar_rotation(const Matrix& F, M& unique) {
   const V s = number(1) / hn::Sqrt(double_dot(F, F));
   const Matrix unit = {s * F.a, s * F.b, s * F.c};

@@ -13,7 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace prosector::HWY_NAMESPACE {
 
-/// Annihilates a_pq by rotating columns p and q; lanes that are not `active` do not change.
+/// Performs a Jacobi rotation of columns p and q of a symmetric 3×3 matrix in each SIMD lane, which makes its
+/// entry a_pq zero. The third index is r. The eigenvector columns u_p and u_q are rotated too. Lanes that are
+/// not `active` do not change.
 template <class T, class Mask>
 HWY_INLINE void rotate(Mask active, T& a_pp, T& a_qq, T& a_pq, T& a_rp, T& a_rq, VectorOf<T>& u_p,
                        VectorOf<T>& u_q) {
@@ -33,11 +35,12 @@ HWY_INLINE void rotate(Mask active, T& a_pp, T& a_qq, T& a_pq, T& a_rp, T& a_rq,
   u_q = s * p + c * u_q;
 }
 
-/// Computes ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ) and slope = 2(λ tr(S −
-/// I) + p − 2μ). Uses cyclic Jacobi rotations on S, see symmetric_eigen.h. The vectors start as R's columns,
-/// so they become u_k = R·v_k. They need only the accuracy of Newton's matrix. `tiny`: squared off-diagonal
-/// part of S, relative, at which the sweeps end. Since the vectors are orthonormal, the projection is exact
-/// anyway.
+/// Computes ½C = ½ Σ c_k u_k u_kᵀ in each SIMD lane: the rotational part of the corotational tangent. Here
+/// c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ), with slope = 2(λ tr(S − I) + p − 2μ) and the principal
+/// stretches σ of F = R·S. The bound −2μ makes the tangent positive semidefinite. The directions u_k = R·v_k
+/// result from cyclic Jacobi rotations of S (symmetric_eigen.h), started with R's columns. `tiny`: squared
+/// off-diagonal part of S, relative, at which the rotations end. The directions need only the accuracy of
+/// Newton's matrix. Since they are orthonormal, the projection is exact anyway.
 template <class T>
 HWY_INLINE MatrixOf<T> half_twists(T lambda, T two_mu, T pressure, double least_pair, double tiny,
                                    const MatrixOf<T>& F, const MatrixOf<T>& R) {

@@ -10,15 +10,15 @@ namespace prosector {
 
 class Cholesky {
  public:
-  /// Computes the ordering (approximate minimum degree) and the symbolic factorisation. The pattern must
-  /// outlive this object.
+  /// Computes an ordering (approximate minimum degree) and the symbolic factorisation of matrices with the
+  /// sparsity `pattern`, which must outlive this object.
   explicit Cholesky(const BlockPattern& pattern);
   ~Cholesky();
 
-  /// Factors the matrix with these blocks as LDLᵀ. Returns false if it is not positive definite or not
-  /// finite.
+  /// Factors the matrix whose 3×3 blocks are `values`, in the pattern's order, as LDLᵀ. Returns false if the
+  /// matrix is not positive definite or not finite.
   bool factor(std::span<const Mat3> values);
-  /// Computes z = A⁻¹·r with the last factorisation, 3n each.
+  /// Solves A·z = r (3n values each) with the factors of the matrix A last passed to factor().
   void solve(const double* r, double* z) const;
 
  private:

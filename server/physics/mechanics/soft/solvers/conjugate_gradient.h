@@ -5,15 +5,17 @@
 
 namespace prosector {
 
-/// Creates conjugate gradients preconditioned with H's diagonal blocks.
+/// Creates a conjugate-gradient solver preconditioned with the inverses of the system matrix's diagonal
+/// blocks (block Jacobi).
 std::unique_ptr<LinearSolver> make_cg();
 
-/// Creates conjugate gradients preconditioned with the exact factorisation of the soft bodies' elastic
-/// matrices. It takes one iteration without contacts, and about one more for each coupling contact direction.
+/// Creates a conjugate-gradient solver preconditioned with exact factorisations of the soft bodies' matrices
+/// without contacts. It takes one iteration without contacts, and about one more for each contact direction
+/// that couples bodies.
 std::unique_ptr<LinearSolver> make_direct();
 
-/// Creates conjugate gradients preconditioned with one multigrid V-cycle for each soft body. It takes about
-/// ten iterations, independent of the mesh size.
+/// Creates a conjugate-gradient solver preconditioned with one multigrid V-cycle for each soft body. It takes
+/// about ten iterations, independent of the mesh size.
 std::unique_ptr<LinearSolver> make_multigrid();
 
 }  // namespace prosector

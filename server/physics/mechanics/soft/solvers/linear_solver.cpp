@@ -7,12 +7,13 @@ namespace prosector {
 
 const std::vector<SolverRow>& solvers() {
   static const std::vector<SolverRow> rows = {
-      {"cg", "conjugate gradients with block Jacobi preconditioner: low cost at low accuracy", make_cg},
+      {"cg", "conjugate gradients with block Jacobi preconditioner: cheap if low accuracy suffices", make_cg},
       {"multigrid",
        "conjugate gradients with multigrid preconditioner: few iterations at any mesh resolution",
        make_multigrid},
       {"direct",
-       "sparse Cholesky with refinement over contacts: for stiff, nearly incompressible or slender bodies",
+       "sparse Cholesky factorisation, with iterative refinement for contacts: for stiff, nearly "
+       "incompressible or slender bodies",
        make_direct},
   };
   return rows;

@@ -10,20 +10,22 @@
 
 namespace prosector {
 
-/// System matrix H as seen by the solvers. Unknowns: the island's soft nodes (3 each), then its rigid bodies
-/// (6 each).
+/// System matrix H of an island as the linear solvers see it: its products with vectors and several
+/// preconditioners. Unknowns are first the island's soft nodes (3 each), then its rigid bodies (6 each).
 class LinearOperator {
  public:
   virtual ~LinearOperator() = default;
   virtual Eigen::Index size() const = 0;
   virtual void multiply(const VecX& p, VecX& Hp) const = 0;
-  /// Computes z = P⁻¹·r with the block-diagonal part of H (3×3 and 6×6 blocks, contacts included).
+  /// Computes z = P⁻¹·r, where P is the block-diagonal part of the system matrix (3×3 blocks of soft nodes
+  /// and 6×6 blocks of rigid bodies, contacts included).
   virtual void block_jacobi(const VecX& r, VecX& z) const = 0;
-  /// Computes z = A⁻¹·r with A the soft bodies' elastic matrices (without contacts) factored exactly,
-  /// block-diagonal elsewhere. Factors lazily, reusing the symbolic factorisation.
+  /// Computes z = A⁻¹·r. A consists of the soft bodies' matrices without contacts, factored exactly, and is
+  /// block-diagonal for rigid bodies. The numeric factorisation is done when first needed; the symbolic one
+  /// is reused.
   virtual void elastic_factor(const VecX& r, VecX& z) const = 0;
-  /// Applies one multigrid V-cycle for each soft body, with contacts as diagonal blocks; block-diagonal
-  /// elsewhere.
+  /// Applies a preconditioner to the residual r and stores the result in z: one multigrid V-cycle for each
+  /// soft body, with contacts included as diagonal blocks. Rigid bodies use their diagonal blocks.
   virtual void multigrid(const VecX& r, VecX& z) const = 0;
 };
 
@@ -41,7 +43,8 @@ struct SolveReport {
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  /// Improves `x` (the initial guess, of b's size) towards H·x = b. Equal inputs give bitwise equal results.
+  /// Solves H·x = b approximately, up to the tolerance or the number of iterations in `settings`. `x`: on
+  /// entry the initial guess, of b's size; on return the solution. Equal inputs give bitwise equal results.
   /// Allocates memory only when the size changes.
   virtual SolveReport solve(const LinearOperator& H, const VecX& b, const SolverSettings& settings,
                             VecX& x) = 0;
@@ -53,7 +56,7 @@ struct SolverRow {
   std::unique_ptr<LinearSolver> (*make)();
 };
 const std::vector<SolverRow>& solvers();
-/// Throws InputError that lists the known names.
+/// Creates the linear solver with this name. Throws InputError that lists the known names if there is none.
 std::unique_ptr<LinearSolver> make_solver(const std::string& name);
 
 }  // namespace prosector

@@ -26,15 +26,18 @@ class Multigrid {
   explicit Multigrid(const RestSystem& rest);
   ~Multigrid();
 
-  /// Sets the coarse levels' α, 1/s².
+  /// Sets the factor α (1/s²) of the mass matrix M in the coarse levels' matrices K + α·M, where K is the
+  /// stiffness. Recomputes them if α changed.
   void retime(double inertia);
-  /// Rotates the coarse levels to the node positions `x`, 3n; null: no rotation.
+  /// Computes each node's best-fit rotation from the rest shape to node positions `x` (3n, m). Residuals are
+  /// rotated back by it before the coarse levels, which are those of the rest shape. Null: no rotation.
   void turn(const double* x);
-  /// Sets the matrix. `off_diagonal`: H's off-diagonal blocks times 1/s, which must remain valid until the
-  /// next call. `diagonal`: its diagonal blocks with contacts; `inverse`: the inverses of these.
+  /// Sets the body's matrix H for the finest level. `off_diagonal`: H's off-diagonal blocks divided by
+  /// `scale`, which must remain valid until the next call. `diagonal`: H's diagonal blocks including
+  /// contacts; `inverse`: their inverses.
   void set_matrix(const SymmetricBlocks& off_diagonal, double scale, std::span<const Mat3> diagonal,
                   std::span<const Mat3> inverse);
-  /// Computes z ≈ H⁻¹·r, 3n each.
+  /// Computes z ≈ H⁻¹·r (3n values each) by one multigrid V-cycle for the matrix H of set_matrix().
   void apply(const double* r, double* z);
 
   std::size_t levels() const;

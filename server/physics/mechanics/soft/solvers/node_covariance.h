@@ -9,8 +9,10 @@
 
 namespace prosector {
 
-/// Computes the matrices of nodes first … last − 1, at most elements_per_batch, in F's lanes from 0 on. `x`,
-/// `rest`: four floats per node relative to an origin near the body; the fourth is ignored.
+/// Computes for the nodes first … last − 1 the 3×3 matrices Σ (x_j − x_i)(X_j − X_i)ᵀ over the neighbours j
+/// of node i, where x are current and X rest positions. Stores them in the lanes of F from 0 on; at most
+/// elements_per_batch nodes. `x`, `rest`: four floats per node relative to an origin near the body; the
+/// fourth is ignored.
 void node_covariances(const BlockPattern& neighbours, const float* x, const float* rest, std::size_t first,
                       std::size_t last, LaneMatrix& F);
 

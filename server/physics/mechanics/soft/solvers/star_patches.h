@@ -15,14 +15,17 @@ namespace prosector {
 
 class StarPatches {
  public:
-  /// Takes a body of quadratic tetrahedra.
+  /// Builds the patches of a body of quadratic tetrahedra from its matrices in the rest shape: for each
+  /// vertex, the vertex and the nodes on its edges.
   explicit StarPatches(const RestSystem& rest);
   ~StarPatches();
 
-  /// Sets α, 1/s², of the matrix K + α·M + attachments.
+  /// Sets the factor α (1/s²) of the mass matrix M in the matrix K + α·M + attachments. Inverts the part of
+  /// that matrix for each patch if α changed.
   void retime(double inertia);
-  /// Adds z += share·Σ Aᵥ⁻¹r over the vertices' stars, 3n each. Bitwise equal for any number of threads;
-  /// allocates no memory.
+  /// Adds share·Σ Aᵥ⁻¹r to z (3n values each), summed over all vertices' patches. Aᵥ is the part of the
+  /// rest-shape matrix for a vertex and the nodes on its edges. Results are bitwise equal for any number of
+  /// threads; allocates no memory.
   void add(float share, const float* r, float* z);
 
  private:

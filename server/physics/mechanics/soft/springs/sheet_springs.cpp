@@ -27,18 +27,23 @@ struct Side {
 
 class SheetSprings {
  public:
-  SheetSprings(const SoftDesc& desc, const Anatomy& sheet, const Quads& quads, const Triangles& triangles)
-      : desc_(desc), x_(sheet.tets.positions), quads_(quads), triangles_(triangles), t_(sheet.thickness) {
+  SheetSprings(const SoftMaterial& material, const Anatomy& sheet, const Quads& quads,
+               const Triangles& triangles)
+      : material_(material),
+        x_(sheet.tets.positions),
+        quads_(quads),
+        triangles_(triangles),
+        t_(sheet.thickness) {
     if (!(t_ > 0))
-      throw InputError(fmt::format("thickness is {} m; a sheet or rope needs a positive one", t_));
-    const double nu = desc.poisson_ratio;
-    G_ = lame(desc.youngs_modulus, nu).mu * t_;
-    C_ = desc.youngs_modulus * t_ / (1 - nu * nu);
+      throw InputError(fmt::format("thickness is {} m; allowed for a sheet or rope: positive", t_));
+    const double nu = material.poisson_ratio;
+    G_ = lame(material.youngs_modulus, nu).mu * t_;
+    C_ = material.youngs_modulus * t_ / (1 - nu * nu);
   }
 
   SpringNetwork build() {
     stretch();
-    bend(given(desc_.bending_stiffness, C_ * t_ * t_ / 12));
+    bend(given(material_.bending_stiffness, C_ * t_ * t_ / 12));
     return std::move(out_);
   }
 
@@ -55,22 +60,22 @@ class SheetSprings {
       const double b = (length(q[0], q[1]) + length(q[3], q[2])) / 2;
       const auto along = [&](double l, double width) {
         const double whole = (width / l) * (C_ - G_ * l * l / (width * width));
-        return given(desc_.spring_stiffness, std::max(0.01 * C_, whole)) / 2;
+        return given(material_.spring_stiffness, std::max(0.01 * C_, whole)) / 2;
       };
       for (const Edge& e : {edge(q[0], q[3]), edge(q[1], q[2])}) parts.push_back({e, along(a, b)});
       for (const Edge& e : {edge(q[0], q[1]), edge(q[3], q[2])}) parts.push_back({e, along(b, a)});
-      const double diagonal = given(desc_.shear_stiffness, G_ * (a * a + b * b) / (2 * a * b));
+      const double diagonal = given(material_.shear_stiffness, G_ * (a * a + b * b) / (2 * a * b));
       for (const Edge& e : {edge(q[0], q[2]), edge(q[1], q[3])}) parts.push_back({e, diagonal});
     }
     for (const auto& c : triangles_)
       for (std::size_t k = 0; k < 3; ++k) {
         const Edge e = edge(c[k], c[(k + 1) % 3]);
         const double l = length(e[0], e[1]);
-        parts.push_back({e, given(desc_.spring_stiffness / 2, 8 * C_ * area(c) / (9 * l * l))});
+        parts.push_back({e, given(material_.spring_stiffness / 2, 8 * C_ * area(c) / (9 * l * l))});
       }
     add_springs(x_, std::move(parts), out_);
-    if (desc_.tension)
-      for (Spring& spring : out_.springs) spring.rest *= 1 - desc_.tension.value / 100;
+    if (material_.tension)
+      for (Spring& spring : out_.springs) spring.rest *= 1 - material_.tension.value / 100;
   }
 
   /// Adds the bends. Two whole cells with a common edge bend along the two lines that cross the edge at its
@@ -136,7 +141,7 @@ class SheetSprings {
     out_.bends.push_back(bend);
   }
 
-  const SoftDesc& desc_;
+  const SoftMaterial& material_;
   const std::vector<Vec3>& x_;
   const Quads& quads_;
   const Triangles& triangles_;
@@ -153,8 +158,8 @@ void set_nodes(const Anatomy& sheet, SpringNetwork& springs) {
 
 }  // namespace
 
-SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
-  SpringNetwork out = SheetSprings(desc, sheet, sheet.quads, sheet.triangles).build();
+SpringNetwork make_sheet_springs(const SoftMaterial& material, const Anatomy& sheet) {
+  SpringNetwork out = SheetSprings(material, sheet, sheet.quads, sheet.triangles).build();
   set_nodes(sheet, out);
   return out;
 }
@@ -162,7 +167,7 @@ SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
 // Contributions of added or removed cells have a touched corner: as an end of a spring, the middle of a line,
 // or the ends of an edge with a bend. All these springs and bends are recomputed from all cells around the
 // touched corners, in their order. The others do not change.
-std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& kept,
+std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs) {
   const std::size_t nodes = sheet.tets.positions.size();
   std::vector<char> is_touched(nodes, 0), met(nodes, 0);
@@ -184,7 +189,7 @@ std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& she
   };
   const Quads quads = near(sheet.quads);
   const Triangles triangles = near(sheet.triangles);
-  SpringNetwork fresh = SheetSprings(desc, sheet, quads, triangles).build();
+  SpringNetwork fresh = SheetSprings(material, sheet, quads, triangles).build();
 
   const auto spring_goes = [&](const Spring& s) { return any(s.node); };
   const auto bend_goes = [&](const Bend& b) {

@@ -9,15 +9,17 @@
 
 namespace prosector {
 
-/// Creates the springs in the order of their nodes. Bends about edges follow, in the order of the edges, then
-/// bends along lines, in the order of their nodes.
-SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet);
+/// Creates the springs and bending elements of a sheet's cells. Springs are in the order of their nodes.
+/// Bending elements about edges come first, in the order of the edges, then those along lines of three nodes,
+/// in the order of their nodes.
+SpringNetwork make_sheet_springs(const SoftMaterial& material, const Anatomy& sheet);
 
-/// Updates a sheet's springs after a cut or an undone cut. No spring may have been dropped. Bitwise equal to
-/// a rebuild from `sheet`. `kept`: the nodes that are kept. `touched`: the present corners of cells and
-/// triangles that were added or removed. Returns the nodes, ascending, of springs and bends that may have
-/// been added, removed or changed.
-std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& kept,
+/// Updates a sheet's springs and bending elements after a cut or an undo changed its geometry to `sheet`. No
+/// spring may have been left out for zero length. Bitwise equal to a rebuild. `kept`: the nodes that remain,
+/// with their new indices. `touched`: indices after the change of the corners of cells and triangles that
+/// were added or removed. Returns the nodes, ascending, of springs and bending elements that may have been
+/// added, removed or changed.
+std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs);
 
 }  // namespace prosector

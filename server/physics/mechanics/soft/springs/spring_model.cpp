@@ -40,14 +40,15 @@ class SpringModel final : public ElasticModel {
 
   const SpringNetwork* springs() const override { return &network_; }
   bool can_follow(const MeshEdit&) const override { return network_.dropped == 0; }
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
-    follow_tet_springs(desc, mesh, edit, network_);
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override {
+    follow_tet_springs(material, mesh, edit, network_);
     fit();
   }
   bool can_follow_sheet() const override { return network_.dropped == 0; }
-  std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& nodes,
+  std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anatomy& sheet,
+                                          const Kept& nodes,
                                           std::span<const std::uint32_t> touched) override {
-    std::vector<std::uint32_t> met = prosector::follow_sheet(desc, sheet, nodes, touched, network_);
+    std::vector<std::uint32_t> met = prosector::follow_sheet(material, sheet, nodes, touched, network_);
     fit();
     return met;
   }
@@ -194,8 +195,8 @@ class SumModel final : public ElasticModel {
   bool can_follow(const MeshEdit& edit) const override {
     return a_->can_follow(edit) && b_->can_follow(edit);
   }
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
-    parallel_both([&] { a_->follow(desc, mesh, edit); }, [&] { b_->follow(desc, mesh, edit); });
+  void follow(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit) override {
+    parallel_both([&] { a_->follow(material, mesh, edit); }, [&] { b_->follow(material, mesh, edit); });
     fit();
   }
 

@@ -10,7 +10,8 @@ namespace prosector {
 
 std::unique_ptr<ElasticModel> make_spring_model(SpringNetwork network);
 
-/// Creates the sum of two models' energies on the same nodes; rest shape and volumes are those of `a`.
+/// Creates an elastic model whose energy is the sum of the energies of `a` and `b`, two models on the same
+/// nodes. Rest shape and nodal volumes are those of `a`.
 std::unique_ptr<ElasticModel> make_sum_model(std::unique_ptr<ElasticModel> a,
                                              std::unique_ptr<ElasticModel> b);
 

@@ -21,10 +21,10 @@ double given(double stiffness, double derived) {
   return stiffness > 0 ? stiffness : derived;
 }
 
-SpringNetwork make_rope_springs(const SoftDesc& desc, const Anatomy& rope) {
+SpringNetwork make_rope_springs(const SoftMaterial& material, const Anatomy& rope) {
   const double d = rope.thickness, area = M_PI * d * d / 4;
-  if (!(d > 0)) throw InputError(fmt::format("thickness is {} m; a sheet or rope needs a positive one", d));
-  lame(desc.youngs_modulus, desc.poisson_ratio);  // throws InputError for invalid constants
+  if (!(d > 0)) throw InputError(fmt::format("thickness is {} m; allowed for a sheet or rope: positive", d));
+  lame(material.youngs_modulus, material.poisson_ratio);  // throws InputError for invalid constants
   const std::vector<Vec3>& x = rope.tets.positions;
   const auto length = [&](std::uint32_t a, std::uint32_t b) { return (x[a] - x[b]).norm(); };
   SpringNetwork out;
@@ -34,13 +34,13 @@ SpringNetwork make_rope_springs(const SoftDesc& desc, const Anatomy& rope) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
   for (const auto& [a, b] : rope.segments) {
     const double l = length(a, b);
-    parts.push_back({edge(a, b), given(desc.spring_stiffness, desc.youngs_modulus * area / l)});
+    parts.push_back({edge(a, b), given(material.spring_stiffness, material.youngs_modulus * area / l)});
     for (const std::uint32_t node : {a, b}) out.volume[node] += area * l / 2;
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   }
   add_springs(x, std::move(parts), out);
-  const double EI = given(desc.bending_stiffness, desc.youngs_modulus * M_PI * d * d * d * d / 64);
+  const double EI = given(material.bending_stiffness, material.youngs_modulus * M_PI * d * d * d * d / 64);
   for (const auto& [middle, ends] : neighbours) {
     if (ends.size() != 2) continue;
     const double a = length(ends[0], middle), b = length(middle, ends[1]), l = (a + b) / 2;
@@ -58,9 +58,10 @@ Bend line_bend(const std::array<std::uint32_t, 3>& line, double stiffness, doubl
   return out;
 }
 
-SpringNetwork make_spring_network(const SoftDesc& desc, const Anatomy& anatomy) {
-  if (!anatomy.quads.empty() || !anatomy.triangles.empty()) return make_sheet_springs(desc, anatomy);
-  return anatomy.segments.empty() ? make_tet_springs(desc, anatomy.tets) : make_rope_springs(desc, anatomy);
+SpringNetwork make_spring_network(const SoftMaterial& material, const Anatomy& anatomy) {
+  if (!anatomy.quads.empty() || !anatomy.triangles.empty()) return make_sheet_springs(material, anatomy);
+  return anatomy.segments.empty() ? make_tet_springs(material, anatomy.tets)
+                                  : make_rope_springs(material, anatomy);
 }
 
 }  // namespace prosector

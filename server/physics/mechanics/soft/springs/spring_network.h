@@ -24,7 +24,8 @@
 
 namespace prosector {
 
-/// Spring with energy ½k(l − l₀)².
+/// Spring between two nodes, with energy ½k(l − l₀)², where k is the stiffness (N/m), l its length and l₀ its
+/// rest length (m).
 struct Spring {
   std::array<std::uint32_t, 2> node;  // ascending
   double rest, stiffness;             // m, N/m
@@ -32,13 +33,14 @@ struct Spring {
   std::span<const std::uint32_t> nodes() const { return node; }
 };
 
-/// Bending element with energy ½s|Σ wᵢxᵢ|², invariant under rotation, and under uniform stretching if
-/// straight at rest. It consists of three nodes of a line or of two triangles.
+/// Bending element with energy ½s|Σ wᵢxᵢ|², where s is the stiffness, xᵢ the positions of its nodes and wᵢ
+/// their weights. It is invariant under rotation, and under uniform stretching if straight at rest. It has
+/// the three nodes of a line, or the four nodes of two triangles with a common edge.
 ///
-/// For a line, x₁ is the middle node, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces of lengths a and b with mean
-/// l̄: (1, −2, 1) for equal ones. With s = EI/l̄³ this is the bending energy of a rod (Bergou et al. 2006). For
-/// two triangles, x₀, x₁ are the ends of the common edge, and x₂, x₃ the opposite corners. Σ wᵢxᵢ is the jump
-/// of the surface's slope at the edge.
+/// For a line, x₁ is the middle node, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces of lengths a and b with
+/// mean l̄: (1, −2, 1) for equal ones. With s = EI/l̄³ this is the bending energy of a rod (Bergou et al.
+/// 2006). For two triangles, x₀, x₁ are the ends of the common edge, and x₂, x₃ the opposite corners. Σ wᵢxᵢ
+/// is the jump of the surface's slope at the edge.
 struct Bend {
   std::array<std::uint32_t, 4> node;
   double stiffness;  // N/m
@@ -48,7 +50,8 @@ struct Bend {
   std::span<const std::uint32_t> nodes() const { return std::span(node).first(count); }
 };
 
-/// Returns the bend of a line whose pieces have rest lengths a and b (m).
+/// Returns the bending element of a line of three nodes, the second of which is in the middle. `a` and `b`:
+/// rest lengths of its two pieces, m. `stiffness`: factor s in its energy ½s|Σ wᵢxᵢ|², N/m.
 Bend line_bend(const std::array<std::uint32_t, 3>& line, double stiffness, double a, double b);
 
 struct SpringNetwork {
@@ -56,11 +59,11 @@ struct SpringNetwork {
   std::vector<Bend> bends;
   VecX rest;                // 3n, m
   VecX volume;              // n, m³
-  std::size_t dropped = 0;  // number of springs of zero length, left out
+  std::size_t dropped = 0;  // number of springs without length or stiffness, left out
 };
 
-/// Creates the springs of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of
-/// range.
-SpringNetwork make_spring_network(const SoftDesc& desc, const Anatomy& anatomy);
+/// Creates the springs and bending elements of a rope, a sheet or a mass-spring solid, from its segments,
+/// cells or tetrahedra. Throws InputError for constants out of range.
+SpringNetwork make_spring_network(const SoftMaterial& material, const Anatomy& anatomy);
 
 }  // namespace prosector

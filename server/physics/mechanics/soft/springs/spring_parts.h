@@ -18,7 +18,8 @@ inline Edge edge(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// Contribution of a cell to an edge or a line of nodes.
+/// Contribution of one cell or tetrahedron, such as a stiffness in N/m, to the spring along an edge or the
+/// bending element of a line of nodes. `at`: the nodes of the edge or line.
 template <class Nodes, class Value>
 struct Part {
   Nodes at;
@@ -26,8 +27,8 @@ struct Part {
 };
 using StiffnessPart = Part<Edge, double>;  // N/m
 
-/// Sorts the parts stably by their nodes. `nodes`: total number of nodes. Takes linear time if few parts have
-/// the same first node.
+/// Sorts contributions of cells to springs or bending elements by their nodes; those at the same nodes keep
+/// their order. `nodes`: total number of nodes. Takes linear time if few parts have the same first node.
 template <class Nodes, class Value>
 void sort_parts(std::size_t nodes, std::vector<Part<Nodes, Value>>& parts) {
   std::vector<std::uint32_t> next(nodes + 1, 0);
@@ -43,7 +44,8 @@ void sort_parts(std::size_t nodes, std::vector<Part<Nodes, Value>>& parts) {
   parts = std::move(out);
 }
 
-/// Calls f(first, last) for each run of parts at the same nodes.
+/// Calls f(first, last) with the iterators of each run of consecutive parts (contributions of cells) that
+/// have the same nodes. `parts` must be sorted by nodes.
 template <class Nodes, class Value, class F>
 void for_each_place(const std::vector<Part<Nodes, Value>>& parts, const F& f) {
   for (auto first = parts.begin(), last = first; first != parts.end(); first = last) {
@@ -52,8 +54,8 @@ void for_each_place(const std::vector<Part<Nodes, Value>>& parts, const F& f) {
   }
 }
 
-/// Appends springs in the order of their nodes; the stiffness is the sum of the parts at the edge. `x`: rest
-/// positions, m.
+/// Appends to `network` one spring for each edge in `parts`, in the order of its nodes. Its stiffness is the
+/// sum of the parts at the edge, and its rest length the edge's length. `x`: rest positions, m.
 void add_springs(std::span<const Vec3> x, std::vector<StiffnessPart> parts, SpringNetwork& network);
 
 inline bool before(const Spring& a, const Spring& b) {
@@ -64,8 +66,8 @@ inline bool before(const Bend& a, const Bend& b) {
   return a.node < b.node;
 }
 
-/// Replaces the elements for which `goes` holds by those of `fresh` for which it holds. Both lists must be in
-/// order.
+/// Replaces the springs or bending elements in `elements` for which `goes` is true by those in `fresh` for
+/// which `goes` is true. Both lists must be in the order of before().
 template <class Element, class Goes>
 void replace(std::vector<Element>& elements, std::vector<Element> fresh, const Goes& goes) {
   std::erase_if(elements, goes);
@@ -76,8 +78,9 @@ void replace(std::vector<Element>& elements, std::vector<Element> fresh, const G
   elements = std::move(out);
 }
 
-/// Changes node indices to the present indices `now`, and removes elements with a removed node. Elements keep
-/// their order, because nodes keep theirs.
+/// Changes the node indices of springs or bending elements after an edit. now[i] is the new index of node i.
+/// Elements with a removed node (Kept::none) are removed. The others keep their order, because nodes keep
+/// theirs.
 template <class Element>
 void renumber(std::span<const std::uint32_t> now, std::vector<Element>& elements) {
   std::erase_if(elements, [&](const Element& e) {

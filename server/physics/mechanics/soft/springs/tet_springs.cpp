@@ -12,20 +12,20 @@
 namespace prosector {
 namespace {
 
-bool needs_volume_springs(const SoftDesc& desc, const Lame& c) {
-  return desc.hold_volume && c.lambda > c.mu;
+bool needs_volume_springs(const SoftMaterial& material, const Lame& c) {
+  return material.hold_volume && c.lambda > c.mu;
 }
 
 /// Contributions of tetrahedra to the springs along their edges.
 class TetSprings {
  public:
-  TetSprings(const SoftDesc& desc, const TetMesh& mesh) : desc_(desc), mesh_(mesh) {
-    for (const Material& kind : make_materials(desc, {}).kinds) {
+  TetSprings(const SoftMaterial& material, const TetMesh& mesh) : material_(material), mesh_(mesh) {
+    for (const Material& kind : make_materials(material, {}).kinds) {
       const auto [lambda, mu] = kind.lame;
       // Without volume springs, the springs get the tensile stiffness of E at ν = ¼, the ratio of a spring
       // network.
       const double E = mu * (3 * lambda + 2 * mu) / (lambda + mu);
-      modulus_.push_back(needs_volume_springs(desc, kind.lame) ? mu : E / 2.5);
+      modulus_.push_back(needs_volume_springs(material, kind.lame) ? mu : E / 2.5);
     }
   }
 
@@ -34,7 +34,7 @@ class TetSprings {
   void add(std::size_t t, const Wanted& wanted) {
     const auto& tet = mesh_.tets[t];
     const auto& x = mesh_.positions;
-    const double mu = modulus_[kind_of(desc_, mesh_, t)];
+    const double mu = modulus_[kind_of(material_, mesh_, t)];
     const Vec3 u = x[tet[1]] - x[tet[0]], v = x[tet[2]] - x[tet[0]], w = x[tet[3]] - x[tet[0]];
     const double V = std::abs(u.cross(v).dot(w)) / 6;
     for (std::size_t a = 0; a < 4; ++a)
@@ -47,7 +47,7 @@ class TetSprings {
   }
 
   void add_to(SpringNetwork& network) {
-    const double given = desc_.spring_stiffness;
+    const double given = material_.spring_stiffness;
     if (given > 0)
       for (StiffnessPart& part : parts_) part.value = given;
     for (std::size_t i = 0; i < by_itself_.size(); ++i) by_itself_[i].value *= parts_[i].value;
@@ -79,7 +79,7 @@ class TetSprings {
     });
   }
 
-  const SoftDesc& desc_;
+  const SoftMaterial& material_;
   const TetMesh& mesh_;
   std::vector<double> modulus_;  // Pa, by material: modulus of the springs
   std::vector<StiffnessPart> parts_;
@@ -88,22 +88,22 @@ class TetSprings {
 
 }  // namespace
 
-std::optional<Materials> volume_springs(const SoftDesc& desc, const TetMesh& mesh) {
-  Materials out = make_materials(desc, mesh);
+std::optional<Materials> volume_springs(const SoftMaterial& material, const TetMesh& mesh) {
+  Materials out = make_materials(material, mesh);
   bool needed = false;
   for (Material& kind : out.kinds) {
-    const bool held = needs_volume_springs(desc, kind.lame);
+    const bool held = needs_volume_springs(material, kind.lame);
     kind.lame = {held ? kind.lame.lambda - kind.lame.mu : 0, 0};
     needed = needed || held;
   }
   return needed ? std::optional(out) : std::nullopt;
 }
 
-SpringNetwork make_tet_springs(const SoftDesc& desc, const TetMesh& mesh) {
+SpringNetwork make_tet_springs(const SoftMaterial& material, const TetMesh& mesh) {
   SpringNetwork out;
   out.rest = to_vector(mesh.positions);
   out.volume = Tet4Elements::lumped_volume(mesh);
-  TetSprings parts(desc, mesh);
+  TetSprings parts(material, mesh);
   parts.reserve(mesh.tets.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) parts.add(t, [](std::uint32_t) { return true; });
   parts.add_to(out);
@@ -112,7 +112,7 @@ SpringNetwork make_tet_springs(const SoftDesc& desc, const TetMesh& mesh) {
 
 // A spring with a contribution of a changed tetrahedron has both nodes in the edit. These springs, and the
 // volumes of the edit's nodes, are recomputed from all tetrahedra at them, in their order.
-void follow_tet_springs(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit,
+void follow_tet_springs(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit,
                         SpringNetwork& springs) {
   if (!edit.kept_nodes.all_unmoved()) renumber(edit.kept_nodes.destinations(), springs.springs);
   edit.kept_nodes.carry(springs.volume);
@@ -122,7 +122,7 @@ void follow_tet_springs(const SoftDesc& desc, const TetMesh& mesh, const MeshEdi
     springs.volume[node] = 0;
   }
   const auto touched = [&](std::uint32_t node) { return is_touched[node] != 0; };
-  TetSprings parts(desc, mesh);
+  TetSprings parts(material, mesh);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto& tet = mesh.tets[t];
     const auto corners = std::count_if(tet.begin(), tet.end(), touched);

@@ -8,12 +8,14 @@
 
 namespace prosector {
 
-/// One bit per colour, in as many words as needed.
+/// Set of colours taken at each node, for greedily colouring elements so that elements of one colour share no
+/// node. Stores one bit per colour and node.
 class NodeColours {
  public:
   explicit NodeColours(std::size_t nodes) : nodes_(nodes), words_(1, std::vector<std::uint64_t>(nodes, 0)) {}
 
-  /// Returns the first colour that none of these nodes has, and assigns it to them.
+  /// Returns the lowest colour (number from 0) that is not taken at any of these nodes of an element, and
+  /// marks it as taken at all of them.
   std::uint32_t take_first_free(std::span<const std::uint32_t> nodes) {
     for (std::size_t w = 0;; ++w) {
       if (w == words_.size()) words_.emplace_back(nodes_, 0);

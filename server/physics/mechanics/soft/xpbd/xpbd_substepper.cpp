@@ -39,17 +39,18 @@ class XpbdSubstepper final : public Substepper {
   XpbdSubstepper(const SubstepBody& body, const Anatomy& anatomy)
       : body_(body), tets_(anatomy.tets), network_(tets_.size() == 0 ? body.model.springs() : nullptr) {
     if (tets_.size() > 0) {
-      materials_ = make_materials(body.desc, anatomy.tets).at(tets_.source());
+      materials_ = make_materials(body.desc.material, anatomy.tets, true).at(tets_.source());
       const auto beyond = [](double ratio) { return 2 * ratio / (1 - 2 * ratio) > most_xpbd_lambda; };
-      bounded_ = beyond(body.desc.poisson_ratio);
-      for (const RegionDesc& region : body.desc.regions) bounded_ = bounded_ || beyond(region.poisson_ratio);
+      bounded_ = beyond(body.desc.material.poisson_ratio);
+      for (const RegionDesc& region : body.desc.material.regions)
+        bounded_ = bounded_ || beyond(region.poisson_ratio);
     }
     fit();
   }
 
   void follow(const TetMesh& mesh, const MeshEdit& edit) override {
     tets_.follow(mesh, edit);
-    materials_.follow(body_.desc, mesh, edit);
+    materials_.follow(body_.desc.material, mesh, edit);
   }
   void fit() override {
     inverse_mass_ = body_.mass.cwiseInverse();
@@ -57,11 +58,16 @@ class XpbdSubstepper final : public Substepper {
   }
   void initialise(SoftBodyState&) override {}
   double needed(double h, const SoftBodyState& state) const override {
-    return std::max<double>(effort_of(body_.desc, state.steps_down).substeps, std::round(h * state.omega));
+    return std::max<double>(effort_of(body_.desc.configuration, state.steps_down).substeps,
+                            std::round(h * state.omega));
   }
-  int allowed() const override { return std::max(body_.desc.substeps, body_.desc.max_substeps); }
+  int allowed() const override {
+    return std::max(body_.desc.configuration.substeps, body_.desc.configuration.max_substeps);
+  }
   bool has_limit() const override { return false; }
-  const char* remark() const override { return bounded_ ? "; poisson_ratio is limited to 0.499" : ""; }
+  const char* remark() const override {
+    return bounded_ ? "; the body's poisson_ratio is limited to 0.499" : "";
+  }
   double most_gain(double) const override { return 1.002; }
   double most_pushed(double) const override { return 2; }  // work of the push, and strain energy from it
   void begin(const SoftBodyState&) override {}
@@ -83,7 +89,7 @@ class XpbdSubstepper final : public Substepper {
     x_ = x.data();
     start_ = x;
     weight.add(hs, v);
-    v *= std::exp(-hs * body_.desc.damping_mass);
+    v *= std::exp(-hs * body_.desc.material.damping_mass);
     x += hs * v;
     hold_attachments(hs);
     for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c)
@@ -139,7 +145,7 @@ class XpbdSubstepper final : public Substepper {
   void hold_attachments(double hs) {
     const VecX& rest = body_.model.rest();
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
-      const double k = body_.attached[i] * hs * hs, c = k * body_.desc.damping_stiffness / hs;
+      const double k = body_.attached[i] * hs * hs, c = k * body_.desc.material.damping_stiffness / hs;
       if (!(k > 0)) continue;
       Eigen::Map<Vec3> x(x_ + 3 * i);
       inverse_mass_[i] = 1 / (body_.mass[i] + k + c);
@@ -156,7 +162,7 @@ class XpbdSubstepper final : public Substepper {
       mobility += inverse_mass_[node[a]] * gradient[a].squaredNorm();
       drift += gradient[a].dot(at(node[a]) - before(node[a]));
     }
-    const double gamma = body_.desc.damping_stiffness / hs;
+    const double gamma = body_.desc.material.damping_stiffness / hs;
     const double change = (-C - gamma * drift) / ((1 + gamma) * mobility + 1 / (k * hs * hs));
     if (!std::isfinite(change)) return;
     for (std::size_t a = 0; a < node.size(); ++a)
@@ -194,7 +200,7 @@ class XpbdSubstepper final : public Substepper {
   /// but their forces cancel:
   ///   ((1 + γ)A + α̃)Δλ = −C − γ∇C·(x − x_n),  A = ∇C·M⁻¹·∇Cᵀ.
   void project_tet(std::size_t e, double hs) {
-    const double V = tets_.volume(e), gamma = body_.desc.damping_stiffness / hs;
+    const double V = tets_.volume(e), gamma = body_.desc.material.damping_stiffness / hs;
     const auto [lambda, mu] = materials_.of(e).lame;
     const double volume_modulus = lambda + mu;
     const Mat3 F = tets_.edges(e, x_) * tets_.gradients(e).transpose();

@@ -1,4 +1,4 @@
-#include "server/physics/stations/dissecting/cutting.h"
+#include "server/physics/stations/dissecting/cut_by_blades.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,8 @@ Organ& organ_of(State& state, std::size_t body) {
     return state.dissection.organs.insert(std::move(ready)).position->second;
   const SoftBody& soft_body = *state.bodies.soft[body].solver;
   return state.dissection.organs
-      .try_emplace(body, body, soft_body.anatomy(), soft_body.desc().density, held_nodes_of(state, body))
+      .try_emplace(body, body, soft_body.anatomy(), soft_body.desc().material.density,
+                   held_nodes_of(state, body))
       .first->second;
 }
 
@@ -163,8 +164,10 @@ void report_cuts(const CutResult& figures, StepReport& report) {
   if (figures.slivers == 0) return;
   BodyReport& row = report.bodies.emplace_back();
   row.body = "cut";
-  row.note = fmt::format("{} new tetrahedra have dihedral angles below {} degrees, the smallest {:.1f}",
-                         figures.slivers, least_dihedral_deg, figures.least_dihedral_deg);
+  row.note = fmt::format(
+      "the cut created {} tetrahedra with dihedral angles below {} degrees; the smallest angle is {:.1f} "
+      "degrees",
+      figures.slivers, least_dihedral_deg, figures.least_dihedral_deg);
 }
 
 }  // namespace
@@ -220,7 +223,7 @@ void make_organs_ready(State& state) {
     if (!is_cut) continue;
     const SoftBody& soft_body = *bodies.soft[body].solver;
     try {
-      state.dissection.uncut.try_emplace(body, body, soft_body.anatomy(), soft_body.desc().density,
+      state.dissection.uncut.try_emplace(body, body, soft_body.anatomy(), soft_body.desc().material.density,
                                          held_nodes_of(state, body));
     } catch (const InputError&) {  // can't be cut; reported when a blade touches it
     }
