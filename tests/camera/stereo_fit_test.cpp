@@ -114,7 +114,7 @@ TEST(StereoFit, TwoCamerasAreFoundWhereTheyStand) {
   EXPECT_LT(fit.first_second.pose.q.angularDistance(rig.first_second().q), 0.03 * degree);
   EXPECT_GT(fit.held_out, 0);
   EXPECT_LT(fit.held_out, 0.2);
-  EXPECT_LT(fit.told, 3e-4);
+  EXPECT_LT(fit.expected_error, 3e-4);
   // A board that was moved between both pictures of a pair is left out.
   std::vector<StereoPair> pairs = guide.pairs();
   pairs[3].second = pairs[5].second;

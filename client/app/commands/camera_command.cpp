@@ -266,10 +266,10 @@ int calibrate_pair(const CameraCommandOptions& options) {
       fit_stereo(guide.of(0).board(), guide.pairs(), first.calibration, second.calibration);
   print_lens_fit(first);
   print_lens_fit(second);
-  say(
-      fmt::format("{} views by both cameras, {} of them rejected; error {:.3f} px in views not used for the "
-                  "fit; expected position error between the shown boards: {:.2f} mm RMS",
-                  guide.pairs().size(), pair.first_second.left_out.size(), pair.held_out, 1e3 * pair.told));
+  say(fmt::format(
+      "{} views by both cameras, {} of them rejected; error {:.3f} px in views not used for the "
+      "fit; expected position error between the shown boards: {:.2f} mm RMS",
+      guide.pairs().size(), pair.first_second.left_out.size(), pair.held_out, 1e3 * pair.expected_error));
   const std::filesystem::path second_out = second_file(options.out);
   write_file(options.out, write_calibration(first.calibration));
   write_file(second_out, write_calibration(second.calibration));

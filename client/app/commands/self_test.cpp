@@ -45,16 +45,16 @@ int self_test(const SelfTestOptions& options) {
   std::vector<DeviceSample> samples;
   const std::int64_t start_ns = monotonic_ns();
   bool kept = true;
-  for (double seconds = 0, told = report_period; seconds < options.seconds && !ended;) {
+  for (double seconds = 0, next_report = report_period; seconds < options.seconds && !ended;) {
     samples.clear();
     device->poll(samples);
     seconds = 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
     report.take(samples, device->status(), seconds);
     kept = recorder.write(samples) && kept;
-    if (seconds > told) {
+    if (seconds > next_report) {
       fmt::print("{:.0f} s: {} records\n", seconds, device->status().records);
       std::fflush(stdout);
-      told += report_period;
+      next_report += report_period;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

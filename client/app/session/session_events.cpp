@@ -134,7 +134,8 @@ void SessionEvents::report_topology(const Replica& replica, double now, std::vec
                                bodies[static_cast<std::size_t>(newest->piece_of)].name)});
     const bool changed = !is_new && newest->revision != seen.revision;
     const bool same_stroke = newest->cause == TopologyCause::cut && seen.cause == TopologyCause::cut &&
-                             newest->author == seen.author && now - seen.told < StrokeTracker::stroke_seconds;
+                             newest->author == seen.author &&
+                             now - seen.reported < StrokeTracker::stroke_seconds;
     const bool sought = replica.recording() && newest->cause == TopologyCause::rewind && newest->author == 0;
     if (changed && newest->cause != TopologyCause::compiled && !same_stroke && !sought)
       out.push_back({change_message(replica, *newest, bodies[body].name), kind_of(newest->author)});
@@ -161,10 +162,10 @@ void SessionEvents::report_problems(const Replica& replica, double now, std::vec
     if (trouble.empty()) continue;
     const auto [known, is_new] = troubles_.try_emplace(line_kind(trouble), Trouble{now, now});
     Trouble& t = known->second;
-    const bool is_back = now - t.last > problem_absence && now - t.told > problem_repeat_interval;
+    const bool is_back = now - t.last > problem_absence && now - t.reported > problem_repeat_interval;
     if (is_new || is_back) {
       out.push_back({translated_problem(words_, trouble)});
-      t.told = now;
+      t.reported = now;
       problem_reported_ = true;
     }
     t.last = now;

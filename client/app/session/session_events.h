@@ -44,7 +44,7 @@ class SessionEvents {
     std::uint32_t revision = 0;
     TopologyCause cause = TopologyCause::compiled;
     ParticipantId author = 0;
-    double told = 0;  // s, time of the report
+    double reported = 0;  // s, time of the report
   };
 
   ParticipantId self_;
@@ -54,7 +54,8 @@ class SessionEvents {
   std::map<BodyId, Seen> topologies_;
   StrokeTracker strokes_;
   struct Trouble {
-    double told = 0, last = 0;  // s: time of the last message about it; time when the server last reported it
+    double reported = 0,
+           last = 0;  // s: time of the last message about it; time when the server last reported it
   };
   std::map<std::string, Trouble> troubles_;  // key: kind of problem
   bool problem_reported_ = false;            // a problem was reported, and its end not yet

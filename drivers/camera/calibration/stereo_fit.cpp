@@ -51,8 +51,9 @@ double pair_error(const Board& board, std::span<const PairPoses> pairs, const Po
   for (const PairPoses& pair : pairs)
     for (const BoardTag& tag : board.tags)
       for (const Vec3& corner : tag.corners()) {
-        const Vec3 told = first_second.inverse() * (pair.first_board.pose * corner);
-        sum += (second.project(told) - second.project(pair.second_board.pose * corner)).squaredNorm();
+        const Vec3 corner_in_second = first_second.inverse() * (pair.first_board.pose * corner);
+        sum += (second.project(corner_in_second) - second.project(pair.second_board.pose * corner))
+                   .squaredNorm();
         ++count;
       }
   return count == 0 ? 0 : std::sqrt(sum / count);
@@ -79,7 +80,7 @@ StereoFit fit_stereo(const Board& board, std::span<const StereoPair> pairs, cons
   out.held_out = pair_error(board, left_out, mean_of(fitted).pose, second.lens);
   Vec3 middle = Vec3::Zero();
   for (const PairPoses& pair : all) middle += pair.first_board.pose.p / static_cast<double>(all.size());
-  out.told = out.first_second.expected_error(middle);
+  out.expected_error = out.first_second.expected_error(middle);
   return out;
 }
 

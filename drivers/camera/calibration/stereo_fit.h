@@ -20,7 +20,7 @@ struct StereoPair {
 struct StereoFit {
   MeanPose first_second;  // the second camera's pose in the first camera's frame, both frames as in OpenCV
   double held_out = 0;    // pixels RMS in the second camera, over every fifth, unfitted pair
-  double told = 0;        // m RMS: expected error at the centre of the boards
+  double expected_error = 0;  // m RMS: expected error at the centre of the boards
 };
 
 /// Fits the second camera's pose in the first camera's frame to pairs of views of one board. `first` and

@@ -66,15 +66,15 @@ Playback::Playback(const Source& source, Bus& bus, const std::string& session,
 
 void Playback::turn() {
   bool news = hear();
-  std::vector<Outgoing> told;
+  std::vector<Outgoing> messages;
   if (seek_)
-    told = go_on_the_way();
+    messages = go_on_the_way();
   else if (!session_.pacing().stands() && !player_.at_end())
-    told = play_tick();
-  news |= !told.empty();
-  topology_.log().send_keyframes(displayed_time(), told);
-  append(told, session_.take_outgoing());
-  feed_.say(std::move(told));
+    messages = play_tick();
+  news |= !messages.empty();
+  topology_.log().send_keyframes(displayed_time(), messages);
+  append(messages, session_.take_outgoing());
+  feed_.say(std::move(messages));
   news |= stand_at_the_end();
   if (!seek_) offer_snapshot(news);
 }

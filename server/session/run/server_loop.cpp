@@ -88,7 +88,7 @@ void ServerLoop::tick() {
   keep_moment(simulation_, report, session_.moments());
   state_hash_ = simulation_.state_hash();
   std::vector<SessionEvent> events = events_of(report);
-  std::vector<Outgoing> told = follow_cuts(report);
+  std::vector<Outgoing> messages = follow_cuts(report);
   journal(std::move(input), std::move(saved), std::move(events));
   const std::int64_t ended = clock_();
   meter_.add(simulation_, session_.roster(), report, begun, ended);
@@ -96,11 +96,11 @@ void ServerLoop::tick() {
   overload_.judge(report, 1e-9 * static_cast<double>(ended - begun));
 
   requests_.pass_on(session_, bodies_);
-  append(told, session_.take_outgoing());
+  append(messages, session_.take_outgoing());
   bodies_.add(report);
-  append(told, bodies_.take());
+  append(messages, bodies_.take());
   journal_.settle(meter_.last_end());
-  feed_.say(std::move(told));
+  feed_.say(std::move(messages));
   offer_snapshot(felt_.follow(simulation_, feeling_hands(session_)));
 }
 
@@ -113,10 +113,10 @@ void ServerLoop::listen() {
   log_.write(events, meter_.last_end());
   std::move(events.begin(), events.end(), std::back_inserter(heard_));
   requests_.pass_on(session_, bodies_);
-  std::vector<Outgoing> told = session_.take_outgoing();
-  send_keyframes(told);
-  const bool news = !told.empty();
-  feed_.say(std::move(told));
+  std::vector<Outgoing> messages = session_.take_outgoing();
+  send_keyframes(messages);
+  const bool news = !messages.empty();
+  feed_.say(std::move(messages));
   if (news || feed_.status_due(now)) offer_snapshot();
 }
 

@@ -45,15 +45,16 @@ std::string line_of(const ServerStatus& s, const Simulation& simulation, const B
       static_cast<double>(s.time.tick) / simulation.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
       s.step_ms_p99, counted(s.participants, "participant"), counted(s.observers, "observer"),
       s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
-  for (const auto& [body, told] : bodies.newest())
-    if (told.error >= 0 && !told.asleep) {
-      line += fmt::format(" | {}: {}, residual {:.0e}", simulation.name(body),
-                          is_known_error(told.error) ? fmt::format("about {} off", percent_text(told.error))
-                                                     : "error not known",
-                          told.residual);
-      if (told.press_error >= 0)
-        line += is_known_error(told.press_error)
-                    ? fmt::format(", pressed: force within {}", percent_text(told.press_error))
+  for (const auto& [body, status] : bodies.newest())
+    if (status.error >= 0 && !status.asleep) {
+      line +=
+          fmt::format(" | {}: {}, residual {:.0e}", simulation.name(body),
+                      is_known_error(status.error) ? fmt::format("about {} off", percent_text(status.error))
+                                                   : "error not known",
+                      status.residual);
+      if (status.press_error >= 0)
+        line += is_known_error(status.press_error)
+                    ? fmt::format(", pressed: force within {}", percent_text(status.press_error))
                     : ", pressed: error not known";
     }
   if (!s.degraded.empty()) line += " | degraded: " + s.degraded;

@@ -39,13 +39,13 @@ bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, co
     const auto most = f.max_displacement_mm.find(name);
     out["max_displacement_mm"][name] = most == f.max_displacement_mm.end() ? 0.0 : most->second;
     out["residual_displacement_mm"][name] = 1e3 * simulation.max_displacement(b);
-    const BodyStatus& told = loop.body_meter().newest().at(b);
-    if (told.error >= 0)
-      out["error"][name] = {{"all", told.error},
-                            {"discretisation", told.parts.discretisation},
-                            {"model", told.parts.model},
-                            {"solver", told.parts.solver},
-                            {"time", told.parts.time}};
+    const BodyStatus& status = loop.body_meter().newest().at(b);
+    if (status.error >= 0)
+      out["error"][name] = {{"all", status.error},
+                            {"discretisation", status.parts.discretisation},
+                            {"model", status.parts.model},
+                            {"solver", status.parts.solver},
+                            {"time", status.parts.time}};
     if (const auto press = loop.body_meter().presses().find(b); press != loop.body_meter().presses().end())
       out["pressed"][name] = {{"force_n", press->second.force}, {"error", press->second.error}};
     if (name == "liver") out["max_liver_displacement_mm"] = out["max_displacement_mm"][name];
