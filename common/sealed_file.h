@@ -14,7 +14,7 @@ namespace prosector {
 /// exists).
 struct SealedFileResult {
   std::optional<std::vector<std::uint8_t>> bytes;
-  std::string trouble;
+  std::string error;
 };
 
 /// Reads a file that write_sealed_file() wrote with the same key, and verifies its hash. Returns no bytes if

@@ -19,7 +19,7 @@ TXT
 command -v xdotool >/dev/null && command -v xvfb-run >/dev/null || { echo "demo: install xvfb and xdotool" >&2; exit 2; }
 # A display of its own: nobody else moves its mouse.
 [ "${DEMO_PARTS_DISPLAY:-}" = own ] ||
-  DEMO_PARTS_DISPLAY=own exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" "$0" "$@"
+  DEMO_PARTS_DISPLAY=own exec "$root/deploy/with_display.sh" 1280x1024 "$0" "$@"
 [[ " $* " == *" --scene "* ]] || set -- --scene "$root/deploy/scenes/brain.toml" "$@"
 
 . "$root/deploy/demo_session.sh"

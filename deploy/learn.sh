@@ -31,7 +31,7 @@ done
 # A network of its own: the lessons' sessions have plain names, which somebody else's may have, too.
 status=0
 unshare --map-root-user --net bash -c 'ip link set lo up multicast on && exec "$@"' - \
-  xvfb-run -a -s "-screen 0 1640x1260x24" "$root/tests/e2e/learn.py" "${PROSECTOR_BIN:-$root/build/release/bin}" "$out" "${lessons[@]}" || status=$?
+  "$root/deploy/with_display.sh" 1640x1260 "$root/tests/e2e/learn.py" "${PROSECTOR_BIN:-$root/build/release/bin}" "$out" "${lessons[@]}" || status=$?
 if [ $renew = yes ]; then
   cp "$out"/pictures/*.png "$root/docs/pictures/"
 fi

@@ -66,7 +66,7 @@ picture() {  # SCENE SIZE SECONDS
   local session=measure-$1-$$
   "$bin/prosector-server" "$root/deploy/scenes/$1.toml" --session "$session" > "$out/$1.log" 2>&1 &
   server=$!
-  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --patience 60 --display osmesa \
+  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --timeout 60 --display osmesa \
     --quality high --size "$2" --fps 2 --seconds "$(($3 + 1))" --screenshot "$pictures/$1.png@$3"
   kill -TERM "$server" && wait "$server"
   server=

@@ -39,7 +39,7 @@ def record():
     (OUT / "client.toml").write_text(CLIENT)
     server = subprocess.Popen([BIN / "prosector-server", ROOT / "deploy/scenes/abdomen.toml", "--session", session])
     try:
-        subprocess.run([BIN / "prosector-client", "join", "--name", "user", "--session", session, "--patience", "180", "--config", OUT / "client.toml",
+        subprocess.run([BIN / "prosector-client", "join", "--name", "user", "--session", session, "--timeout", "180", "--config", OUT / "client.toml",
                         "--display", "ar:offscreen", "--size", "640x480", "--no-overlay", "--fps", str(RATE), "--record", OUT / "seen.avi",
                         "--seconds", str(2.5 * AROUND)], check=True)
     finally:

@@ -71,7 +71,7 @@ void CameraSight::see(const Frame& frame) {
     out->number = newest_ ? newest_->number + 1 : 1;
     newest_ = std::move(out);
   }
-  came_.notify_one();
+  image_available_.notify_one();
 }
 
 /// Publishes the camera's pose and detects the boards of tablet and phantom. A phantom whose board isn't
@@ -87,12 +87,12 @@ void CameraSight::find_boards(UndistortedImage& out, const TagImage& picture) {
 
 std::shared_ptr<const UndistortedImage> CameraSight::next(std::chrono::milliseconds time_limit) {
   std::unique_lock lock(mutex_);
-  came_.wait_for(lock, time_limit, [this] { return newest_ && newest_->number > taken_; });
+  image_available_.wait_for(lock, time_limit, [this] { return newest_ && newest_->number > taken_; });
   if (newest_) taken_ = newest_->number;
   return newest_;
 }
 
-std::string CameraSight::trouble(const Catalogue& words) const {
+std::string CameraSight::warning(const Catalogue& words) const {
   const CameraState camera = camera_->state();
   if (!camera.problem.empty()) return words.tr("camera {}", camera.problem);
   const std::lock_guard lock(mutex_);

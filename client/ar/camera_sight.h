@@ -51,7 +51,7 @@ class CameraSight {
   bool all_analysed(std::int64_t time_ns) const { return camera_->reported_ns() >= time_ns; }
   /// Returns a message for the user, in the language of `words`, about the present problem: a camera error,
   /// missing images, or an undetected table board. Returns an empty string if there is none.
-  std::string trouble(const Catalogue& words = {}) const;
+  std::string warning(const Catalogue& words = {}) const;
   const Pose& room_board() const { return room_board_; }
 
   static constexpr double held =
@@ -78,7 +78,7 @@ class CameraSight {
   std::int64_t seen_ns_ = 0;  // time of the last image with the board
 
   mutable std::mutex mutex_;  // guards newest_ and taken_
-  std::condition_variable came_;
+  std::condition_variable image_available_;
   std::shared_ptr<const UndistortedImage> newest_;
   std::uint64_t taken_ = 0;  // number of the last returned image
 

@@ -37,7 +37,7 @@ Offer parse_offer(const std::string& text) {
     return out;
   }
   throw InputError(
-      fmt::format("--offer {}: must be vrpn or igtl, optionally followed by the address to listen at: "
+      fmt::format("--publish {}: must be vrpn or igtl, optionally followed by the address to listen at: "
                   "vrpn:ADDRESS:PORT, e.g. igtl:192.168.0.7:18944",
                   text));
 }

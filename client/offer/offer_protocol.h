@@ -38,14 +38,14 @@ const std::vector<OfferProtocol>& offer_protocols();
 std::unique_ptr<OfferConnection> make_vrpn_connection();
 std::unique_ptr<OfferConnection> make_igtl_connection();
 
-/// Parsed option --offer, with the format PROTOCOL[:ADDRESS[:PORT]]: protocol and network address at which
+/// Parsed option --publish, with the format PROTOCOL[:ADDRESS[:PORT]]: protocol and network address at which
 /// this client publishes poses to other programs.
 struct Offer {
   const OfferProtocol* protocol = nullptr;
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;
 };
-/// Parses the option --offer, PROTOCOL[:ADDRESS[:PORT]], by which this client publishes poses. Throws
+/// Parses the option --publish, PROTOCOL[:ADDRESS[:PORT]], by which this client publishes poses. Throws
 /// InputError with the allowed format.
 Offer parse_offer(const std::string& text);
 

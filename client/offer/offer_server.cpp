@@ -13,7 +13,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t most_peers = 32;
-constexpr std::int64_t patience_ns = 10'000'000'000;      // timeout of a peer that does not receive
+constexpr std::int64_t peer_timeout_ns = 10'000'000'000;  // timeout of a peer that does not receive
 constexpr std::int64_t picture_interval_ns = 60'000'000;  // minimum interval between two images
 constexpr int idle_ms = 100;
 constexpr std::chrono::microseconds interval(16667);
@@ -74,7 +74,7 @@ bool OfferServer::serve(Peer& peer, const std::vector<Offered>& things,
                         const std::shared_ptr<const Image>& picture, std::int64_t now_ns) {
   std::vector<std::uint8_t> bytes;
   if (!peer.line->receive(bytes) || !peer.talk->hear(bytes)) return false;
-  if (peer.line->is_full()) return now_ns - peer.last_drained_ns < patience_ns;
+  if (peer.line->is_full()) return now_ns - peer.last_drained_ns < peer_timeout_ns;
   peer.last_drained_ns = now_ns;
   OfferConnection::Bytes said = peer.talk->say(things, since_epoch_ns());
   if (picture && picture != peer.shown && now_ns - peer.shown_ns >= picture_interval_ns) {

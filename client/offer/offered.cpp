@@ -33,7 +33,7 @@ std::vector<Offered> offered(const Replica& replica, double tick) {
       if (user->hands[hand].tracked)
         out.push_back({entry.name + (hand == left_hand ? ".left" : ".right"), user->hands[hand].pose});
       for (const BodyId body : held_by(replica, {id, static_cast<std::uint8_t>(hand)}))
-        if (replica.rigid(body) != nullptr && held.insert(body).second)
+        if (replica.bodies().rigid(body) != nullptr && held.insert(body).second)
           out.push_back({replica.scene()->bodies[body].name, replica.rigid_pose(body, tick)});
     }
   }

@@ -25,7 +25,8 @@ GLFWwindow* make_window(GLFWwindow* main, const Audience& audience) {
   }
   glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);  // the main window keeps the keyboard focus
   GLFWwindow* window = glfwCreateWindow(width, height, "Prosector: audience", monitor, main);
-  if (!window) throw InputError("cannot open a second window for spectators; start without --audience");
+  if (!window)
+    throw InputError("cannot open a second window for spectators; start without --spectator-window");
   return window;
 }
 

@@ -27,9 +27,10 @@ class EglContext final : public GlContext {
     display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail("no display");
     if (!eglBindAPI(EGL_OPENGL_API)) fail("no desktop OpenGL");
-    const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLint found = 0;
-    if (!eglChooseConfig(display_, config_wish, &config_, 1, &found) || found == 0) fail("no configuration");
+    if (!eglChooseConfig(display_, config_attributes, &config_, 1, &found) || found == 0)
+      fail("no configuration");
     const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION,
                            3,
                            EGL_CONTEXT_MINOR_VERSION,

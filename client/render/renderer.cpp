@@ -101,7 +101,7 @@ struct Renderer::Impl {
     gl.Viewport(camera.x, camera.y, camera.width, camera.height);
   }
 
-  void tell_done(std::string_view pass) const {
+  void finish_pass(std::string_view pass) const {
     if (!pass_done) return;
     gl.Finish();
     pass_done(pass);
@@ -174,11 +174,11 @@ void Renderer::draw(const DrawList& list, int width, int height) {
   Passes& passes = *r.passes;
   std::vector<QueuedItem> items = r.upload(list);
   r.prepare_for_users(list, items);
-  r.tell_done("upload");
+  r.finish_pass("upload");
   const Shadow shadow = passes.shadow.draw(list, items, r.meshes);
-  r.tell_done("shadow");
+  r.finish_pass("shadow");
   const Environment& environment = passes.environment.draw(list, items, r.meshes);
-  r.tell_done("environment");
+  r.finish_pass("environment");
   passes.target.bind(width, height);
   Occlusion* const occlusion = passes.occlusion ? &*passes.occlusion : nullptr;
   if (occlusion != nullptr) occlusion->begin_picture();
@@ -192,14 +192,14 @@ void Renderer::draw(const DrawList& list, int width, int height) {
     }
   };
   draw_surfaces(false);
-  r.tell_done("surfaces");
+  r.finish_pass("surfaces");
   if (passes.ambient) passes.ambient->draw(list, passes.target);
-  r.tell_done("ambient_occlusion");
+  r.finish_pass("ambient_occlusion");
   if (passes.glass)
     passes.glass->draw(list, items, r.meshes, shadow, environment, passes.target, passes.main);
-  r.tell_done("glass");
+  r.finish_pass("glass");
   if (passes.shafts && !list.backdrop) passes.shafts->draw(list, shadow, passes.target);
-  r.tell_done("shafts");
+  r.finish_pass("shafts");
   if (list.backdrop)
     for (const DrawCamera& camera : list.cameras) {
       if (camera.inset) continue;
@@ -212,17 +212,17 @@ void Renderer::draw(const DrawList& list, int width, int height) {
     draw_lines(list, camera, passes.lines);
     passes.texts.draw_on_surfaces(list, camera);
   }
-  r.tell_done("lines");
+  r.finish_pass("lines");
   draw_surfaces(true);
-  r.tell_done("insets");
+  r.finish_pass("insets");
   passes.target.resolve();
-  r.tell_done("edges");
+  r.finish_pass("edges");
   for (const DrawCamera& camera : list.cameras) {
     if (camera.inset) continue;
     r.set_viewport(camera);
     passes.texts.draw_over(list, camera);
   }
-  r.tell_done("texts");
+  r.finish_pass("texts");
 }
 
 void Renderer::set_settings(const RendererSettings& settings) {

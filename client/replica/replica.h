@@ -2,21 +2,17 @@
 // A client's copy of the session state of one server. The network thread writes it and the view reads it:
 // lock it.
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "client/language/catalogue.h"
 #include "client/replica/asset_store.h"
-#include "client/replica/playout_clock.h"
-#include "client/replica/soft_replica.h"
-#include "client/replica/topology_replica.h"
+#include "client/replica/body_replicas.h"
+#include "client/replica/session_time.h"
 #include "client/replica/track.h"
-#include "common/body_messages.h"
 #include "common/hand_messages.h"
 #include "common/ids.h"
 #include "common/math.h"
@@ -29,18 +25,6 @@
 #include "idl/message.h"
 
 namespace prosector {
-
-/// Straight cutting edge of an instrument: its end points in the body frame, m.
-struct CuttingEdge {
-  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
-};
-
-struct RigidReplica {
-  TriangleMesh mesh;
-  std::vector<CuttingEdge> edges;  // cut tissue while a hand holds the body
-  Pose scene_pose;                 // pose until the first RigidState
-  Track<RigidState> track;
-};
 
 class Replica {
  public:
@@ -64,12 +48,6 @@ class Replica {
   std::string missing(const Catalogue& words = {}) const;
   /// Returns the received fraction of the data that is needed to display the session, 0 … 1.
   double progress() const;
-  /// Returns one hash over the displayed topology revisions (states after cuts) of all soft bodies. It is
-  /// equal on all clients that show the same cuts.
-  std::uint64_t topology_hash() const;
-  /// Returns the soft bodies whose keyframe (whole surface with all cuts) must be requested from the server,
-  /// because a change of topology is missing or failed verification. Returns each body at most once a second.
-  std::vector<BodyId> take_keyframe_requests(std::int64_t now_ns);
 
   const std::optional<SessionInfo>& session() const { return session_; }
   const std::optional<SceneInfo>& scene() const { return scene_; }
@@ -81,12 +59,8 @@ class Replica {
   /// Returns the newest status that the server sent for a soft body; null before the first, and for rigid
   /// bodies.
   const BodyStatus* body_status(BodyId body) const;
-  const RigidReplica* rigid(BodyId body) const;
-  SoftReplica* soft(BodyId body);
-  const SoftReplica* soft(BodyId body) const;
-  /// Returns the displayed topology revision (state after cuts) of a soft body's mesh; null if there is none
-  /// yet.
-  const TopologyRevision* topology(BodyId body) const;
+  BodyReplicas& bodies() { return bodies_; }
+  const BodyReplicas& bodies() const { return bodies_; }
   /// Returns the state of an anatomical part, such as its visibility; null while nobody has changed it.
   const PartState* part(BodyId body) const;
   /// Returns the open panels, each with the controls of one anatomical part, by the participant that opened
@@ -95,60 +69,40 @@ class Replica {
   /// Returns the brightness of the room's lights, 0 (off) … 1 (full). Lights that bodies carry are not
   /// included.
   double room_lights() const { return room_lights_; }
-  /// Returns the shape that replaces the body in collision detection, in the frame of its mesh. Returns null
-  /// if there is none, or if it was not received yet.
-  const TriangleMesh* outline(BodyId body);
-  /// Returns the ratio of simulated to real time that the host has set; 0 while the session is paused.
-  double pace() const { return pace_; }
   /// Returns the description of the recording that the server replays; nullopt if the session is live.
   const std::optional<Recording>& recording() const { return recording_; }
-  /// Returns the tick (simulation step) that is displayed for a playhead at `tick`. It is limited to the tick
-  /// of the newest received state.
-  double shown_tick(double tick) const { return std::min(tick, static_cast<double>(newest_.tick)); }
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
 
   // ---- State at the playhead
-  /// Advances the playhead, the displayed time, to the monotonic time `now_ns`. Returns the tick (simulation
-  /// step, with a fraction) to display.
-  double advance(std::int64_t now_ns);
+  SessionTime& time() { return time_; }
+  const SessionTime& time() const { return time_; }
   Pose rigid_pose(BodyId body, double tick) const;
   std::optional<UserState> user(ParticipantId participant, double tick) const;
-  double tick_seconds() const { return session_ ? 1 / session_->tick_rate : 1.0 / 60; }
-  double playout_delay_ms() const { return clock_ ? clock_->delay_ms() : 0; }
 
  private:
   AssetStore assets_;
   std::string language_;
   std::optional<SessionInfo> session_;
   std::optional<SceneInfo> scene_;
-  std::optional<PlayoutClock> clock_;
+  SessionTime time_;
   std::map<ParticipantId, RosterEntry> roster_;
   std::map<ParticipantId, Track<UserState>> users_;
   std::map<std::pair<ParticipantId, std::uint8_t>, ContactSample> contacts_;
-  SimTime newest_;  // time of the newest received state
-  std::map<BodyId, RigidReplica> rigid_;
-  std::map<BodyId, SoftReplica> soft_;
-  std::map<BodyId, TopologyReplica> topology_;
-  std::vector<SoftState> pending_soft_;  // received before the scene or the body's assets
-  std::map<BodyId, Settled> settled_;
+  BodyReplicas bodies_;
   std::optional<ServerStatus> status_;
   std::optional<Recording> recording_;
   std::map<BodyId, BodyStatus> body_status_;
   std::map<BodyId, PartState> parts_;
   std::map<ParticipantId, Panel> panels_;
-  double room_lights_ = 1, pace_ = 1;
-  std::map<BodyId, TriangleMesh> outlines_;
+  double room_lights_ = 1;
   bool complete_ = false, lacks_bodies_ = true, server_gone_ = false;
   std::uint64_t refused_ = 0;
 
   void apply(const Message& message, std::int64_t arrival_ns);
   void forget(const Message& message);
   void build_bodies(std::int64_t now_ns);
-  void build(BodyId id, const SceneBody& body, std::int64_t now_ns);
-  void follow_topology(BodyId body, std::int64_t now_ns);
-  void apply_pending(BodyId body);
 };
 
 }  // namespace prosector

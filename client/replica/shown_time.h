@@ -19,8 +19,8 @@ struct ShownTime {
 /// `tick`. Returns nullopt if the session is live.
 inline std::optional<ShownTime> shown_time(const Replica& replica, double tick) {
   if (!replica.recording()) return std::nullopt;
-  return ShownTime{replica.recording()->last_tick, replica.shown_tick(tick), 1 / replica.tick_seconds(),
-                   replica.pace()};
+  return ShownTime{replica.recording()->last_tick, replica.time().shown_tick(tick),
+                   1 / replica.time().tick_seconds(), replica.time().pace()};
 }
 
 }  // namespace prosector

@@ -65,7 +65,7 @@ std::string in_words(const StrokeFigures& stroke, const Catalogue& words) {
 void StrokeTracker::look(const Replica& replica, double now) {
   if (!replica.scene()) return;
   for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
-    const TopologyRevision* newest = replica.topology(id);
+    const TopologyRevision* newest = replica.bodies().topology(id);
     const auto known = bodies_.find(id);
     if (newest == nullptr || (known != bodies_.end() && known->second.revision == newest->revision)) continue;
     take(replica, id, *newest, now);
@@ -80,7 +80,7 @@ void StrokeTracker::look(const Replica& replica, double now) {
 }
 
 void StrokeTracker::take(const Replica& replica, BodyId id, const TopologyRevision& newest, double now) {
-  const SoftReplica* soft = replica.soft(id);
+  const SoftReplica* soft = replica.bodies().soft(id);
   if (soft == nullptr) return;
   const bool is_new = !bodies_.contains(id);
   const bool is_piece = newest.piece_of >= 0 && bodies_.contains(static_cast<BodyId>(newest.piece_of));

@@ -11,7 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t max_waiting = 256;  // revisions; the oldest are dropped, a keyframe replaces them
-constexpr std::int64_t patience_ns = 1'000'000'000;      // maximum duration of a gap
+constexpr std::int64_t gap_timeout_ns = 1'000'000'000;   // maximum duration of a gap
 constexpr std::int64_t ask_interval_ns = 1'000'000'000;  // between two requests
 
 }  // namespace
@@ -108,7 +108,7 @@ void TopologyReplica::show(std::map<std::uint32_t, TopologyRevision>::iterator r
 }
 
 bool TopologyReplica::needs_keyframe(std::int64_t now_ns) {
-  const bool stuck = stuck_since_ns_ && now_ns - *stuck_since_ns_ > patience_ns;
+  const bool stuck = stuck_since_ns_ && now_ns - *stuck_since_ns_ > gap_timeout_ns;
   if (!failed_ && !stuck) return false;
   if (asked_ns_ && now_ns - *asked_ns_ < ask_interval_ns) return false;
   asked_ns_ = now_ns;

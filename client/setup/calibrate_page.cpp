@@ -63,10 +63,10 @@ void CalibratePage::draw_choice(Interface& ui) {
   for (const ProcedureRow& row : rows_) {
     if (ImGui::Selectable(ui.tr(row.name), &row == chosen_)) choose(&row);
     ui.note(row.name);
-    const auto told = outcomes_.find(row.name);
-    if (told == outcomes_.end()) continue;
-    quiet(told->second.front());
-    ui.note("told: " + told->second.front());
+    const auto outcome = outcomes_.find(row.name);
+    if (outcome == outcomes_.end()) continue;
+    quiet(outcome->second.front());
+    ui.note("told: " + outcome->second.front());
   }
 }
 
@@ -187,7 +187,7 @@ void CalibratePage::draw_running(Interface& ui, ConfigDraft& draft) {
   ImGui::ProgressBar(static_cast<float>(step.progress), {-1, 0}, "");
   ImGui::ProgressBar(static_cast<float>(step.index) / static_cast<float>(step.count),
                      {-1, 6 * static_cast<float>(ui.scale())}, "");
-  if (!step.trouble.empty()) warning(ui.tr(step.trouble));
+  if (!step.rejection.empty()) warning(ui.tr(step.rejection));
   const DeviceStatus device = running_->device();
   if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
   if (ImGui::Button(ui.tr("Repeat this step"))) running_->back();

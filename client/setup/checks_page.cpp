@@ -28,8 +28,8 @@ void ChecksPage::draw(Interface& ui) {
                check_clock(ui.words()),
                check_anatomy(default_data_dir(), ui.words()),
                {msg("Latency from hand to display"), CheckState::unknown,
-                ui.tr("This can only be measured with a second device that observes the screen. The latency "
-                      "step on the tracker page compares two devices.")}};
+                ui.tr("The latency from hand to display can only be measured with a second device that "
+                      "observes the screen. The latency step on the tracker page compares two devices.")}};
   const float scale = static_cast<float>(ui.scale());
   float words_at = 310 * scale;
   for (const char* state : state_words)

@@ -30,9 +30,9 @@ class ConfigDraft {
   /// Adds a file, for instance a calibration, that save() will write with this name and text into the
   /// configuration file's folder.
   void add_companion_file(const std::string& name, std::string text);
-  /// Writes the draft to the configuration file, preserving comments and order, and the companion files.
-  /// Throws InputError if writing fails, or if another program changed the file since it was read; the file
-  /// is then not overwritten.
+  /// Writes the draft to the configuration file, preserving its comments and order, and writes the files of
+  /// add_companion_file(). Throws InputError if writing fails, or if another program changed the
+  /// configuration file since it was read; that file is then not overwritten.
   void save();
   /// Discards the unsaved changes, and reads the configuration file again.
   void revert();

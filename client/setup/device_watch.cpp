@@ -34,12 +34,6 @@ WatchedStation look_at(const std::deque<DeviceSample>& samples) {
       if (s.has_pose && s.pose.p.allFinite()) box.extend(s.pose.p);
     if (!box.isEmpty()) out.moved = box.diagonal().norm();
   }
-  for (std::size_t f = 0; out.last.has_flexion && f < fingers; ++f) {
-    const auto [low, high] =
-        std::minmax_element(samples.begin(), samples.end(),
-                            [&](const auto& a, const auto& b) { return a.flexion[f] < b.flexion[f]; });
-    out.bent = std::max(out.bent, high->flexion[f] - low->flexion[f]);
-  }
   return out;
 }
 

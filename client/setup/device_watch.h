@@ -17,7 +17,6 @@ struct WatchedStation {
   DeviceSample last;
   double rate = 0;    // Hz
   double moved = 0;   // m, extent of its motion
-  double bent = 0;    // flexion, the largest change of any finger
   double jitter = 0;  // s, RMS of the deviation of intervals between records
 };
 
@@ -51,15 +50,9 @@ class DeviceWatch {
 
 inline constexpr double min_moved_distance = 0.15;  // m: minimum intended motion
 inline constexpr double least_share = 3;            // minimum ratio to the motion of any other
-inline constexpr double min_flexion_change = 0.4;   // flexion
 
 /// Returns the number of the tracker's receiver that the user is moving: it moved at least
 /// min_moved_distance, and at least least_share times as far as any other. Returns nullopt if there is none.
 std::optional<std::uint32_t> moving_station(const WatchedDevice& tracker);
-/// Returns whether the user bends the glove's fingers: within the last two seconds, the flexion (0 … 1) of a
-/// finger changed by at least min_flexion_change.
-inline bool is_bent(const WatchedDevice& glove) {
-  return !glove.stations.empty() && glove.stations.front().bent >= min_flexion_change;
-}
 
 }  // namespace prosector

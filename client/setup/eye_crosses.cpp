@@ -117,8 +117,8 @@ void EyeCrossCalibration::draw_words(Interface& ui, const GuideStep& step, float
   ImGui::SameLine();
   const bool stops = ImGui::Button(ui.tr("Stop"));
   ui.note("stop");
-  if (!step.trouble.empty()) {
-    warning(ui.tr(step.trouble));
+  if (!step.rejection.empty()) {
+    warning(ui.tr(step.rejection));
     ui.note("trouble");
   }
   const DeviceStatus device = running_->device();

@@ -25,8 +25,8 @@ class EyeCrossCalibration {
  public:
   explicit EyeCrossCalibration(std::vector<EyeDisplay> displays) : displays_(std::move(displays)) {}
 
-  /// Draws the form for the calibration of a worn display: the mark's position, the display, the number of
-  /// crosses, and a start button. `said` receives error messages.
+  /// Draws the form for calibrating a worn display by crosses that the user aligns with a mark in the room:
+  /// the mark's position, display, number of crosses, start button. `said` receives error messages.
   void draw_settings_form(Interface& ui, const ClientConfig& config, Said& said);
   /// Draws the current cross, which the user aligns with a mark in the room, over the whole window. Returns
   /// the calibration's result once all crosses are done, until then nullopt. `said` receives messages.

@@ -20,8 +20,8 @@ struct ScreenGeometry {
 /// displayed view, in mm. `eyes`: position of their midpoint, m, in the frame of ScreenGeometry.
 std::string distance_text(const Catalogue& words, const Vec3& eyes, const ScreenGeometry& screen);
 /// Returns a text for the user with the position of the eyes relative to the view's centre: sideways,
-/// vertically and in front, in mm, and the two angles. `eyes`: midpoint, m, x right, y up, z towards the
-/// user.
+/// vertically and in front, in mm, and the sideways and vertical angles. `eyes`: midpoint, m, x right, y up,
+/// z towards the user.
 std::string direction_text(const Catalogue& words, const Vec3& eyes);
 /// Draws the screen, its camera and the midpoint of the eyes, from above and from the right. `eyes`: nullopt
 /// if they are not detected.

@@ -49,7 +49,7 @@ std::optional<GuideOutcome> EyeRuler::draw(Interface& ui, Said& said) {
   ui.note("left mark");
   ImGui::InputDouble(ui.tr("mm: mark seen by the right eye"), &right_, 0.5, 5, "%.1f");
   ui.note("right mark");
-  quiet(ui.tr("3. Measure the distance of your eyes to the screen and to the rod."));
+  quiet(ui.tr("3. Measure how far the screen and the thin rod before the ruler are from your eyes."));
   ImGui::InputDouble(ui.tr("mm to the screen"), &screen_mm_, 5, 50, "%.0f");
   ui.note("screen distance");
   ImGui::InputDouble(ui.tr("mm to the rod"), &rod_mm_, 5, 50, "%.0f");

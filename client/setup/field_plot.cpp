@@ -83,11 +83,11 @@ void draw_field_picture(Interface& ui, const FieldPicture& picture) {
   ImGui::Dummy({2 * wide, high});
   ui.note("field picture");
   const float left = ImGui::GetCursorPosX();
-  wrapped(ui.tr("error before: {:.1f} mm RMS, {:.1f} mm at most", 1e3 * rms_of(picture.before),
+  wrapped(ui.tr("error before correction: {:.1f} mm RMS, {:.1f} mm at most", 1e3 * rms_of(picture.before),
                 1e3 * most_of(picture.before)));
   ImGui::SameLine(left + wide);
-  wrapped(ui.tr("error after: {:.1f} mm RMS; {:.1f} mm between points", 1e3 * rms_of(picture.after),
-                1e3 * picture.expected));
+  wrapped(ui.tr("error after correction: {:.1f} mm RMS; expected between the points: {:.1f} mm",
+                1e3 * rms_of(picture.after), 1e3 * picture.expected));
   quiet(ui.tr("Arrows show errors magnified {:.1f} times.", enlarged));
 }
 

@@ -53,7 +53,7 @@ MachineCheck check_clock(const Catalogue& words) {
             words.tr("Cannot determine whether the clock is synchronised.")};
   if ((asked.status & STA_UNSYNC) == 0)
     return {msg("Clock"), CheckState::good, words.tr("Synchronised with a time server.")};
-  return {"Clock", CheckState::fair,
+  return {msg("Clock"), CheckState::fair,
           words.tr("The clock is not synchronised with a time server. Sessions are not affected; times in "
                    "journals of several machines may differ.")};
 }

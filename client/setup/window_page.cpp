@@ -134,7 +134,7 @@ void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
   double height = mm * config.window.height, apart = mm * config.window.device.face.eye_distance;
   if (edit_number(ui, ui.tr("mm: height of the image on the screen"), "height", height, "%.0f"))
     changes.push_back({"window.height", height / mm});
-  quiet(ui.tr("From the image centre to the camera's lens:"));
+  quiet(ui.tr("Distance from the centre of the screen's image to the camera's lens:"));
   constexpr std::array<std::array<const char*, 2>, 3> axes = {{{msg("mm to the right"), "camera right"},
                                                                {msg("mm up"), "camera up"},
                                                                {msg("mm towards you"), "camera near"}}};
@@ -153,7 +153,8 @@ void WindowPage::draw_camera(Interface& ui, ConfigDraft& draft) {
   if (edit_number(ui, ui.tr("mm between your pupils"), "eyes apart", apart, "%.1f"))
     changes.push_back({"eyes.distance", apart / mm});
   quiet(config.eyes.distance
-            ? ui.tr("An error of 1 % in this value changes your measured distance from the camera by 1 %.")
+            ? ui.tr("An error of 1 % in the pupil distance changes your measured distance from the camera by "
+                    "1 %.")
             : ui.tr("Not calibrated: using average adult values. Measure yours with the "
                     "ruler on the Pictures page."));
   if (!changes.empty()) change(draft, changes);
@@ -185,7 +186,7 @@ void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int
   }
   const ScreenGeometry screen = {window.height, window.device.placement.room_device.p};
   const std::optional<Vec3> at = eyes(now_ns);
-  const std::string& trouble = watch_->devices().front().status.message;
+  const std::string& problem = watch_->devices().front().status.message;
   const std::string distance = at ? distance_text(ui.words(), *at, screen) : ui.tr("No eyes detected.");
   ImGui::SetWindowFontScale(1.35f);
   wrapped(distance);
@@ -196,11 +197,11 @@ void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int
   ui.note("look anew");
   ImGui::SameLine();
   // Next to the button, so that an intermittent message moves nothing below.
-  if (trouble.empty())
+  if (problem.empty())
     quiet(ui.tr("Check with a ruler: distance from the lens to the point between your eyes."));
   else
-    warning(trouble);
-  ui.note("window trouble: " + trouble);
+    warning(problem);
+  ui.note("window trouble: " + problem);
   draw_eye_position(ui, at, screen);
 }
 

@@ -27,11 +27,11 @@ std::vector<Vec3> anatomy_points(Replica& replica) {
   };
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id)
-    if (const SoftReplica* body = bodies[id].kind == BodyKind::soft ? replica.soft(id) : nullptr)
+    if (const SoftReplica* body = bodies[id].kind == BodyKind::soft ? replica.bodies().soft(id) : nullptr)
       append(soft, body->rest().positions);
   const Eigen::AlignedBox3d tissue = box_of(soft);
   for (BodyId id = 0; id < bodies.size(); ++id) {
-    const RigidReplica* body = bodies[id].kind == BodyKind::rigid ? replica.rigid(id) : nullptr;
+    const RigidReplica* body = bodies[id].kind == BodyKind::rigid ? replica.bodies().rigid(id) : nullptr;
     if (body == nullptr) continue;
     const std::vector<Vec3> points = points_of(*body);
     if (bodies[id].moves) append(moving, points);

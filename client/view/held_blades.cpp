@@ -12,7 +12,7 @@ constexpr double behind = 0.015, ahead = 0.025;      // m
 
 bool is_held_blade(const Replica& replica, BodyId body) {
   const PartState* part = replica.part(body);
-  const RigidReplica* rigid = replica.rigid(body);
+  const RigidReplica* rigid = replica.bodies().rigid(body);
   return rigid != nullptr && !rigid->edges.empty() && part != nullptr && !part->hidden &&
          !part->holders.empty();
 }

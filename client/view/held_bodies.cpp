@@ -33,7 +33,7 @@ std::optional<Vec3> instrument_tip(const Replica& replica, const HandRef& hand, 
   const auto user = replica.user(hand.participant, tick);
   if (!user || !user->hands[hand.hand].tracked) return std::nullopt;
   for (const BodyId id : held_by(replica, hand)) {
-    const RigidReplica* rigid = replica.rigid(id);
+    const RigidReplica* rigid = replica.bodies().rigid(id);
     if (rigid == nullptr || !is_instrument(replica.scene()->bodies[id], *rigid)) continue;
     const Pose wrist_from_body = user->hands[hand.hand].pose.inverse() * replica.rigid_pose(id, tick);
     std::optional<Vec3> tip;
@@ -48,7 +48,7 @@ std::optional<BladeFrame> held_blade(const Replica& replica, const HandRef& hand
   const auto user = replica.user(hand.participant, tick);
   if (!user || !user->hands[hand.hand].tracked) return std::nullopt;
   for (const BodyId id : held_by(replica, hand)) {
-    const RigidReplica* rigid = replica.rigid(id);
+    const RigidReplica* rigid = replica.bodies().rigid(id);
     if (rigid == nullptr) continue;
     if (const auto blade = blade_frame(*rigid))
       return user->hands[hand.hand].pose.inverse() * replica.rigid_pose(id, tick) * *blade;

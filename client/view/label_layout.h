@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Label that is shown if there is room, with the point that it names. Lengths are in points of the view.
+/// Label that is shown if there is room, and the position it names. Lengths: logical pixels of the view.
 struct LabelWanted {
   std::uint32_t id = 0;
   Eigen::Vector2d anchor;  // end of its leader, between the columns

@@ -34,8 +34,8 @@ struct HeadsetEyes {
 struct WindowCamera {
   DrawCamera camera;
 };
-/// Projection of the scene into the frame. StereoProfile stands for two views side by side at the viewer's
-/// eye, CameraOverlay for a view over a camera's image.
+/// Projection of the scene into the frame. A StereoProfile means one view for each of the viewer's eyes, side
+/// by side in the frame; a CameraOverlay, a view drawn over a camera's image.
 using Projection = std::variant<Mono, StereoProfile, HeadsetEyes, WindowCamera, CameraOverlay>;
 
 /// Flags for the overlays and surroundings that suit a kind of projection, such as a headset or a camera

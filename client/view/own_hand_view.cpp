@@ -80,7 +80,7 @@ void add_blades(DrawList& list, DrawnBodies& bodies, const Replica& replica, con
                 double tick) {
   for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
     if (!is_held_blade(replica, id)) continue;
-    add_edges(list, replica.rigid(id)->edges, replica.rigid_pose(id, tick));
+    add_edges(list, replica.bodies().rigid(id)->edges, replica.rigid_pose(id, tick));
     for (const HandRef& hand : replica.part(id)->holders)
       if (!(self.at_desk && hand.participant == self.participant))
         add_guide_of(list, bodies, replica, hand, tick);

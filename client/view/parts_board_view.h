@@ -21,8 +21,8 @@ inline const Eigen::Vector2d parts_board_picture(parts_list_width + 2 * parts_li
 /// Converts a position in the frame of the board with the list of parts (m) to points of the list's layout.
 Eigen::Vector2d board_point(const Vec3& place);
 
-/// View of the list of parts on a board in the room: one mesh with vertex colours for all its plates, and
-/// texts on it.
+/// View of the list of parts on a board in the room: one mesh with vertex colours for all its rectangles,
+/// such as the board's background, and texts on it.
 class PartsBoardView {
  public:
   static constexpr std::uint64_t meshes = 1;  // ids, from the first one on

@@ -73,7 +73,7 @@ PartRow head_of(Group group, const std::vector<PartRow>& rows, const Catalogue& 
 
 std::vector<BodyId> organs_known(const Replica& replica) {
   return organs_of(*replica.scene(), [&](BodyId body) {
-    const TopologyRevision* shown = replica.topology(body);
+    const TopologyRevision* shown = replica.bodies().topology(body);
     return shown != nullptr ? shown->piece_of : -1;
   });
 }

@@ -19,7 +19,6 @@
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
 #include "client/view/session_overlay.h"
-#include "client/view/shown_effort.h"
 #include "common/hand.h"
 
 namespace prosector {
@@ -83,11 +82,13 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     return list_;
   }
   add_bodies(replica, tick, settings);
-  if (settings.shown != Shown::none) paint_bodies(replica, settings.shown);
-  if (through != nullptr) replace_table(replica, *through);
+  std::optional<ValueScale> scale;
+  if (settings.shown != Shown::none)
+    scale = value_painter_.paint(list_, bodies_, replica, settings.shown, next_mesh_id_);
+  if (through != nullptr) real_objects_.add(list_, bodies_, replica, *through, next_mesh_id_);
   close_section();
-  if (settings.wireframes) add_wireframes(replica, tick);
-  add_panels(replica, self.participant, settings.panel);
+  if (settings.wireframes) wireframes_.add(list_, replica, tick);
+  panels_.add(list_, replica, self.participant, settings.panel, next_mesh_id_);
   if (settings.parts_board) {
     if (!parts_board_) {
       parts_board_.emplace(next_mesh_id_);
@@ -101,9 +102,9 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   cut_lines_.add(list_);
   add_blades(list_, bodies_, replica, self, tick);
   add_guide(list_, settings.cut_guide);
-  strokes_.look(replica, tick * replica.tick_seconds());
+  strokes_.look(replica, tick * replica.time().tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
-  if (settings.shown != Shown::none) add_legend(list_, scale_);
+  if (scale) add_legend(list_, *scale);
   if (settings.help.empty()) add_notes(list_, settings.notes);
   if (settings.overlay) add_body_figures(replica);
   const bool overlay =
@@ -197,45 +198,6 @@ void SceneView::add_room(ItemRole showing) {
   }
 }
 
-/// Replaces the scene's table, which is the fixed body below the board, by the real table in the camera
-/// image. All bodies are lit like it, and phantoms occlude.
-void SceneView::replace_table(const Replica& replica, const CameraOverlay& through) {
-  constexpr double below = 0.005;  // m, below the board
-  const Pose& board = through.room_board;
-  const Vec3 up = board.q * Vec3::UnitZ();
-  const Vec3 shown = rendered_paper_color(list_, board.p, up);
-  for (const auto& [body, index, inner] : bodies_.items()) {
-    const SceneBody& one = replica.scene()->bodies[body];
-    DrawItem& item = list_.items[index];
-    if (through.found && one.name == through.found->body) {
-      item.showing = ItemRole::real;
-      item.pose = through.found->place.value_or(item.pose);
-      continue;
-    }
-    if (std::ranges::find(through.phantoms, one.name) != through.phantoms.end()) {
-      item.showing = ItemRole::real;
-      continue;
-    }
-    if (through.paper) match_lighting(item, shown, *through.paper);
-    if (one.kind != BodyKind::rigid || one.moves || one.part ||
-        !bodies_.box_of(list_, body).contains(board.p - below * up))
-      continue;
-    item.showing = ItemRole::around;
-    item.casts_shadow = false;
-  }
-  DrawItem plane = table_plane(board, next_mesh_id_);
-  if (!table_) {
-    table_ = plane.mesh;
-    ++next_mesh_id_;
-  }
-  plane.mesh = table_;
-  list_.items.push_back(plane);
-  if (!through.found || !through.found->shape || !through.found->place) return;
-  if (!phantom_) phantom_ = rigid_mesh(*through.found->shape, next_mesh_id_++);
-  list_.items.push_back(
-      {.mesh = phantom_, .pose = *through.found->place, .appearance = {}, .showing = ItemRole::real});
-}
-
 void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {
   const auto& bodies = replica.scene()->bodies;
   const std::vector<PartLook> looks = looks_of(replica, settings.parts);
@@ -250,16 +212,16 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
     const SoftReplica* cut = nullptr;
     if (bodies[id].kind == BodyKind::rigid) {
       auto& mesh = meshes_[id];
-      const RigidReplica* rigid = replica.rigid(id);
+      const RigidReplica* rigid = replica.bodies().rigid(id);
       if (!mesh) mesh = rigid_mesh(rigid->mesh, next_mesh_id_++);
       item.mesh = mesh;
       item.pose = replica.rigid_pose(id, tick);
       if (is_held_blade(replica, id)) item.brightness = blade_brightness;
     } else {
-      SoftReplica* soft = replica.soft(id);
+      SoftReplica* soft = replica.bodies().soft(id);
       if (soft == nullptr || !soft->complete()) continue;  // a new piece that is not fully received
       const SoftBodyMesh& mesh =
-          follow_soft(*soft, id, bodies[id].tube_diameter, tick, replica.tick_seconds());
+          follow_soft(*soft, id, bodies[id].tube_diameter, tick, replica.time().tick_seconds());
       item.mesh = mesh.outer();
       inner = mesh.inner();
       if (bodies[id].tube_diameter == 0) cut = soft;
@@ -295,42 +257,6 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
 void SceneView::close_section() {
   for (const auto& [solid, item] : section_caps_.add(list_, next_mesh_id_))
     bodies_.add(solid - 1, item, true);
-}
-
-/// Colours all soft bodies with one scale.
-void SceneView::paint_bodies(const Replica& replica, Shown shown) {
-  const auto& bodies = replica.scene()->bodies;
-  std::vector<const DrawnBodies::Item*> soft;
-  for (const DrawnBodies::Item& one : bodies_.items())
-    if (bodies[one.body].kind == BodyKind::soft) soft.push_back(&one);
-  scale_ = scale_of(shown);
-  if (shown == Shown::strain) {
-    std::vector<double> strains;
-    for (const DrawnBodies::Item* one : soft) {
-      const DrawMesh& mesh = *list_.items[one->index].mesh;
-      const std::vector<double>& of_mesh = painted_of(mesh).strains(mesh);
-      strains.insert(strains.end(), of_mesh.begin(), of_mesh.end());
-    }
-    scale_.most = strain_range_.follow(std::move(strains));
-  }
-  for (const DrawnBodies::Item* one : soft)
-    paint(list_.items[one->index], shown, replica.body_status(one->body));
-}
-
-void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
-  std::optional<double> value;  // of the whole body
-  if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
-  const bool known = status != nullptr && status->error >= 0;
-  if (shown == Shown::error) value = known ? status->error : not_known;
-  const ErrorMap* map = shown == Shown::error && known ? &status->error_map : nullptr;
-  item.mesh = painted_of(*item.mesh).of(*item.mesh, scale_, value, map);
-  item.painted = true;
-}
-
-PaintedMesh& SceneView::painted_of(const DrawMesh& mesh) {
-  const auto [painted, is_new] = painted_.try_emplace(mesh.id, next_mesh_id_);
-  if (is_new) ++next_mesh_id_;
-  return painted->second;
 }
 
 SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick,
@@ -398,49 +324,6 @@ void SceneView::place_lights(const Replica& replica, double tick) {
     }
     const Pose carrier = replica.rigid_pose(static_cast<BodyId>(light.body), tick);
     light = light_in_room(carrier, light);
-  }
-}
-
-void SceneView::add_wireframes(Replica& replica, double tick) {
-  const auto& bodies = replica.scene()->bodies;
-  for (BodyId id = 0; id < bodies.size(); ++id) {
-    const PartState* part = replica.part(id);
-    if (part != nullptr && (part->hidden || part->inspected)) continue;  // not in contact
-    if (bodies[id].kind == BodyKind::soft) {
-      const SoftReplica* known = replica.soft(id);
-      if (known == nullptr || !known->complete()) continue;
-      const SoftReplica& soft = *known;
-      const auto [wires, is_new] = wires_.try_emplace(id);
-      if (is_new || wire_shapes_[id] != soft.shape()) wires->second = all_edges(soft.rest().triangles);
-      wire_shapes_[id] = soft.shape();
-      add_wireframe(list_, wires->second,
-                    [&](std::uint32_t v) -> Vec3 { return soft.surface()[v].cast<double>(); });
-    } else if (const TriangleMesh* outline = replica.outline(id)) {
-      const auto [wires, is_new] = wires_.try_emplace(id);
-      if (is_new) wires->second = visible_edges(*outline);
-      const Pose pose = replica.rigid_pose(id, tick);
-      add_wireframe(list_, wires->second,
-                    [&](std::uint32_t v) -> Vec3 { return pose * outline->positions[v]; });
-    }
-  }
-}
-
-void SceneView::add_panels(const Replica& replica, ParticipantId self, const PanelLook& look) {
-  hidden_panel_lines_ = 0;
-  for (const auto& [who, panel] : replica.panels()) {
-    if (panel.body >= replica.scene()->bodies.size()) continue;
-    if (!panel_view_) {
-      panel_view_.emplace(next_mesh_id_);
-      next_mesh_id_ += PanelView::meshes;
-    }
-    const SceneBody& part = replica.scene()->bodies[panel.body];
-    Panel seen = panel;
-    if (who == self) {
-      hidden_panel_lines_ = panel_view_->hidden_lines(part);
-      seen.pose = look.place.value_or(panel.pose);
-    }
-    panel_view_->add(list_, seen, part, shown_effort(replica, panel.body, self),
-                     who == self ? look.first_line : 0);
   }
 }
 

@@ -10,22 +10,22 @@
 
 #include "client/replica/replica.h"
 #include "client/replica/stroke_figures.h"
-#include "client/view/auto_range.h"
+#include "client/view/body_wireframes.h"
 #include "client/view/cut_lines.h"
 #include "client/view/draw_list.h"
 #include "client/view/drawn_bodies.h"
 #include "client/view/level_of_detail.h"
+#include "client/view/open_panels.h"
 #include "client/view/own_hand_view.h"
-#include "client/view/panel_view.h"
 #include "client/view/part_labels.h"
 #include "client/view/parts_board_view.h"
 #include "client/view/pick.h"
+#include "client/view/real_objects.h"
 #include "client/view/section.h"
 #include "client/view/soft_body_mesh.h"
 #include "client/view/user_avatars.h"
-#include "client/view/value_paint.h"
+#include "client/view/value_painter.h"
 #include "client/view/view_settings.h"
-#include "client/view/wireframe.h"
 
 namespace prosector {
 
@@ -35,39 +35,34 @@ class SceneView {
   /// of deformed bodies are updated only if the bodies moved. The list is valid until the next call.
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
-  /// Returns the anatomical part that the ray meets first in the list built last; nullopt if it meets none.
+  /// Returns the anatomical part that the ray meets first, as drawn by the last build(); nullopt: none.
   std::optional<BodyId> part_at(const Ray& ray) { return bodies_.part_at(list_, ray); }
-  /// Returns the point at which the ray first meets a body in the list built last, ignoring the bodies of
-  /// `without`; nullopt if it meets none.
+  /// Returns the point at which the ray first meets a body as drawn by the last build(), ignoring the bodies
+  /// of `without`; nullopt if it meets none.
   std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {}) {
     return bodies_.surface_at(list_, ray, without);
   }
   /// Returns the number of lines of the part's description that do not fit on the panel of the local user,
   /// and must be scrolled.
-  std::size_t hidden_panel_lines() const { return hidden_panel_lines_; }
-  /// Returns the bounding box of a body as drawn in the list built last, m, world frame; an empty box if the
+  std::size_t hidden_panel_lines() const { return panels_.hidden_lines(); }
+  /// Returns the bounding box of a body as drawn by the last build(), m, world frame; an empty box if the
   /// body is not drawn.
   Eigen::AlignedBox3d box_of(BodyId body) const { return bodies_.box_of(list_, body); }
 
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
   std::map<BodyId, SoftBodyMesh> soft_meshes_;
-  std::map<std::uint64_t, PaintedMesh> painted_;  // by the source mesh's id
-  AutoRange strain_range_{0.01};
-  ValueScale scale_;  // colour scale of the latest list
+  ValuePainter value_painter_;
   UserAvatars people_;
   std::vector<DrawItem> room_;
-  std::shared_ptr<const DrawMesh> table_;    // plane of the real table; null: not seen by a camera yet
-  std::shared_ptr<const DrawMesh> phantom_;  // phantom with a custom shape; null: not seen yet
+  RealObjects real_objects_;
   std::shared_ptr<const DrawMesh> shaft_;
   OwnHandView own_hand_;
   CutLines cut_lines_;
   StrokeTracker strokes_;
-  std::optional<PanelView> panel_view_;
+  OpenPanels panels_;
   std::optional<PartsBoardView> parts_board_;  // nullopt: not shown yet
-  std::size_t hidden_panel_lines_ = 0;
-  std::map<BodyId, Edges> wires_;
-  std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() for which wires_ was built
+  BodyWireframes wireframes_;
   DrawnBodies bodies_;
   SectionCaps section_caps_;
   LevelOfDetail level_of_detail_;
@@ -79,19 +74,13 @@ class SceneView {
                      const ViewSettings& settings);
   void add_insets(const Replica& replica, double tick, const ViewSettings& settings);
   void add_room(ItemRole showing);
-  void replace_table(const Replica& replica, const CameraOverlay& through);
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
   void close_section();
-  void paint_bodies(const Replica& replica, Shown shown);
-  void paint(DrawItem& item, Shown shown, const BodyStatus* status);
-  PaintedMesh& painted_of(const DrawMesh& mesh);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   void add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,
                           const ViewSettings& settings);
   void add_light_shaft(const DrawItem& item);
-  void add_wireframes(Replica& replica, double tick);
-  void add_panels(const Replica& replica, ParticipantId self, const PanelLook& look);
   void add_body_figures(const Replica& replica);
   void add_part_labels(const Replica& replica, const ViewSettings& settings);
 };

@@ -93,10 +93,10 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
     line(2, words.tr("the server does not respond; waiting"));
   else if (replica.recording())
     line(2, words.tr("a recording"));
-  else if (replica.pace() == 0)
+  else if (replica.time().pace() == 0)
     line(2, words.tr("time stopped"));
-  else if (replica.pace() < 1)
-    line(2, words.tr("slow motion, {:g} of real time", replica.pace()));
+  else if (replica.time().pace() < 1)
+    line(2, words.tr("slow motion, {:g} of real time", replica.time().pace()));
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr
                 ? words.tr("view of {}", settings.follow)

@@ -33,9 +33,9 @@ bool headset_takes_egl() {
 }
 
 struct Headset::Parts {
-  Parts(const GlContext& context, std::function<void(const std::string&)> tell)
+  Parts(const GlContext& context, std::function<void(const std::string&)> report)
       : system(std::holds_alternative<EglHandles>(context.handles())),
-        run(system, context, std::move(tell)) {}
+        run(system, context, std::move(report)) {}
   XrSystem system;
   HeadsetSession run;
 };

@@ -42,11 +42,11 @@ XrSession HeadsetSession::begin_session(const XrSystem& system, const GlContext&
 }
 
 HeadsetSession::HeadsetSession(const XrSystem& system, const GlContext& context,
-                               std::function<void(const std::string&)> tell)
+                               std::function<void(const std::string&)> report)
     : system_(system),
       xr_(system.xr()),
       context_(context),
-      tell_(std::move(tell)),
+      report_(std::move(report)),
       session_(begin_session(system, context)),
       width_(static_cast<int>(system.views()[0].recommendedImageRectWidth)),
       height_(static_cast<int>(system.views()[0].recommendedImageRectHeight)),
@@ -75,7 +75,7 @@ void HeadsetSession::make_stage() {
   if (std::ranges::find(kinds, XR_REFERENCE_SPACE_TYPE_STAGE) == kinds.end()) {
     info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
     info.poseInReferenceSpace.position.y = -standing_eyes;
-    tell_(msg("headset: floor height unknown; standing height is assumed"));
+    report_(msg("headset: floor height unknown; standing height is assumed"));
   }
   PROSECTOR_XR_CHECK(xr_, CreateReferenceSpace, session_, &info, &stage_);
 }
@@ -116,7 +116,7 @@ void HeadsetSession::follow_events() {
     else if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       throw XrFailure("event", XR_ERROR_INSTANCE_LOST);
     else if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
-      tell_(msg("headset: the room was re-centred"));
+      report_(msg("headset: the room was re-centred"));
   }
 }
 
@@ -133,7 +133,7 @@ void HeadsetSession::enter(XrSessionState state) {
     case XR_SESSION_STATE_STOPPING:
       PROSECTOR_XR_CHECK(xr_, EndSession, session_);
       running_ = false;
-      tell_(msg("headset: taken off"));
+      report_(msg("headset: taken off"));
       break;
     case XR_SESSION_STATE_EXITING:
       over_ = true;
@@ -148,8 +148,10 @@ void HeadsetSession::enter(XrSessionState state) {
 
 void HeadsetSession::follow_focus(bool focused) {
   if (focused_ && !focused && state_ == XR_SESSION_STATE_VISIBLE)
-    tell_(msg("headset: another program controls your hands"));
-  if (!focused_ && focused && had_focus_) tell_(msg("headset: hand tracking restored"));
+    report_(
+        msg("headset: hand tracking paused while another program, such as the headset's menu, has the "
+            "input focus"));
+  if (!focused_ && focused && had_focus_) report_(msg("headset: hand tracking restored"));
   focused_ = focused;
   had_focus_ = had_focus_ || focused;
 }

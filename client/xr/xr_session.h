@@ -11,10 +11,10 @@ namespace prosector {
 
 class HeadsetSession {
  public:
-  /// Creates an OpenXR session that renders with the context. `tell` receives messages for the user on the
+  /// Creates an OpenXR session that renders with the context. `report` receives messages for the user on the
   /// session's state.
   HeadsetSession(const XrSystem& system, const GlContext& context,
-                 std::function<void(const std::string&)> tell);
+                 std::function<void(const std::string&)> report);
   ~HeadsetSession();
   HeadsetSession(const HeadsetSession&) = delete;
   HeadsetSession& operator=(const HeadsetSession&) = delete;
@@ -61,7 +61,7 @@ class HeadsetSession {
   const XrSystem& system_;
   const XrFunctions& xr_;
   const GlContext& context_;
-  std::function<void(const std::string&)> tell_;
+  std::function<void(const std::string&)> report_;
   XrSession session_ = XR_NULL_HANDLE;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool running_ = false, over_ = false, focused_ = false, had_focus_ = false;

@@ -59,7 +59,7 @@ bool read(std::span<const std::uint8_t> bytes, CachedAnatomy& out) try {
 CachedAnatomyResult load_cached(const std::filesystem::path& dir, const ContentHash& key) {
   if (dir.empty()) return {};
   const SealedFileResult found = read_sealed_file(file_of(dir, key), seal_key(key));
-  if (!found.bytes) return {std::nullopt, found.trouble};
+  if (!found.bytes) return {std::nullopt, found.error};
   CachedAnatomy out;
   if (!read(*found.bytes, out) || !consistent(out.anatomy)) return {std::nullopt, "is damaged"};
   return {std::move(out), ""};

@@ -21,7 +21,7 @@ struct CachedAnatomy {
 /// file). Without a mesh, the caller builds it from its source.
 struct CachedAnatomyResult {
   std::optional<CachedAnatomy> made;
-  std::string trouble;
+  std::string error;
 };
 CachedAnatomyResult load_cached(const std::filesystem::path& dir, const ContentHash& key);
 

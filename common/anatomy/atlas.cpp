@@ -9,7 +9,6 @@
 
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
-#include "common/scene/body_groups.h"
 #include "common/scene/label_table.h"
 #include "common/scene/material.h"
 #include "common/scene/suggest.h"
@@ -175,7 +174,7 @@ class AtlasReader {
     if (made_of.rigid) {
       RigidDesc& body = scene.rigid.emplace_back();
       describe(label, made_of, color, body);
-      body.surface_cell = atlas_.surface_cell;
+      body.geometry.surface_cell = atlas_.surface_cell;
       return;
     }
     SoftDesc& body = scene.soft.emplace_back();
@@ -196,15 +195,15 @@ class AtlasReader {
     body.name = label.name;
     body.names = label.names;
     body.term = label.term;
-    geometry_of(body).volume = atlas_.volume;
-    geometry_of(body).label = label.id;
-    geometry_of(body).smoothing = atlas_.smoothing;
-    geometry_of(body).max_volume_error = atlas_.max_volume_error;
+    body.geometry.volume = atlas_.volume;
+    body.geometry.label = label.id;
+    body.geometry.smoothing = atlas_.smoothing;
+    body.geometry.max_volume_error = atlas_.max_volume_error;
     body.pose = atlas_.pose;
     body.part = true;
     body.from_atlas = true;
-    contact_of(body).group = atlas_.group;
-    contact_of(body).touches = atlas_.touches;
+    body.contact.group = atlas_.group;
+    body.contact.touches = atlas_.touches;
     apply_material(made_of, body);
     body.appearance.color = color;
   }

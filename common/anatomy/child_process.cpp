@@ -91,12 +91,12 @@ ChildOutcome run_child(const std::filesystem::path& program, const std::vector<s
     return {{}, fmt::format("cannot be started ({})", std::strerror(error))};
   pipe.close(1);
   ChildOutcome out;
-  out.trouble = read_output(pipe.end[0], limits, out.output);
-  if (!out.trouble.empty()) ::kill(child, SIGKILL);
+  out.error = read_output(pipe.end[0], limits, out.output);
+  if (!out.error.empty()) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (out.trouble.empty()) out.trouble = end_in_words(status);
+  if (out.error.empty()) out.error = end_in_words(status);
   return out;
 }
 

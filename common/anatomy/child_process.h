@@ -17,7 +17,7 @@ struct ChildLimits {
 
 struct ChildOutcome {
   std::vector<std::uint8_t> output;  // standard output, possibly incomplete
-  std::string trouble;               // reason of the failure; empty: exit code 0
+  std::string error;                 // reason of the failure; empty: exit code 0
 };
 
 /// Runs `program` with `arguments` and waits for its end. Standard input is empty, and standard error is

@@ -184,7 +184,7 @@ void read_offset(VolumeHeader& h, const HeaderBytes& in) {
   auto offset = in.real(108);
   if (offset == 0) {
     offset = header_bytes + 4;
-    h.notes.push_back(fmt::format("its header has no voxel offset: byte {} is assumed", offset));
+    h.notes.push_back(fmt::format("the file's header has no voxel offset: byte {} is assumed", offset));
   }
   constexpr double max_offset = 16 * 1024 * 1024;
   if (!(offset >= 348 && offset <= max_offset))

@@ -25,7 +25,6 @@
 #include "common/anatomy/volume_check.h"
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
-#include "common/scene/body_groups.h"
 #include "common/scene/primitives.h"
 #include "common/scene/scene_curves.h"
 #include "common/surface_files.h"
@@ -108,7 +107,7 @@ struct Structure {
 /// Extracts the structure of a SoftDesc or a RigidDesc.
 template <class Desc>
 Structure structure_of(const std::filesystem::path& file, const Desc& desc, const Progress& progress) {
-  const auto& keys = geometry_of(desc);
+  const auto& keys = desc.geometry;
   const Volume volume = load_volume(file);
   const std::string name = file.string();
   const int margin = smoothing_margin(keys.smoothing);
@@ -224,9 +223,10 @@ CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, con
 /// Reads a rigid body's surface, open or closed. For a closed one, the expected volume is that of its solids.
 CachedAnatomy read_surface(const std::filesystem::path& file, const RigidDesc& desc) {
   CachedAnatomy out;
-  RepairedSurface whole = repaired(load_surface(
-      file, desc.scale,
-      {.origin = desc.mesh_origin, .report = [&](const std::string& line) { out.remarks.push_back(line); }}));
+  RepairedSurface whole =
+      repaired(load_surface(file, desc.geometry.scale,
+                            {.origin = desc.geometry.mesh_origin,
+                             .report = [&](const std::string& line) { out.remarks.push_back(line); }}));
   TriangleMesh& surface = out.anatomy.surface;
   surface = std::move(whole.surface);
   if (!surface_faults(surface)) {
@@ -234,18 +234,19 @@ CachedAnatomy read_surface(const std::filesystem::path& file, const RigidDesc& d
     const std::size_t crossings = intersecting_triangles(surface).size();
     out.expected_volume = volume_within(solid_shells(surface), crossings);
   }
-  if (desc.surface_cell > 0) surface = simplify(surface, desc.surface_cell);
+  if (desc.geometry.surface_cell > 0) surface = simplify(surface, desc.geometry.surface_cell);
   return out;
 }
 
 CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, const Progress& progress) {
   CachedAnatomy made;
   TriangleMesh& surface = made.anatomy.surface;
-  if (desc.volume.empty()) {
+  if (desc.geometry.volume.empty()) {
     made = read_surface(file, desc);
   } else {
     const Structure structure = structure_of(file, desc, progress);
-    surface = isosurface(structure.field, desc.surface_cell > 0 ? desc.surface_cell : structure.voxel);
+    surface = isosurface(structure.field,
+                         desc.geometry.surface_cell > 0 ? desc.geometry.surface_cell : structure.voxel);
     made.remarks = structure.remarks;
     made.expected_volume = structure.volume;
   }
@@ -277,10 +278,10 @@ void say_remarks(const std::string& name, const std::vector<std::string>& remark
 /// `desc` is a SoftDesc or a RigidDesc.
 template <class Desc>
 void report_volume_error(const Desc& desc, double made, double expected, const Progress& progress) {
-  const bool labelled = !geometry_of(desc).volume.empty();
+  const bool labelled = !desc.geometry.volume.empty();
   const std::string warning = with_body_name(desc.name, [&] {
     return check_volume(
-        made, expected, geometry_of(desc).max_volume_error.value,
+        made, expected, desc.geometry.max_volume_error.value,
         labelled ? "of its voxels" : "that its file encloses",
         labelled ? "If a label has several pieces, the largest is used, and cavities are filled; thin parts "
                    "need a smaller cell, and parts as thin as a voxel need a finer volume."
@@ -294,8 +295,7 @@ void report_volume_error(const Desc& desc, double made, double expected, const P
 std::optional<CachedAnatomy> load_cached_mesh(const std::string& name, const SourcePaths& paths,
                                               const ContentHash& key, const Progress& progress) {
   CachedAnatomyResult found = load_cached(paths.cache_dir, key);
-  if (!found.trouble.empty())
-    say(progress, fmt::format("{}: its cached mesh {}: rebuilt", name, found.trouble));
+  if (!found.error.empty()) say(progress, fmt::format("{}: its cached mesh {}: rebuilt", name, found.error));
   return std::move(found.made);
 }
 
@@ -346,25 +346,28 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
 }
 
 TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const Progress& progress) {
-  const std::string& source = desc.volume.empty() ? desc.mesh : desc.volume;
-  if (!desc.curves.empty() || !desc.patches.empty()) {
-    TriangleMesh surface = mesh_of(desc.curves, desc.patches);
+  const std::string& source = desc.geometry.volume.empty() ? desc.geometry.mesh : desc.geometry.volume;
+  if (!desc.geometry.curves.empty() || !desc.geometry.patches.empty()) {
+    TriangleMesh surface = mesh_of(desc.geometry.curves, desc.geometry.patches);
     say(progress, fmt::format("{}: {} triangles", desc.name, surface.triangles.size()));
     return surface;
   }
-  if (source.empty() && desc.fallback.empty()) return mesh_of(desc.parts);
-  const auto file =
-      source.empty() ? std::filesystem::path{} : resolve(desc.name, source, desc.fallback, paths, progress);
+  if (source.empty() && desc.geometry.fallback.empty()) return mesh_of(desc.geometry.parts);
+  const auto file = source.empty() ? std::filesystem::path{}
+                                   : resolve(desc.name, source, desc.geometry.fallback, paths, progress);
   if (file.empty()) {
-    const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 20;
-    TriangleMesh surface =
-        with_body_name(desc.name, [&] { return isosurface(implicit_shape(desc.fallback, desc.size), cell); });
-    for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
+    const double cell =
+        desc.geometry.surface_cell > 0 ? desc.geometry.surface_cell : desc.geometry.size.minCoeff() / 20;
+    TriangleMesh surface = with_body_name(desc.name, [&] {
+      return isosurface(implicit_shape(desc.geometry.fallback, desc.geometry.size), cell);
+    });
+    for (Vec3& x : surface.positions) x = desc.geometry.fallback_pose * x;
     return surface;
   }
-  const ContentHash key = hash_of(fmt::format("rigid {} {} {} {} {} {} {} {}{}", recipe, file_hash(file),
-                                              desc.volume.empty(), desc.label, desc.threshold, desc.smoothing,
-                                              desc.scale, desc.surface_cell, origin_key(desc.mesh_origin)));
+  const ContentHash key = hash_of(
+      fmt::format("rigid {} {} {} {} {} {} {} {}{}", recipe, file_hash(file), desc.geometry.volume.empty(),
+                  desc.geometry.label, desc.geometry.threshold, desc.geometry.smoothing, desc.geometry.scale,
+                  desc.geometry.surface_cell, origin_key(desc.geometry.mesh_origin)));
   CachedAnatomy made;
   auto cached = load_cached_mesh(desc.name, paths, key, progress);
   if (cached) {

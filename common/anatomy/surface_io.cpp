@@ -31,8 +31,7 @@ TriangleMesh import(const std::filesystem::path& file, const MeshReadOptions& ho
   const auto reader = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "prosector-import";
   const ChildOutcome child =
       run_child(reader, {std::filesystem::absolute(file).string()}, {how.time_limit, max_reply_bytes});
-  if (!child.trouble.empty())
-    refuse(fmt::format("its reader {} {}", reader.filename().string(), child.trouble));
+  if (!child.error.empty()) refuse(fmt::format("its reader {} {}", reader.filename().string(), child.error));
   ImportReply reply;
   try {
     reply = decode_import_reply(child.output);

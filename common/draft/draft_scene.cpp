@@ -25,7 +25,6 @@
 #include "common/file_endings.h"
 #include "common/ids.h"
 #include "common/regular_file.h"
-#include "common/scene/body_groups.h"
 #include "common/scene/label_table.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/material.h"
@@ -277,7 +276,7 @@ std::string body_text(const char* table, const Part& part, double unit, const Ve
       "\"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
       table, toml_text(part.name), toml_text(path_in_scene(part.file, folder)), toml_number(unit),
       origin.isZero() ? "" : fmt::format("mesh_origin = {}\n", exact_numbers(origin)), toml_numbers(pose.p),
-      rotation_text(z_up), toml_number(material_of(desc).density), part.material->rigid ? "bone" : "tissue",
+      rotation_text(z_up), toml_number(desc.material.density), part.material->rigid ? "bone" : "tissue",
       toml_numbers(desc.appearance.color), toml_number(desc.appearance.wetness));
 }
 

@@ -18,21 +18,20 @@ const Table& atlas_table() {
   static const Table table = [] {
     Table t{
         "[[atlas]]",
-        "Creates one body per label of a label map, named after the label: rigid for bone, soft otherwise, "
-        "all held in place. A label table is CSV with a header row: `name`, and any of `id` (in the label "
-        "map), `name.LANGUAGE` (`name.de`), `ta` (Terminologia Anatomica 1998) and `color` (#rrggbb). "
-        "Alternatively, each line is a number, a name, and a code or a colour, as atlases provide. Labels "
-        "that are not in the table are omitted, as are those with fewer than 64 voxels that are not listed "
-        "in `only`.",
+        "An `[[atlas]]` creates one body per label of a label map, named after the label: rigid for bone, "
+        "soft otherwise, all held in place. An atlas's label table is CSV with a header row: `name`, and any "
+        "of `id` (in the label map), `name.LANGUAGE` (`name.de`), `ta` (Terminologia Anatomica 1998) and "
+        "`color` (#rrggbb). Alternatively, each line of a label table is a number, a name, and a code or a "
+        "colour, as published atlases provide. An `[[atlas]]` omits labels that are not in its label table, "
+        "and labels of fewer than 64 voxels that are not listed in `only`.",
         {text<A, &A::volume>("volume", compiled, "file of the label map: .inr .inr.gz .nii .nii.gz", true),
          text<A, &A::labels>("labels", compiled,
                              "file of the label table; default: all labels, named \"region 1\" ..."),
          names<A, &A::only>("only", compiled, "names of labels to include; default: all"),
          names<A, &A::leave_out>("leave_out", compiled, "names of labels to omit"),
-         words<A, &A::material>(
-             "material", compiled, material_words(),
-             "material of the bodies; `by name`: chosen by a word in each label's name, such as "
-             "kidney, else tissue"),
+         words<A, &A::material>("material", compiled, material_words(),
+                                "material of the bodies; `by name`: chosen by a word in each label's name, "
+                                "such as kidney, else tissue"),
          number<A, &A::cell>(
              "cell", compiled, "m", {0, 1},
              "soft bodies: edge length of elements; 0: from each body's volume and thickness"),

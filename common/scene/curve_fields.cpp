@@ -59,8 +59,8 @@ Table curve_table(std::string_view name, std::string_view about) {
           {},
           fresh<C>};
   for (Field& field : std::vector<Field>{
-           number<C, &C::a>("a", compiled, "m", size, "conics"),
-           number<C, &C::b>("b", compiled, "m", size, "ellipse, hyperbola"),
+           number<C, &C::a>("a", compiled, "m", size, "conics: a in the formula of `kind`"),
+           number<C, &C::b>("b", compiled, "m", size, "ellipse, hyperbola: b in the formula of `kind`"),
            number<C, &C::from>("from", compiled, "", {-10, 10},
                                "conics: parameter t where the arc begins; ellipse: rad"),
            number<C, &C::to>("to", compiled, "", {-10, 10},
@@ -73,8 +73,9 @@ Table curve_table(std::string_view name, std::string_view about) {
 
 Table side_table(std::string_view name) {
   return {name,
-          "The profile of a revolved patch, or one of a Coons patch's four sides, which meet at the corners. "
-          "Order: along u at v = 0, along u at v = 1, along v at u = 0, along v at u = 1.",
+          "A `side` table is the profile of a revolved patch, or one of a Coons patch's four sides, which "
+          "meet at the corners. Order of a Coons patch's sides: along u at v = 0, along u at v = 1, along v "
+          "at u = 0, along v at u = 1.",
           spline_rows({"bezier", "bspline"}, ""),
           {},
           fresh<CurveDesc>};
@@ -91,8 +92,8 @@ Table patch_table(std::string_view name, std::string_view about, const Table& (*
            number<P, &P::columns>("columns", compiled, "", {2, max_control_points},
                                   "number of control points in a row"),
            list<P, &P::weights>("weights", compiled, "", weight, "weights of the points; default: all 1"),
-           number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline"),
-           number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline"),
+           number<P, &P::degree_u>("degree_u", compiled, "", degree, "bspline: degree along u"),
+           number<P, &P::degree_v>("degree_v", compiled, "", degree, "bspline: degree along v"),
            list<P, &P::knots_u>("knots_u", compiled, "", knot, about_knots),
            list<P, &P::knots_v>("knots_v", compiled, "", knot, about_knots),
            number<P, &P::thickness>("thickness", compiled, "m", size,
@@ -117,26 +118,32 @@ const Table& soft_side_table() {
 
 const Table& rigid_curve_table() {
   static const Table table = with_tolerance<CurveDesc>(curve_table(
-      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring if the curve closes smoothly."));
+      "[[rigid.curve]]",
+      "A `[[rigid.curve]]` is a tube around a curve, with flat ends; a smoothly closed curve gives a ring."));
   return table;
 }
 
 const Table& rigid_patch_table() {
-  static const Table table = with_tolerance<PatchDesc>(
-      patch_table("[[rigid.patch]]", "A piece of a curved surface, `thickness` thick.", rigid_side_table));
+  static const Table table = with_tolerance<PatchDesc>(patch_table(
+      "[[rigid.patch]]", "A `[[rigid.patch]]` is a piece of a curved surface with the thickness `thickness`.",
+      rigid_side_table));
   return table;
 }
 
 const Table& soft_curve_table() {
-  static const Table table = with_unused_tolerance<CurveDesc>(curve_table(
-      "[[soft.curve]]", "Centre line of a rope at rest, with its diameter; its unloaded shape is straight."));
+  static const Table table = with_unused_tolerance<CurveDesc>(
+      curve_table("[[soft.curve]]",
+                  "A `[[soft.curve]]` is the centre line of a rope at rest, with the rope's diameter; the "
+                  "rope's unloaded shape is straight."));
   return table;
 }
 
 const Table& soft_patch_table() {
-  static const Table table = with_unused_tolerance<PatchDesc>(patch_table(
-      "[[soft.patch]]", "Middle surface of a sheet at rest, with its thickness; its unloaded shape is flat.",
-      soft_side_table));
+  static const Table table = with_unused_tolerance<PatchDesc>(
+      patch_table("[[soft.patch]]",
+                  "A `[[soft.patch]]` is the middle surface of a sheet at rest, with the sheet's thickness; "
+                  "the sheet's unloaded shape is flat.",
+                  soft_side_table));
   return table;
 }
 

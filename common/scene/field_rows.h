@@ -158,8 +158,7 @@ template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
   fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", compiled, "m", coordinate, frames));
   fields.push_back(plain<Struct, &Struct::pose, &Pose::q>(
-      "rotation", compiled,
-      "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
+      "rotation", compiled, "orientation as a quaternion; normalised when read"));
 }
 
 }  // namespace prosector

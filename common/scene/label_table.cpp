@@ -126,7 +126,8 @@ class LabelReader {
     if (seen.size() > max_local_names) {
       const auto local = std::ranges::count(columns_, Kind::local, &Column::kind);
       if (local > static_cast<std::ptrdiff_t>(max_local_names))
-        fail(fmt::format("the table has names in {} languages; allowed: {} at most", local, max_local_names));
+        fail(fmt::format("the label table has names in {} languages; allowed: {} at most", local,
+                         max_local_names));
     }
   }
 

@@ -271,7 +271,7 @@ SceneDesc load_scene(const std::filesystem::path& file) {
 
 std::vector<std::string> referenced_files(const SceneDesc& scene) {
   std::set<std::string> out = {scene.labels};
-  for (const RigidDesc& body : scene.rigid) out.insert({body.mesh, body.volume});
+  for (const RigidDesc& body : scene.rigid) out.insert({body.geometry.mesh, body.geometry.volume});
   for (const SoftDesc& body : scene.soft) out.insert({body.geometry.mesh, body.geometry.volume});
   for (const AtlasDesc& atlas : scene.atlases) out.insert({atlas.volume, atlas.labels});
   out.erase("");

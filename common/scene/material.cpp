@@ -174,7 +174,7 @@ void apply_material(const Material& material, SoftDesc& body) {
 }
 
 void apply_material(const Material& material, RigidDesc& body) {
-  body.density = material.density;
+  body.material.density = material.density;
   body.appearance.surface = material.rigid ? Surface::bone : Surface::tissue;
   body.appearance.color = material.color;
   body.appearance.wetness = material.wetness;

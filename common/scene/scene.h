@@ -89,37 +89,53 @@ inline constexpr std::size_t max_collision_groups = 32;
 /// Names of the predefined collision groups: that of bodies without a group, and that of users' hands.
 inline constexpr const char *default_group = "default", *hand_group = "hand";
 
-/// [[rigid]] of a scene file: a rigid body, with its geometry, mass, contacts and appearance.
-struct RigidDesc {
-  std::string name;
-  std::string description;
-  std::string parent;    // parent body in the scene graph; empty: the room
+/// Keys of [[rigid]] that define a rigid body's shape: a file, primitive parts, or curves and patches.
+struct RigidGeometry {
   std::string mesh;      // surface file
   std::string volume;    // or the surface of a structure in a medical volume; neither: parts or curves
-  int label = -1;        // as in SoftDesc
-  double threshold = 0;  // as in SoftDesc
-  double smoothing = 1;  // voxels: as in SoftDesc
-  std::string fallback;  // implicit shape (as in SoftDesc) used, and reported, when the file is missing
+  int label = -1;        // as in SoftGeometry
+  double threshold = 0;  // as in SoftGeometry
+  double smoothing = 1;  // voxels: as in SoftGeometry
+  std::string fallback;  // implicit shape (as in SoftGeometry) used, and reported, when the file is missing
   Vec3 size = {0.1, 0.1, 0.1};      // m: bounding box of the fallback, along its own axes
   Pose fallback_pose;               // pose of the fallback's centre in the body's frame
   double scale = 1;                 // file units → metres
-  Vec3 mesh_origin = Vec3::Zero();  // as in SoftDesc
-  Quantity max_volume_error;        // %: as in SoftDesc
+  Vec3 mesh_origin = Vec3::Zero();  // as in SoftGeometry
+  Quantity max_volume_error;        // %: as in SoftGeometry
   double surface_cell = 0;  // m: edge length of the triangles, about; 0: mesh unchanged, volumes: voxel size
   std::vector<PartDesc> parts;
   std::vector<CurveDesc> curves;  // the body is the union of curves and patches
   std::vector<PatchDesc> patches;
-  Fidelity collision = Fidelity::hull;
-  std::string group = default_group;
-  std::vector<std::string> touches;  // groups; empty: all
-  bool continuous = false;           // true: continuous collision detection within a tick
-  Pose pose;
-  bool fixed = false;     // true: part of the room, never moves
+};
+
+/// Keys of [[rigid]] for a rigid body's mass.
+struct RigidMaterial {
   double density = 1000;  // kg/m³
   double mass = 0;        // kg; 0: from density and volume
+};
+
+/// Keys of [[rigid]] for a rigid body's contacts: collision shape, friction, restitution, and the bodies that
+/// it collides with.
+struct RigidContactDesc {
+  Fidelity collision = Fidelity::hull;
   double friction = 0.5;
   double rolling_resistance = 0;  // resisting force in free rolling, over the normal load
   double restitution = 0;
+  std::string group = default_group;
+  std::vector<std::string> touches;  // groups; empty: all
+  bool continuous = false;           // true: continuous collision detection within a tick
+};
+
+/// [[rigid]] of a scene file: a rigid body, in groups of keys.
+struct RigidDesc {
+  std::string name;
+  std::string description;
+  std::string parent;  // parent body in the scene graph; empty: the room
+  Pose pose;
+  RigidGeometry geometry;
+  RigidMaterial material;
+  RigidContactDesc contact;
+  bool fixed = false;         // true: part of the room, never moves
   bool balanced = false;      // on a counterweighted arm: weightless, stays where it is left
   std::string tool = "none";  // none | probe | scalpel: kind of tool in the hand that grasps it
   bool part = false;          // anatomical part: held in place until detached; a touch opens its panel
@@ -245,10 +261,10 @@ struct SoftContact {
   Fidelity collision = Fidelity::mesh;
   ContactPoints points = ContactPoints::vertices;
   double friction = 0.3;
-  double rolling_resistance = 0.1;  // as in RigidDesc; for bodies that collide as a sphere or a hull
+  double rolling_resistance = 0.1;  // as in RigidContactDesc; for bodies that collide as a sphere or a hull
   std::string group = default_group;
-  std::vector<std::string> touches;  // as in RigidDesc
-  bool continuous = false;           // as in RigidDesc
+  std::vector<std::string> touches;  // as in RigidContactDesc
+  bool continuous = false;           // as in RigidContactDesc
   bool self_contact = false;         // true: self-collision is detected
 };
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/scene/body_groups.h"
 #include "common/scene/scene_curves.h"
 #include "common/scene/suggest.h"
 #include "common/scene_messages.h"
@@ -57,7 +56,7 @@ class Checker {
   template <class Desc>
   void add(const std::string& key, const std::vector<Desc>& list) {
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto& groups = contact_of(list[i]);
+      const auto& groups = list[i].contact;
       bodies_.push_back({fmt::format("{}[{}]", key, i), fmt::format("[[{}]] \"{}\"", key, list[i].name),
                          &list[i].name, &list[i].parent, &groups.group, &groups.touches});
     }
@@ -143,16 +142,17 @@ class Checker {
   }
 
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
-    const bool swept = !rigid.curves.empty() || !rigid.patches.empty();
-    const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty() + swept;
+    const bool swept = !rigid.geometry.curves.empty() || !rigid.geometry.patches.empty();
+    const int sources =
+        !rigid.geometry.mesh.empty() + !rigid.geometry.volume.empty() + !rigid.geometry.parts.empty() + swept;
     if (sources != 1)
-      fail(body, rigid.volume.empty() ? "mesh" : "volume",
+      fail(body, rigid.geometry.volume.empty() ? "mesh" : "volume",
            sources == 0 ? "no geometry: give one of mesh, volume, [[rigid.part]]s, and curves or patches"
                         : "has several of mesh, volume, [[rigid.part]]s, and curves or patches: give one");
-    if (!rigid.fallback.empty() && (!rigid.parts.empty() || swept))
+    if (!rigid.geometry.fallback.empty() && (!rigid.geometry.parts.empty() || swept))
       fail(body, "fallback", "fallback replaces a missing mesh or volume file, but none is given");
-    check_curves(rigid.curves, rigid.patches, body);
-    check_label(rigid.label, rigid.volume, body);
+    check_curves(rigid.geometry.curves, rigid.geometry.patches, body);
+    check_label(rigid.geometry.label, rigid.geometry.volume, body);
     if (rigid.break_force > 0 && rigid.fractures.empty())
       fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
     if (rigid.fixed && (rigid.part || rigid.break_force > 0))
@@ -173,7 +173,7 @@ class Checker {
       if ((rigid.edges[i].to - rigid.edges[i].from).norm() < least_edge)
         refuse("to", "is shorter than 0.1 mm");
     }
-    check_fidelity(rigid.collision, rigid.continuous, body);
+    check_fidelity(rigid.contact.collision, rigid.contact.continuous, body);
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {

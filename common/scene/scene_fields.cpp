@@ -31,12 +31,13 @@ const Table& hand_table() {
   using H = HandDesc;
   static const Table table{
       "[hand]",
-      "The virtual coupling that pulls the simulated hand to the tracked pose.",
+      "The table `[hand]` sets the virtual coupling that pulls a simulated hand to its tracked pose.",
       {number<H, &H::mass>("mass", by_value, "kg", {0.01, 10}, "mass of the simulated hand"),
        number<H, &H::stiffness>("stiffness", by_value, "N/m", {0, 1e5, true},
                                 "stiffness of the coupling to the tracked pose"),
        number<H, &H::max_force>("max_force", by_value, "N", {0, 1000, true},
-                                "maximum force of the coupling; one fifth of it for each finger"),
+                                "maximum force of the coupling to the tracked pose; one fifth of it for each "
+                                "finger"),
        number<H, &H::tear_force>("tear_force", by_value, "N", {0, 1e4, true},
                                  "force between a hand and the held body above which the grasp is lost"),
        number<H, &H::friction>("friction", by_value, "", friction,
@@ -50,8 +51,8 @@ const Table& room_table() {
   using R = RoomDesc;
   static const Table table{
       "[room]",
-      "The room around the scene, 7 m by 7 m. A body that leaves it is moved back to its initial position. "
-      "Hands pass through the room's sides.",
+      "The table `[room]` sets the room around the scene, 7 m by 7 m. A body that leaves the room is moved "
+      "back to its initial position. Hands pass through the room's floor and walls.",
       {plain<R, &R::floor>("floor", by_value,
                            "true: bodies rest on the floor; false: they fall through the drawn floor"),
        plain<R, &R::walls>("walls", by_value,
@@ -79,8 +80,8 @@ const Table& patient_table() {
   using P = PatientFrame;
   static const Table table{
       "[patient]",
-      "Orientation of the patient. The axes in the corner of the view are then labelled R, L (right, left), "
-      "A, P (anterior, posterior), S, I (superior, inferior).",
+      "Orientation of the patient. In a scene with the table `[patient]`, the axes in the corner of the view "
+      "are labelled R, L (right, left), A, P (anterior, posterior), S, I (superior, inferior).",
       {number<P, &P::right>("right", not_hashed, "", {-1000, 1000},
                             "direction towards the patient's right; of any length"),
        number<P, &P::head>("head", not_hashed, "", {-1000, 1000},
@@ -96,7 +97,7 @@ const Table& light_table() {
       "[[light]]",
       "",
       {name<L, &L::name>("name", not_hashed, false, "unique among the lights"),
-       words<L, &L::kind>("kind", not_hashed, {"directional", "point", "spot"}, ""),
+       words<L, &L::kind>("kind", not_hashed, {"directional", "point", "spot"}, "type of light"),
        name<L, &L::carrier>(
            "body", not_hashed, false,
            "body that the light is fixed to; position and direction are then in the body's frame"),
@@ -124,7 +125,7 @@ const Table& scene_table() {
   using SD = SceneDesc;
   static const Table table{
       "",
-      "Keys at the top of the file, before the first table.",
+      "Top-level keys of a scene file, written before its first table:",
       {name<SD, &SD::name>("name", not_hashed, true, "the scene's name"),
        text<SD, &SD::description>("description", not_hashed, "description for users"),
        text<SD, &SD::labels>("labels", not_hashed,

@@ -15,8 +15,8 @@ const Table& attach_table() {
   using A = AttachDesc;
   static const Table table{
       "[[soft.attach]]",
-      "Tissue that holds an organ in place: everything inside the sphere is tied elastically to its rest "
-      "position.",
+      "An `attach` table models tissue that holds a soft body in place: the part of the body inside a sphere "
+      "is tied elastically to its rest position.",
       {number<A, &A::center>("center", compiled, "m", coordinate, "centre of the sphere, in the room"),
        number<A, &A::radius>("radius", compiled, "m", {0, 10, true}, "radius of the sphere"),
        number<A, &A::stiffness>("stiffness", compiled, "N/m per m³", {0, 1e12},
@@ -30,8 +30,8 @@ const Table& region_table() {
   using R = RegionDesc;
   static const Table table{
       "[[soft.region]]",
-      "Part of a tetrahedral body with another material: the elements whose centre at rest is inside a "
-      "sphere, or a box if `size` is given. Where regions overlap, the last one applies.",
+      "A `region` table gives part of a tetrahedral body another material: the elements whose centre at rest "
+      "is inside a sphere, or a box if `size` is given. Where `region` tables overlap, the last one applies.",
       {number<R, &R::center>("center", by_value, "m", coordinate, "centre of the sphere or box, in the room"),
        number<R, &R::radius>("radius", by_value, "m", {0, 10, true}, "radius of the sphere"),
        number<R, &R::size>("size", by_value, "m", {0, 10},
@@ -50,9 +50,10 @@ const Table& relaxation_table() {
   using R = RelaxationDesc;
   static const Table table{
       "[[soft.relaxation]]",
-      "A term of a Prony series: after a sudden strain, the fraction `share` of the stress decays as exp(-t "
-      "/ `time`). `youngs_modulus` is the instantaneous stiffness; the sum of all shares must be below 1. "
-      "For models whose name starts with fem_, with an implicit integrator.",
+      "A `relaxation` table is a term of a Prony series: after a sudden strain, the fraction `share` of the "
+      "stress decays as exp(-t / `time`). In a body with `relaxation`, `youngs_modulus` is the instantaneous "
+      "stiffness; the sum of all `share` values must be below 1. The keys of `relaxation` require a `model` "
+      "whose name starts with fem_, and an implicit integrator.",
       {number<R, &R::share>("share", by_value, "", {0, 1, true, true}, "fraction of the stress"),
        number<R, &R::time>("time", by_value, "s", {1e-6, 1e6}, "relaxation time: decay to 1/e")},
       {},
@@ -136,7 +137,8 @@ std::vector<Field> elasticity_fields() {
       number<S, &S::material, &SoftMaterial::fiber_direction>(
           "fiber_direction", by_value, "", {-1000, 1000},
           "direction of the fibres at rest, in the room; any non-zero length"),
-      number<S, &S::material, &SoftMaterial::density>("density", by_value, "kg/m³", density, ""),
+      number<S, &S::material, &SoftMaterial::density>("density", by_value, "kg/m³", density,
+                                                      "density of the tissue"),
       number<S, &S::material, &SoftMaterial::damping_mass>("damping_mass", by_value, "1/s", {0, 1000},
                                                            "Rayleigh damping: factor of the mass matrix"),
       number<S, &S::material, &SoftMaterial::damping_stiffness>(
@@ -171,7 +173,7 @@ std::vector<Field> cutting_fields() {
 /// Returns the keys of [[soft]] for limits on the effort of a tick.
 std::vector<Field> effort_fields() {
   return {number<S, &S::configuration, &SoftConfiguration::newton_iterations>(
-              "newton_iterations", by_value, "", {1, 100}, "maximum per tick"),
+              "newton_iterations", by_value, "", {1, 100}, "maximum Newton iterations per tick"),
           number<S, &S::configuration, &SoftConfiguration::solver_iterations>(
               "solver_iterations", by_value, "", {1, 100000},
               "maximum iterations of the linear solver per Newton iteration"),
@@ -180,7 +182,7 @@ std::vector<Field> effort_fields() {
               "relative residual at which the linear solver stops; its square "
               "root if several Newton iterations follow"),
           number<S, &S::configuration, &SoftConfiguration::substeps>("substeps", by_value, "", {1, 1000},
-                                                                     "xpbd: number per tick"),
+                                                                     "xpbd: substeps per tick"),
           number<S, &S::configuration, &SoftConfiguration::max_substeps>(
               "max_substeps", by_value, "", {1, 100000},
               "explicit integrators: maximum substeps per tick; a body that needs "
@@ -275,7 +277,7 @@ void add_contact(std::vector<Field>& fields) {
 const Table& soft_table() {
   static const Table table = [] {
     Table t{"[[soft]]",
-            "A deformable body. Its geometry is exactly one of `volume`, `mesh` and `shape`.",
+            "A deformable body. A deformable body's geometry is exactly one of `volume`, `mesh` and `shape`.",
             {},
             {{"curve", soft_curve_table, true, 1, items<S, &S::geometry, &SoftGeometry::curves>},
              {"patch", soft_patch_table, true, 1, items<S, &S::geometry, &SoftGeometry::patches>},

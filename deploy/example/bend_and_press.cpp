@@ -30,7 +30,7 @@ int main() try {
 
   RigidDesc ball;
   ball.name = "ball";
-  ball.parts = {{.shape = "sphere", .size = {0.03, 0, 0}}};
+  ball.geometry.parts = {{.shape = "sphere", .size = {0.03, 0, 0}}};
   ball.fixed = true;  // it goes where it is driven
   ball.pose.p = {0, 0.08, 0.5};
   scene.soft = {beam, kidney};

@@ -136,11 +136,11 @@ void DhdArm::set_force(const Vec3& force) {
   const dhd::Session* session = opening_.get();
   if (session == nullptr) return;
   const bool may = free_ && !resting_ && force.allFinite() && torque_.allFinite();
-  const auto told = [&](const Vec3& v, double most) {
+  const auto to_device = [&](const Vec3& v, double most) {
     const Vec3 bounded = bounded_force(v, may ? most : 0);
     return Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * bounded));
   };
-  const Vec3 f = told(force, limits_.peak_force), t = told(torque_, limits_.peak_torque);
+  const Vec3 f = to_device(force, limits_.peak_force), t = to_device(torque_, limits_.peak_torque);
   const dhd::Api& api = session->api();
   const int result = session->turns()
                          ? api.set_force_and_torque(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), session->id())

@@ -25,9 +25,9 @@ constexpr std::int64_t warm_ns = 1'000'000'000;  // duration for which motors co
 constexpr double mm = 1e-3;
 
 /// Returns whether a library's version text may be a supported version. A text without a number is accepted.
-bool may_be_known(const std::string& said) {
-  const auto number = said.find_first_of("0123456789");
-  return number == std::string::npos || std::atoi(said.c_str() + number) == known_major;
+bool may_be_known(const std::string& found_version) {
+  const auto number = found_version.find_first_of("0123456789");
+  return number == std::string::npos || std::atoi(found_version.c_str() + number) == known_major;
 }
 
 }  // namespace
@@ -44,12 +44,12 @@ Session::Session(const LibraryAddress& address, const Quat& room_arm, std::funct
         fmt::format("device '{}' cannot be opened: {}", address.device, error_text(api_, error)));
   }
   api_.make_current_device(device_);
-  const char* told = api_.get_string(version);  // available once a device is open
-  const std::string said = told != nullptr ? told : "";
-  if (!may_be_known(said)) {
+  const char* version_text = api_.get_string(version);  // available once a device is open
+  const std::string found_version = version_text != nullptr ? version_text : "";
+  if (!may_be_known(found_version)) {
     api_.disable_device(device_);
-    throw InputError(
-        fmt::format("library '{}' has version '{}'; supported: {}", address.library, said, known_major));
+    throw InputError(fmt::format("library '{}' has version '{}'; supported: {}", address.library,
+                                 found_version, known_major));
   }
   pop_errors();
   api_.enable(force_output);

@@ -34,6 +34,7 @@ class SocketLine final : public Line {
     if (descriptor_ < 0 ||
         ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
       return lose(std::strerror(errno));
+    error_.clear();
     return true;
   }
   void close() override {
@@ -56,7 +57,11 @@ class SocketLine final : public Line {
     std::copy(bytes.begin(), bytes.end(), std::back_inserter(question));
     return ask(question, write_response).has_value();
   }
-  std::optional<Channels> start() override { return is_open() ? std::optional(Channels{}) : std::nullopt; }
+  std::optional<Channels> start() override {
+    if (is_open()) return Channels{};
+    if (error_.empty()) lose("the connection to the simulated arm is not open");
+    return std::nullopt;
+  }
 
   std::optional<std::array<std::uint8_t, state_bytes>> receive() override {
     std::optional<std::array<std::uint8_t, state_bytes>> newest;

@@ -21,9 +21,10 @@ namespace prosector {
 /// that serves as the user's panel.
 enum class StationRole : std::uint8_t { none, head, left_hand, right_hand, instrument, tablet };
 
-/// Action that a hand gesture triggers. `grasp` and `release` act on the body at the hand; `reset` returns
-/// the body to its initial position. `panel` shows or hides the panel of the anatomical part that the hand
-/// touches or points at. `parts` shows or hides the board with the list of parts.
+/// Action that a hand gesture triggers. `grasp` and `release` act on the body at the hand. `reset` returns
+/// the body that the hand holds, otherwise the body that it held or touched last, to its initial state.
+/// `panel` shows or hides the panel of the anatomical part that the hand touches or points at. `parts` shows
+/// or hides the board with the list of parts.
 enum class GestureEvent : std::uint8_t { none, grasp, release, reset, panel, parts };
 
 struct GloveSettings {

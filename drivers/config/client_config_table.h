@@ -25,14 +25,13 @@ enum class ConfigType : std::uint8_t { flag, number, whole, numbers, text };
 struct ConfigKey {
   std::string name;  // dotted
   ConfigType type = ConfigType::text;
-  double least = 0, most = 0;        // range of numbers
-  std::size_t count = 0;             // array size, for `numbers`
-  std::vector<std::string> choices;  // allowed values of a text; empty: any
-  std::string needed;                // not empty: required if its table is present; an example value
-  std::string unit, help;
-  std::string member;                                                  // member that it sets
-  std::function<void(ClientConfig&, const ConfigValue&)> set;          // may throw InputError with the reason
-  std::function<std::optional<ConfigValue>(const ClientConfig&)> get;  // nothing: not set
+  double least = 0, most = 0;             // range of numbers
+  std::size_t count = 0;                  // array size, for `numbers`
+  std::vector<std::string> choices = {};  // allowed values of a text; empty: any
+  std::string needed = {};                // not empty: required if its table is present; an example value
+  std::string unit = {}, help = {};
+  std::function<void(ClientConfig&, const ConfigValue&)> set = {};  // may throw InputError with the reason
+  std::function<std::optional<ConfigValue>(const ClientConfig&)> get = {};  // nothing: not set
 };
 
 /// Fault of a configuration with an invalid combination of values: the key to change and the requirement that

@@ -39,7 +39,7 @@ bool AlignGuide::is_new(const Pose& camera_board) const {
 void AlignGuide::add_board_pose(std::int64_t time_ns, const Pose& camera_board) {
   if (pairs_.size() == poses_) return;
   camera_.take(time_ns, camera_board);
-  trouble_.clear();
+  rejection_.clear();
   if (!tracker_.still() || !camera_.still() || time_ns - tracked_ns_ > stale_ns) {
     still_ns_ = 0;
     return;
@@ -48,7 +48,7 @@ void AlignGuide::add_board_pose(std::int64_t time_ns, const Pose& camera_board) 
   if (time_ns - still_ns_ < settle_ns) return;
   const TrackedPair pair = {tracker_.mean(), camera_.mean()};
   if (!is_new(pair.camera_board)) {
-    trouble_ = "this orientation of the board was used before: rotate it further";
+    rejection_ = "this orientation of the board was used before: rotate it further";
     return;
   }
   pairs_.push_back(pair);
@@ -58,12 +58,8 @@ void AlignGuide::add_board_pose(std::int64_t time_ns, const Pose& camera_board) 
 }
 
 GuideStep AlignGuide::step() const {
-  GuideStep out;
-  out.index = pairs_.size();
-  out.count = poses_;
-  out.done = out.index == out.count;
+  GuideStep out = step_at(pairs_.size(), poses_, rejection_);
   out.progress = std::min(tracker_.filled(), camera_.filled());
-  out.trouble = trouble_;
   if (!out.done)
     out.instruction = fmt::format("Hold the board in front of the camera, {}, and hold it still",
                                   tilt_instructions[out.index % tilt_instructions.size()]);
@@ -82,9 +78,10 @@ GuideOutcome AlignGuide::outcome() const {
                   "ways to calculate the camera's pose differ by {:.2f} mm",
                   pairs_.size(), fit.left_out.size(), 1e3 * fit.position_rms,
                   fit.rotation_rms * 180 / std::numbers::pi, 1e3 * fit.method_difference));
-  out.words.push_back(
-      fmt::format("expected position error: {:.2f} mm RMS between the shown boards, {:.2f} mm at the camera",
-                  1e3 * fit.expected_error(fit.centre), 1e3 * fit.expected_error(fit.tracker_camera.p)));
+  out.words.push_back(fmt::format(
+      "expected error of tracked positions: {:.2f} mm RMS where the board was held, {:.2f} mm RMS "
+      "at the camera",
+      1e3 * fit.expected_error(fit.centre), 1e3 * fit.expected_error(fit.tracker_camera.p)));
   const Pose room_device = fit.tracker_camera * device_camera;
   out.changes = {{"tracker.room.position", written(room_device.p)},
                  {"tracker.room.orientation", written(room_device.q)}};

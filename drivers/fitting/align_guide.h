@@ -34,7 +34,7 @@ class AlignGuide final : public Guide {
   std::int64_t tracked_ns_ = 0;  // time of the newest tracker pose
   std::int64_t still_ns_ = 0;    // time since which both are still; 0: not still
   std::vector<TrackedPair> pairs_;
-  std::string trouble_;
+  std::string rejection_;
 };
 
 }  // namespace prosector

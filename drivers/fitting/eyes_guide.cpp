@@ -43,16 +43,19 @@ Eigen::Vector2d EyesGuide::cross() const {
 }
 
 bool EyesGuide::confirm() {
-  trouble_.clear();
-  if (covered() == 2 * crosses_) return false;
+  rejection_.clear();
+  if (covered() == 2 * crosses_) {
+    rejection_ = "all crosses are confirmed: finish, or repeat the last step";
+    return false;
+  }
   if (!window_.still()) {
-    trouble_ = "the head moved: hold it still while you confirm";
+    rejection_ = "the head moved: hold it still while you confirm";
     return false;
   }
   const Vec3 point = window_.mean().inverse() * mark_;
   const std::vector<SeenPoint>& last = seen_[seen_[1].empty() ? 0 : 1];
   if (!last.empty() && (point - last.back().point).norm() < least_way) {
-    trouble_ = "the head has not moved: align this cross with the mark first";
+    rejection_ = "the head has not moved: align this cross with the mark first";
     return false;
   }
   seen_[right_eye() ? 1 : 0].push_back({point, cross()});
@@ -60,11 +63,7 @@ bool EyesGuide::confirm() {
 }
 
 GuideStep EyesGuide::step() const {
-  GuideStep out;
-  out.index = covered();
-  out.count = 2 * crosses_;
-  out.done = out.index == out.count;
-  out.trouble = trouble_;
+  GuideStep out = step_at(covered(), 2 * crosses_, rejection_);
   if (out.done) return out;
   out.instruction =
       fmt::format("With the {} eye only, align the cross with the mark {}, hold still and confirm",
@@ -76,6 +75,7 @@ GuideStep EyesGuide::step() const {
 }
 
 void EyesGuide::back() {
+  rejection_.clear();
   std::vector<SeenPoint>& last = seen_[seen_[1].empty() ? 0 : 1];
   if (!last.empty()) last.pop_back();
 }

@@ -48,7 +48,7 @@ class EyesGuide final : public Guide {
   std::size_t station_;
   StillnessDetector window_;
   std::array<std::vector<SeenPoint>, 2> seen_;  // left eye, right eye
-  std::string trouble_;
+  std::string rejection_;
 };
 
 /// Returns the result of an eye calibration for the user: text lines, and changes to the configuration's eye

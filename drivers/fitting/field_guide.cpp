@@ -72,23 +72,19 @@ void FieldGuide::take(const DeviceSample& sample) {
   if (sample.station != station_ || !sample.has_trusted_pose() || caught_.size() == points_.size()) return;
   const auto place = catcher_.take(sample.time_ns, sample.pose);
   if (!place) return;
-  trouble_.clear();
+  rejection_.clear();
   const double off = (room_device_ * place->p - points_[caught_.size()]).norm();
   if (off <= reach_)
     caught_.push_back({*place, catcher_.error()});
   else
-    trouble_ = fmt::format(
-        "the receiver seems to be {:.0f} mm from this point: move it there, or run the room calibration "
-        "first",
+    rejection_ = fmt::format(
+        "the receiver seems to be {:.0f} mm from the instructed position: move it there, or run the room "
+        "calibration first",
         1e3 * off);
 }
 
 GuideStep FieldGuide::step() const {
-  GuideStep out;
-  out.index = caught_.size();
-  out.count = points_.size();
-  out.done = out.index == out.count;
-  out.trouble = trouble_;
+  GuideStep out = step_at(caught_.size(), points_.size(), rejection_);
   if (out.done) return out;
   const Vec3& p = points_[out.index];
   out.instruction =
@@ -145,7 +141,8 @@ GuideOutcome FieldGuide::outcome_of(const FieldFit& f) const {
       1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
   out.words.push_back(
       "chosen: " + f.chosen.name() +
-      "; errors of each model, expected between the points, and at points not used for the fit:");
+      "; position and rotation errors of each model of the tracker's field, expected between the measured "
+      "points, and position error at points not used for its fit:");
   for (const FieldTrial& t : f.trials)
     out.words.push_back(fmt::format("  {:<26} {:6.2f} mm {:6.2f}°, {:6.2f} mm", t.name(),
                                     1e3 * t.expected.position, degrees * t.expected.turn, 1e3 * t.left_out));

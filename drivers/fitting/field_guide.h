@@ -53,7 +53,7 @@ class FieldGuide final : public Guide {
   std::vector<Caught> caught_;
   PositionRecorder catcher_;
   double reach_;  // m, greatest reported distance from a grid point that counts as on it
-  std::string trouble_;
+  std::string rejection_;
 };
 
 }  // namespace prosector

@@ -57,10 +57,7 @@ void GloveGuide::take(const DeviceSample& sample) {
 }
 
 GuideStep GloveGuide::step() const {
-  GuideStep out;
-  out.index = held_.size();
-  out.count = glove_poses().size();
-  out.done = out.index == out.count;
+  GuideStep out = step_at(held_.size(), glove_poses().size());
   if (out.done) return out;
   out.instruction = glove_poses()[out.index].instruction;
   out.progress = filled();

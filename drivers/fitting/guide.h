@@ -14,14 +14,20 @@ namespace prosector {
 /// Current step of a guided calibration: the instruction for the user, the progress, and the reason why the
 /// last attempt was rejected.
 struct GuideStep {
-  std::string instruction;               // for the user, what to do now
-  std::size_t index = 0, count = 1;      // steps done; total number of steps
-  double progress = 0;                   // progress of this step, 0 to 1
-  bool done = false;                     // all steps are done
-  std::optional<Vec3> target;            // position to move to, m, room
-  std::optional<Eigen::Vector2d> pixel;  // position of the cross in an eye's image, from the upper left
-  std::string trouble;                   // reason why the last attempt was rejected; empty: no error
+  std::string instruction = {};               // for the user, what to do now
+  std::size_t index = 0, count = 1;           // steps done; total number of steps
+  double progress = 0;                        // progress of this step, 0 to 1
+  bool done = false;                          // all steps are done
+  std::optional<Vec3> target = {};            // position to move to, m, room
+  std::optional<Eigen::Vector2d> pixel = {};  // position of the cross in an eye's image, from the upper left
+  std::string rejection = {};                 // reason why the last attempt was rejected; empty: no error
 };
+
+/// Returns the step of a guided calibration that has completed `index` of `count` steps, without its
+/// instruction.
+inline GuideStep step_at(std::size_t index, std::size_t count, const std::string& rejection = {}) {
+  return {.index = index, .count = count, .done = index == count, .rejection = rejection};
+}
 
 struct GuideOutcome {
   std::vector<std::string> words;     // lines of text for the user

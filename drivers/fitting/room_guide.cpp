@@ -56,7 +56,7 @@ void RoomGuide::take(const DeviceSample& sample) {
 /// Returns whether the position has the right distances from the earlier points; if not, sets the error
 /// message.
 bool RoomGuide::plausible(const Vec3& place) {
-  trouble_.clear();
+  rejection_.clear();
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     const double seen = (place - touched_[i].device).norm();
     const double known = (points_[touched_.size()] - touched_[i].room).norm();
@@ -66,7 +66,7 @@ bool RoomGuide::plausible(const Vec3& place) {
       back();
       refused_ = 0;
     }
-    trouble_ =
+    rejection_ =
         fmt::format("this point is {:.0f} mm from point {}, but should be {:.0f} mm: touch point {} again",
                     1e3 * seen, i + 1, 1e3 * known, touched_.size() + 1);
     return false;
@@ -76,11 +76,7 @@ bool RoomGuide::plausible(const Vec3& place) {
 }
 
 GuideStep RoomGuide::step() const {
-  GuideStep out;
-  out.index = touched_.size();
-  out.count = points_.size();
-  out.done = out.index == out.count;
-  out.trouble = trouble_;
+  GuideStep out = step_at(touched_.size(), points_.size(), rejection_);
   if (out.done) return out;
   const Vec3& p = points_[out.index];
   out.instruction = fmt::format("Touch point {} of {} at {:.3f}, {:.3f}, {:.3f} m and hold still",

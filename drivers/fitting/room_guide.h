@@ -30,7 +30,7 @@ class RoomGuide : public Guide {
   std::vector<Vec3> points_;
   std::vector<TouchedPoint> touched_;
   PositionRecorder catcher_;
-  std::string trouble_;
+  std::string rejection_;
   int refused_ = 0;  // rejected attempts in a row
 };
 

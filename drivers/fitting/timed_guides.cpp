@@ -90,7 +90,8 @@ GuideOutcome DelayGuide::outcome() const {
   const DelayFit f = fit();
   GuideOutcome out;
   out.words.push_back(
-      fmt::format("the device is {:.2f} ± {:.2f} ms later than the other; correlation {:.3f} over {:.1f} s",
+      fmt::format("the measured device is {:.2f} ± {:.2f} ms later than the reference device; "
+                  "correlation {:.3f} over {:.1f} s",
                   1e3 * f.delay, 1e3 * f.error, f.correlation, f.seconds));
   return out;
 }

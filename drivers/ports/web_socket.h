@@ -27,8 +27,8 @@ class WebSocket {
   /// The thread calls `answer` with each received text and sends the returned texts in order. If `answer`
   /// returns nothing, the thread closes the connection and opens it again.
   WebSocket(std::string host, std::string port, std::string target, Answer answer);
-  /// Waits up to 50 ms for one more received text, so that the last answer is still sent. Then closes the
-  /// connection and ends the thread.
+  /// Waits up to 50 ms for one more text from the server, to send what `answer` returns for it. Then closes
+  /// the connection and ends the thread.
   ~WebSocket();
 
   /// Returns the connection's state without waiting. Only one thread may call it.

@@ -37,7 +37,7 @@ void IgtlDevice::started(std::int64_t) {
 }
 
 void IgtlDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
-  const bool came = !buffer().bytes().empty();
+  const bool received_bytes = !buffer().bytes().empty();
   reader_.take(buffer().bytes(), buffer().time_ns());
   buffer().clear();
   while (const auto message = reader_.next()) {
@@ -49,7 +49,7 @@ void IgtlDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
   health().garbage(now_ns, reader_.consume_bad_byte_count());
   if (!reader_.problem().empty())
     refuse(reader_.problem());
-  else if (came && health().quiet_ns(now_ns) > unreadable_timeout_ns)
+  else if (received_bytes && health().quiet_ns(now_ns) > unreadable_timeout_ns)
     refuse("the server sends data, but neither TRANSFORM nor TDATA messages");
 }
 

@@ -50,7 +50,7 @@ std::optional<std::string> LogDigest::take(std::int64_t now_ns, std::string_view
   ++count_;
   if (last_line_ns_ && now_ns - *last_line_ns_ < line_interval_ns) return std::nullopt;
   last_line_ns_ = now_ns;
-  const std::uint64_t fresh = count_ - std::exchange(told_, count_);
+  const std::uint64_t fresh = count_ - std::exchange(reported_count_, count_);
   return fmt::format("network: {} errors since the last report ({} in total); the latest error: {}", fresh,
                      count_, shown(message));
 }

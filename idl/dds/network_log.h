@@ -18,7 +18,7 @@ class LogDigest {
   std::optional<std::string> take(std::int64_t now_ns, std::string_view message);
 
  private:
-  std::uint64_t count_ = 0, told_ = 0;
+  std::uint64_t count_ = 0, reported_count_ = 0;
   std::optional<std::int64_t> last_line_ns_;
 };
 

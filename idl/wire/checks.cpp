@@ -12,7 +12,7 @@ Refusal check_pose(Pose& pose) {
   if (!is_finite(pose)) return "pose not finite";
   if (!within(pose.p, max_coordinate)) return "pose out of range";
   const double norm = pose.q.norm();
-  if (std::abs(norm - 1) > quaternion_slack) return "quaternion not unit";
+  if (std::abs(norm - 1) > quaternion_slack) return "quaternion not of unit length";
   // A unit quaternion is left unchanged bit by bit, so that repeated checks change nothing.
   if (std::abs(norm - 1) > 1e-12) pose.q.coeffs() /= norm;
   return {};
@@ -28,7 +28,7 @@ Refusal check_shape(const Affine& shape) {
   return Checks()
       .that(within(shape.p, max_coordinate), "the offset of a part's displayed shape is out of range")
       .that(shape.A.allFinite() && shape.A.cwiseAbs().maxCoeff() <= max_shape_entry, "shape out of range")
-      .that(std::abs(shape.A.determinant()) >= least_volume, "shape collapsed")
+      .that(std::abs(shape.A.determinant()) >= least_volume, "the transform of an inspected body is singular")
       .refusal();
 }
 

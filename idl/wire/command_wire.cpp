@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
 namespace {
@@ -238,6 +238,14 @@ Refusal check_fields(const prosector_Command& w) {
       .refusal();
 }
 
+template <class Io>
+void fields(Io& io, MessageOf<Io, CommandResult>& m, WireOf<Io, prosector_CommandResult>& w) {
+  io(m.participant, w.participant);
+  io(m.sequence, w.number);
+  io(m.accepted, w.accepted);
+  io(m.reason, w.reason);
+}
+
 }  // namespace
 
 void to_wire(const Command& m, prosector_Command& w, WireArena&) {
@@ -256,20 +264,7 @@ Refusal check(Command& m) {
   return check_fields(fields_of(m));
 }
 
-void to_wire(const CommandResult& m, prosector_CommandResult& w, WireArena&) {
-  w.participant = m.participant;
-  w.number = m.sequence;
-  w.accepted = m.accepted;
-  to_wire(m.reason, w.reason);
-}
-
-Refusal from_wire(const prosector_CommandResult& w, CommandResult& m) {
-  m.participant = w.participant;
-  m.sequence = w.number;
-  m.accepted = w.accepted != 0;
-  m.reason = from_wire(w.reason);
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(CommandResult);
 
 Refusal check(CommandResult& m) {
   return Checks()

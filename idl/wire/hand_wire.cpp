@@ -1,27 +1,9 @@
 // Wire conversion of hand messages: HandInput, UserState, ContactSample.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
 namespace {
-
-void hand_to_wire(const HandPose& m, prosector_HandPose& w) {
-  w.tracked = m.tracked;
-  w.gesture = static_cast<std::uint8_t>(m.gesture);
-  to_wire(m.pose, w.pose);
-  for (std::size_t i = 0; i < fingers; ++i) w.flexion[i] = static_cast<float>(m.flexion[i]);
-  w.buttons = m.buttons;
-}
-
-HandPose hand_from_wire(const prosector_HandPose& w) {
-  HandPose m;
-  m.tracked = w.tracked != 0;
-  m.gesture = static_cast<Gesture>(w.gesture);
-  m.pose = from_wire(w.pose);
-  for (std::size_t i = 0; i < fingers; ++i) m.flexion[i] = w.flexion[i];
-  m.buttons = w.buttons;
-  return m;
-}
 
 Refusal check_hand(HandPose& m) {
   if (const Refusal pose = check_pose(m.pose)) return pose;
@@ -40,32 +22,61 @@ Refusal check_user(M& m) {
   return {};
 }
 
+template <class Io>
+void fields(Io& io, MessageOf<Io, HandPose>& m, WireOf<Io, prosector_HandPose>& w) {
+  io(m.tracked, w.tracked);
+  io(m.gesture, w.gesture);
+  io(m.pose, w.pose);
+  for (std::size_t i = 0; i < fingers; ++i) io(m.flexion[i], w.flexion[i]);
+  io(m.buttons, w.buttons);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, HeldPose>& m, WireOf<Io, prosector_HeldPose>& w) {
+  io(m.tracked, w.tracked);
+  io(m.pose, w.pose);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, HandInput>& m, WireOf<Io, prosector_HandInput>& w) {
+  io(m.participant, w.participant);
+  io(m.sequence, w.number);
+  io(m.time_ns, w.time_ns);
+  io(m.head_tracked, w.head_tracked);
+  io(m.head, w.head);
+  for (std::size_t i = 0; i < 2; ++i) fields(io, m.hands[i], w.hands[i]);
+  for (std::size_t i = 0; i < held_things; ++i) fields(io, m.held[i], w.held[i]);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, UserState>& m, WireOf<Io, prosector_UserState>& w) {
+  io(m.participant, w.participant);
+  io(m.time, w.time);
+  io(m.input_sequence, w.input_number);
+  io(m.head_tracked, w.head_tracked);
+  io(m.head, w.head);
+  for (std::size_t i = 0; i < 2; ++i) fields(io, m.hands[i], w.hands[i]);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, ContactSample>& m, WireOf<Io, prosector_ContactSample>& w) {
+  io(m.participant, w.participant);
+  io(m.hand, w.hand);
+  io(m.time, w.time);
+  io(m.touching, w.touching);
+  io(m.body, w.body);
+  io(m.point, w.touch_point);
+  io(m.normal, w.normal);
+  io(m.depth, w.depth);
+  io(m.impulse, w.impulse);
+  io(m.local_point, w.local_point);
+  io(m.force, w.force);
+  io(m.impact, w.impact);
+}
+
 }  // namespace
 
-void to_wire(const HandInput& m, prosector_HandInput& w, WireArena&) {
-  w.participant = m.participant;
-  w.number = m.sequence;
-  w.time_ns = m.time_ns;
-  w.head_tracked = m.head_tracked;
-  to_wire(m.head, w.head);
-  for (std::size_t i = 0; i < 2; ++i) hand_to_wire(m.hands[i], w.hands[i]);
-  for (std::size_t i = 0; i < held_things; ++i) {
-    w.held[i].tracked = m.held[i].tracked;
-    to_wire(m.held[i].pose, w.held[i].pose);
-  }
-}
-
-Refusal from_wire(const prosector_HandInput& w, HandInput& m) {
-  m.participant = w.participant;
-  m.sequence = w.number;
-  m.time_ns = w.time_ns;
-  m.head_tracked = w.head_tracked != 0;
-  m.head = from_wire(w.head);
-  for (std::size_t i = 0; i < 2; ++i) m.hands[i] = hand_from_wire(w.hands[i]);
-  for (std::size_t i = 0; i < held_things; ++i)
-    m.held[i] = {w.held[i].tracked != 0, from_wire(w.held[i].pose)};
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(HandInput);
 
 Refusal check(HandInput& m) {
   for (HeldPose& held : m.held)
@@ -73,59 +84,13 @@ Refusal check(HandInput& m) {
   return check_user(m);
 }
 
-void to_wire(const UserState& m, prosector_UserState& w, WireArena&) {
-  w.participant = m.participant;
-  w.time = to_wire(m.time);
-  w.input_number = m.input_sequence;
-  w.head_tracked = m.head_tracked;
-  to_wire(m.head, w.head);
-  for (std::size_t i = 0; i < 2; ++i) hand_to_wire(m.hands[i], w.hands[i]);
-}
-
-Refusal from_wire(const prosector_UserState& w, UserState& m) {
-  m.participant = w.participant;
-  m.time = from_wire(w.time);
-  m.input_sequence = w.input_number;
-  m.head_tracked = w.head_tracked != 0;
-  m.head = from_wire(w.head);
-  for (std::size_t i = 0; i < 2; ++i) m.hands[i] = hand_from_wire(w.hands[i]);
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(UserState);
 
 Refusal check(UserState& m) {
   return check_user(m);
 }
 
-void to_wire(const ContactSample& m, prosector_ContactSample& w, WireArena&) {
-  w.participant = m.participant;
-  w.hand = m.hand;
-  w.time = to_wire(m.time);
-  w.touching = m.touching;
-  w.body = m.body;
-  to_wire(m.point, w.touch_point);
-  to_wire(m.normal, w.normal);
-  w.depth = static_cast<float>(m.depth);
-  w.impulse = static_cast<float>(m.impulse);
-  to_wire(m.local_point, w.local_point);
-  to_wire(m.force, w.force);
-  w.impact = static_cast<float>(m.impact);
-}
-
-Refusal from_wire(const prosector_ContactSample& w, ContactSample& m) {
-  m.participant = w.participant;
-  m.hand = w.hand;
-  m.time = from_wire(w.time);
-  m.touching = w.touching != 0;
-  m.body = w.body;
-  m.point = from_wire(w.touch_point);
-  m.normal = from_wire(w.normal);
-  m.depth = w.depth;
-  m.impulse = w.impulse;
-  m.local_point = from_wire(w.local_point);
-  m.force = from_wire(w.force);
-  m.impact = w.impact;
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(ContactSample);
 
 Refusal check(ContactSample& m) {
   constexpr double max_impulse = 1e6;  // N·s: far beyond human hands, but finite

@@ -1,40 +1,59 @@
 // Wire conversion of the state of parts, panels and the room: PartState, Panel, RoomState.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
+namespace {
 
-void to_wire(const PartState& m, prosector_PartState& w, WireArena& arena) {
-  w.body = m.body;
-  w.time = to_wire(m.time);
-  w.attached = m.attached;
-  w.hidden = m.hidden;
-  w.lit = m.lit;
-  w.inspected = m.inspected;
-  w.opacity = m.opacity;
-  w.stiffness = m.stiffness;
-  w.shape = to_wire(m.shape);
-  make_sequence<prosector_HandRef>(w.holders, m.holders.size(), arena);
-  for (std::size_t i = 0; i < m.holders.size(); ++i)
-    w.holders._buffer[i] = {m.holders[i].participant, m.holders[i].hand};
+template <class Io>
+void fields(Io& io, MessageOf<Io, HandRef>& m, WireOf<Io, prosector_HandRef>& w) {
+  io(m.participant, w.participant);
+  io(m.hand, w.hand);
 }
 
-Refusal from_wire(const prosector_PartState& w, PartState& m) {
-  if (!sequence_within(w.holders, max_holders)) return "too many holders";
-  m.body = w.body;
-  m.time = from_wire(w.time);
-  m.attached = w.attached != 0;
-  m.hidden = w.hidden != 0;
-  m.lit = w.lit != 0;
-  m.inspected = w.inspected != 0;
-  m.opacity = w.opacity;
-  m.stiffness = w.stiffness;
-  m.shape = from_wire(w.shape);
-  m.holders.clear();
-  for (std::size_t i = 0; i < w.holders._length; ++i)
-    m.holders.push_back({w.holders._buffer[i].participant, w.holders._buffer[i].hand});
-  return {};
+template <class Io>
+void fields(Io& io, MessageOf<Io, PartState>& m, WireOf<Io, prosector_PartState>& w) {
+  io(m.body, w.body);
+  io(m.time, w.time);
+  io(m.attached, w.attached);
+  io(m.hidden, w.hidden);
+  io(m.lit, w.lit);
+  io(m.inspected, w.inspected);
+  io(m.opacity, w.opacity);
+  io(m.stiffness, w.stiffness);
+  io(m.shape, w.shape);
+  io.list(m.holders, w.holders, max_holders, "too many holders",
+          [](auto& items, auto& holder, auto& field) { fields(items, holder, field); });
 }
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, ControlState>& m, WireOf<Io, prosector_ControlState>& w) {
+  io(m.position, w.position);
+  io(m.on, w.on);
+  io(m.touched, w.touched);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, Panel>& m, WireOf<Io, prosector_Panel>& w) {
+  static_assert(sizeof w.controls == panel_control_count * sizeof w.controls[0]);
+  io(m.participant, w.participant);
+  io(m.time, w.time);
+  io(m.open, w.open);
+  io(m.body, w.body);
+  io(m.pose, w.pose);
+  for (std::size_t i = 0; i < panel_control_count; ++i) fields(io, m.controls[i], w.controls[i]);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, RoomState>& m, WireOf<Io, prosector_RoomState>& w) {
+  io(m.time, w.time);
+  io(m.lights, w.lights);
+  io(m.pace, w.pace);
+}
+
+}  // namespace
+
+PROSECTOR_WIRE_BY_FIELDS(PartState);
 
 Refusal check(PartState& m) {
   if (const Refusal shape = check_shape(m.shape)) return shape;
@@ -48,27 +67,7 @@ Refusal check(PartState& m) {
   return checks.refusal();
 }
 
-void to_wire(const Panel& m, prosector_Panel& w, WireArena&) {
-  static_assert(sizeof w.controls == panel_control_count * sizeof w.controls[0]);
-  w.participant = m.participant;
-  w.time = to_wire(m.time);
-  w.open = m.open;
-  w.body = m.body;
-  to_wire(m.pose, w.pose);
-  for (std::size_t i = 0; i < panel_control_count; ++i)
-    w.controls[i] = {m.controls[i].position, m.controls[i].on, m.controls[i].touched};
-}
-
-Refusal from_wire(const prosector_Panel& w, Panel& m) {
-  m.participant = w.participant;
-  m.time = from_wire(w.time);
-  m.open = w.open != 0;
-  m.body = w.body;
-  m.pose = from_wire(w.pose);
-  for (std::size_t i = 0; i < panel_control_count; ++i)
-    m.controls[i] = {w.controls[i].position, w.controls[i].on != 0, w.controls[i].touched != 0};
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(Panel);
 
 Refusal check(Panel& m) {
   if (const Refusal pose = check_pose(m.pose)) return pose;
@@ -79,23 +78,12 @@ Refusal check(Panel& m) {
   return checks.refusal();
 }
 
-void to_wire(const RoomState& m, prosector_RoomState& w, WireArena&) {
-  w.time = to_wire(m.time);
-  w.lights = m.lights;
-  w.pace = m.pace;
-}
-
-Refusal from_wire(const prosector_RoomState& w, RoomState& m) {
-  m.time = from_wire(w.time);
-  m.lights = w.lights;
-  m.pace = w.pace;
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(RoomState);
 
 Refusal check(RoomState& m) {
   return Checks()
       .that(within(m.lights, 0, 1), "brightness outside [0, 1]")
-      .that(within(m.pace, 0, max_pace), "pace out of range")
+      .that(within(m.pace, 0, max_pace), "the pace of simulated time is out of range")
       .refusal();
 }
 

@@ -1,30 +1,27 @@
 // Wire conversion of the description of a recording: Recording.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
+namespace {
 
-void to_wire(const Recording& m, prosector_Recording& w, WireArena& arena) {
-  w.last_tick = m.last_tick;
-  make_sequence<prosector_RecordingMark>(w.marks, m.marks.size(), arena);
-  for (std::size_t i = 0; i < m.marks.size(); ++i) {
-    prosector_RecordingMark& mark = w.marks._buffer[i];
-    mark.tick = m.marks[i].tick;
-    mark.kind = static_cast<std::uint8_t>(m.marks[i].kind);
-    to_wire(m.marks[i].who, mark.who);
-  }
+template <class Io>
+void fields(Io& io, MessageOf<Io, RecordingMark>& m, WireOf<Io, prosector_RecordingMark>& w) {
+  io(m.tick, w.tick);
+  io(m.kind, w.kind);
+  io(m.who, w.who);
 }
 
-Refusal from_wire(const prosector_Recording& w, Recording& m) {
-  if (!sequence_within(w.marks, max_recording_marks)) return "too many marks";
-  m.last_tick = w.last_tick;
-  m.marks.clear();
-  for (std::size_t i = 0; i < w.marks._length; ++i) {
-    const prosector_RecordingMark& mark = w.marks._buffer[i];
-    m.marks.push_back({mark.tick, static_cast<MarkKind>(mark.kind), from_wire(mark.who)});
-  }
-  return {};
+template <class Io>
+void fields(Io& io, MessageOf<Io, Recording>& m, WireOf<Io, prosector_Recording>& w) {
+  io(m.last_tick, w.last_tick);
+  io.list(m.marks, w.marks, max_recording_marks, "too many marks",
+          [](auto& items, auto& mark, auto& field) { fields(items, mark, field); });
 }
+
+}  // namespace
+
+PROSECTOR_WIRE_BY_FIELDS(Recording);
 
 Refusal check(Recording& m) {
   Checks checks;
@@ -32,7 +29,7 @@ Refusal check(Recording& m) {
   std::uint64_t last = 0;
   for (const RecordingMark& mark : m.marks) {
     checks.that(mark.tick >= last, "marks out of order")
-        .that(mark.tick <= m.last_tick, "a mark beyond the end")
+        .that(mark.tick <= m.last_tick, "a mark of the recording is after its end")
         .that(enum_within(mark.kind, last_mark), "unknown kind of mark")
         .that(mark.who.empty() || valid_name(mark.who), "name not valid");
     last = mark.tick;

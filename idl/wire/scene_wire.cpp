@@ -2,81 +2,10 @@
 
 #include <algorithm>
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
 namespace {
-
-void names_to_wire(const SceneBody& m, prosector_SceneBody& w, WireArena& arena) {
-  make_sequence<prosector_LocalName>(w.names, m.names.size(), arena);
-  for (std::size_t i = 0; i < m.names.size(); ++i) {
-    to_wire(m.names[i].language, w.names._buffer[i].language);
-    to_wire(m.names[i].name, w.names._buffer[i].name);
-  }
-  to_wire(m.term, w.term);
-}
-
-void names_from_wire(const prosector_SceneBody& w, SceneBody& m) {
-  for (std::size_t i = 0; i < w.names._length; ++i)
-    m.names.push_back({from_wire(w.names._buffer[i].language), from_wire(w.names._buffer[i].name)});
-  m.term = from_wire(w.term);
-}
-
-void body_to_wire(const SceneBody& m, prosector_SceneBody& w, WireArena& arena) {
-  to_wire(m.name, w.name);
-  to_wire(m.description, w.description);
-  w.kind = static_cast<std::uint8_t>(m.kind);
-  w.parent = m.parent;
-  w.moves = m.moves;
-  to_wire(m.pose, w.pose);
-  w.mesh = to_wire(m.mesh);
-  w.embedding = to_wire(m.map);
-  w.points = m.points;
-  w.chunk_points = m.chunk_points;
-  w.tube_diameter = m.tube_diameter;
-  to_wire(m.appearance.color, w.color);
-  w.roughness = m.appearance.roughness;
-  w.wetness = m.appearance.wetness;
-  w.surface = static_cast<std::uint8_t>(m.appearance.surface);
-  w.refractive_index = m.appearance.refractive_index;
-  w.abbe_number = m.appearance.abbe_number;
-  to_wire(m.appearance.transmittance, w.transmittance);
-  to_wire(m.method, w.method);
-  w.show_figures = m.show_figures;
-  w.part = m.part;
-  w.fidelity = static_cast<std::uint8_t>(m.fidelity);
-  w.outline = to_wire(m.outline);
-  names_to_wire(m, w, arena);
-}
-
-SceneBody body_from_wire(const prosector_SceneBody& w) {
-  SceneBody m;
-  m.name = from_wire(w.name);
-  m.description = from_wire(w.description);
-  m.kind = static_cast<BodyKind>(w.kind);
-  m.parent = w.parent;
-  m.moves = w.moves != 0;
-  m.pose = from_wire(w.pose);
-  m.mesh = from_wire(w.mesh);
-  m.map = from_wire(w.embedding);
-  m.points = w.points;
-  m.chunk_points = w.chunk_points;
-  m.tube_diameter = w.tube_diameter;
-  m.appearance = {from_wire(w.color),
-                  w.roughness,
-                  w.wetness,
-                  static_cast<Surface>(w.surface),
-                  w.refractive_index,
-                  w.abbe_number,
-                  from_wire(w.transmittance)};
-  m.method = from_wire(w.method);
-  m.show_figures = w.show_figures != 0;
-  m.part = w.part != 0;
-  m.fidelity = static_cast<Fidelity>(w.fidelity);
-  m.outline = from_wire(w.outline);
-  names_from_wire(w, m);
-  return m;
-}
 
 Refusal check_names(const SceneBody& m) {
   if (m.names.size() > max_local_names) return "a body of the scene has too many names in other languages";
@@ -134,78 +63,98 @@ bool parents_form_a_forest(const std::vector<SceneBody>& bodies) {
   return true;
 }
 
-void light_to_wire(const LightInfo& m, prosector_LightInfo& w) {
-  to_wire(m.name, w.name);
-  w.kind = static_cast<std::uint8_t>(m.kind);
-  to_wire(m.position, w.position);
-  to_wire(m.direction, w.direction);
-  to_wire(m.color, w.color);
-  w.intensity = m.intensity;
-  w.cone = m.cone;
-  w.softness = m.softness;
-  w.body = m.body;
-}
-
-LightInfo light_from_wire(const prosector_LightInfo& w) {
-  LightInfo m;
-  m.name = from_wire(w.name);
-  m.kind = static_cast<LightKind>(w.kind);
-  m.position = from_wire(w.position);
-  m.direction = from_wire(w.direction);
-  m.color = from_wire(w.color);
-  m.intensity = w.intensity;
-  m.cone = w.cone;
-  m.softness = w.softness;
-  m.body = w.body;
-  return m;
-}
-
 Refusal check_light(const LightInfo& m) {
   if (const Refusal color = check_color(m.color)) return color;
   return Checks()
       .that(m.name.empty() || valid_name(m.name), "light name not valid")
       .that(enum_within(m.kind, LightKind::spot), "unknown light kind")
-      .that(within(m.position, max_coordinate), "light out of range")
-      .that(within(m.direction, max_coordinate) && m.direction.norm() > 0, "light without direction")
+      .that(within(m.position, max_coordinate), "the position of a light is out of range")
+      .that(within(m.direction, max_coordinate) && m.direction.norm() > 0,
+            "the direction of a light is zero or out of range")
       .that(within(m.intensity, 0, 1e9), "intensity out of range")
       .that(within(m.cone, 0, 3.2), "cone out of range")
       .that(within(m.softness, 0, 1), "softness outside [0, 1]")
       .refusal();
 }
 
+template <class Io>
+void fields(Io& io, MessageOf<Io, LocalName>& m, WireOf<Io, prosector_LocalName>& w) {
+  io(m.language, w.language);
+  io(m.name, w.name);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, SceneBody>& m, WireOf<Io, prosector_SceneBody>& w) {
+  io(m.name, w.name);
+  io(m.description, w.description);
+  io(m.kind, w.kind);
+  io(m.parent, w.parent);
+  io(m.moves, w.moves);
+  io(m.pose, w.pose);
+  io(m.mesh, w.mesh);
+  io(m.map, w.embedding);
+  io(m.points, w.points);
+  io(m.chunk_points, w.chunk_points);
+  io(m.tube_diameter, w.tube_diameter);
+  io(m.appearance.color, w.color);
+  io(m.appearance.roughness, w.roughness);
+  io(m.appearance.wetness, w.wetness);
+  io(m.appearance.surface, w.surface);
+  io(m.appearance.refractive_index, w.refractive_index);
+  io(m.appearance.abbe_number, w.abbe_number);
+  io(m.appearance.transmittance, w.transmittance);
+  io(m.method, w.method);
+  io(m.show_figures, w.show_figures);
+  io(m.part, w.part);
+  io(m.fidelity, w.fidelity);
+  io(m.outline, w.outline);
+  io.list(m.names, w.names, max_local_names, "a body of the scene has too many names in other languages",
+          [](auto& items, auto& name, auto& field) { fields(items, name, field); });
+  io(m.term, w.term);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, LightInfo>& m, WireOf<Io, prosector_LightInfo>& w) {
+  io(m.name, w.name);
+  io(m.kind, w.kind);
+  io(m.position, w.position);
+  io(m.direction, w.direction);
+  io(m.color, w.color);
+  io(m.intensity, w.intensity);
+  io(m.cone, w.cone);
+  io(m.softness, w.softness);
+  io(m.body, w.body);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, SceneInfo>& m, WireOf<Io, prosector_SceneInfo>& w) {
+  io(m.name, w.name);
+  io(m.description, w.description);
+  io.list(m.bodies, w.bodies, max_bodies, "too many bodies",
+          [](auto& items, auto& body, auto& field) { fields(items, body, field); });
+  io.list(m.lights, w.lights, max_lights, "too many lights",
+          [](auto& items, auto& light, auto& field) { fields(items, light, field); });
+  io(m.camera.eye, w.camera_eye);
+  io(m.camera.target, w.camera_target);
+  io(m.camera.fov, w.camera_fov);
+}
+
 }  // namespace
 
 void to_wire(const SceneInfo& m, prosector_SceneInfo& w, WireArena& arena) {
-  to_wire(m.name, w.name);
-  to_wire(m.description, w.description);
-  make_sequence<prosector_SceneBody>(w.bodies, m.bodies.size(), arena);
-  for (std::size_t i = 0; i < m.bodies.size(); ++i) body_to_wire(m.bodies[i], w.bodies._buffer[i], arena);
-  make_sequence<prosector_LightInfo>(w.lights, m.lights.size(), arena);
-  for (std::size_t i = 0; i < m.lights.size(); ++i) light_to_wire(m.lights[i], w.lights._buffer[i]);
-  to_wire(m.camera.eye, w.camera_eye);
-  to_wire(m.camera.target, w.camera_target);
-  w.camera_fov = m.camera.fov;
+  FieldWriter io(arena);
+  fields(io, m, w);
   to_wire(m.patient ? m.patient->right : Vec3::Zero(), w.patient_right);
   to_wire(m.patient ? m.patient->head : Vec3::Zero(), w.patient_head);
 }
 
 Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
-  if (!sequence_within(w.bodies, max_bodies)) return "too many bodies";
-  if (!sequence_within(w.lights, max_lights)) return "too many lights";
-  m.name = from_wire(w.name);
-  m.description = from_wire(w.description);
-  for (std::size_t i = 0; i < w.bodies._length; ++i)
-    if (!sequence_within(w.bodies._buffer[i].names, max_local_names))
-      return "a body of the scene has too many names in other languages";
-  m.bodies.clear();
-  for (std::size_t i = 0; i < w.bodies._length; ++i) m.bodies.push_back(body_from_wire(w.bodies._buffer[i]));
-  m.lights.clear();
-  for (std::size_t i = 0; i < w.lights._length; ++i) m.lights.push_back(light_from_wire(w.lights._buffer[i]));
-  m.camera = {from_wire(w.camera_eye), from_wire(w.camera_target), w.camera_fov};
+  FieldReader io;
+  fields(io, m, w);
   const PatientFrame patient{from_wire(w.patient_right), from_wire(w.patient_head)};
   m.patient.reset();
   if (!patient.right.isZero(0) || !patient.head.isZero(0)) m.patient = patient;
-  return {};
+  return io.refusal();
 }
 
 Refusal check(SceneInfo& m) {
@@ -221,7 +170,7 @@ Refusal check(SceneInfo& m) {
   return Checks()
       .that(valid_name(m.name), "scene name not valid")
       .that(valid_text(m.description), "description not valid text")
-      .that(parents_form_a_forest(m.bodies), "parents form no tree")
+      .that(parents_form_a_forest(m.bodies), "the parents of bodies do not form a forest")
       .that(within(m.camera.eye, max_coordinate) && within(m.camera.target, max_coordinate),
             "camera out of range")
       .that(within(m.camera.fov, 0.01, 3.1), "the field of view of the scene's camera is out of range")

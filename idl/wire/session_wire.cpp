@@ -1,29 +1,43 @@
 // Wire conversion of the session and its participants: SessionInfo, Presence, RosterEntry.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
+namespace {
 
-void to_wire(const SessionInfo& m, prosector_SessionInfo& w, WireArena&) {
-  to_wire(m.session, w.session);
-  w.server_run = m.server_run;
-  w.version = m.version;
-  to_wire(m.scene, w.scene);
-  w.scene_hash = to_wire(m.scene_hash);
-  w.tick_rate = m.tick_rate;
-  w.capacity = m.capacity;
+template <class Io>
+void fields(Io& io, MessageOf<Io, SessionInfo>& m, WireOf<Io, prosector_SessionInfo>& w) {
+  io(m.session, w.session);
+  io(m.server_run, w.server_run);
+  io(m.version, w.version);
+  io(m.scene, w.scene);
+  io(m.scene_hash, w.scene_hash);
+  io(m.tick_rate, w.tick_rate);
+  io(m.capacity, w.capacity);
 }
 
-Refusal from_wire(const prosector_SessionInfo& w, SessionInfo& m) {
-  m.session = from_wire(w.session);
-  m.server_run = w.server_run;
-  m.version = w.version;
-  m.scene = from_wire(w.scene);
-  m.scene_hash = from_wire(w.scene_hash);
-  m.tick_rate = w.tick_rate;
-  m.capacity = w.capacity;
-  return {};
+template <class Io>
+void fields(Io& io, MessageOf<Io, Presence>& m, WireOf<Io, prosector_Presence>& w) {
+  io(m.participant, w.participant);
+  io(m.version, w.version);
+  io(m.name, w.name);
+  io(m.role, w.role);
+  io(m.devices, w.devices);
+  io(m.arms, w.arms);
 }
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, RosterEntry>& m, WireOf<Io, prosector_RosterEntry>& w) {
+  io(m.participant, w.participant);
+  io(m.name, w.name);
+  io(m.role, w.role);
+  io(m.color, w.color);
+  io(m.devices, w.devices);
+}
+
+}  // namespace
+
+PROSECTOR_WIRE_BY_FIELDS(SessionInfo);
 
 Refusal check(SessionInfo& m) {
   Checks checks;
@@ -34,24 +48,7 @@ Refusal check(SessionInfo& m) {
   return checks.refusal();
 }
 
-void to_wire(const Presence& m, prosector_Presence& w, WireArena&) {
-  w.participant = m.participant;
-  w.version = m.version;
-  to_wire(m.name, w.name);
-  w.role = static_cast<std::uint8_t>(m.role);
-  to_wire(m.devices, w.devices);
-  w.arms = m.arms;
-}
-
-Refusal from_wire(const prosector_Presence& w, Presence& m) {
-  m.participant = w.participant;
-  m.version = w.version;
-  m.name = from_wire(w.name);
-  m.role = static_cast<Role>(w.role);
-  m.devices = from_wire(w.devices);
-  m.arms = w.arms;
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(Presence);
 
 Refusal check(Presence& m) {
   Checks checks;
@@ -59,26 +56,11 @@ Refusal check(Presence& m) {
   if (m.version == protocol_version)
     checks.that(enum_within(m.role, Role::host), "unknown role")
         .that(valid_text(m.devices), "devices not valid text")
-        .that(m.arms <= 3, "arms for unknown hands");
+        .that(m.arms <= 3, "the set of hands with haptic arms is out of range");
   return checks.refusal();
 }
 
-void to_wire(const RosterEntry& m, prosector_RosterEntry& w, WireArena&) {
-  w.participant = m.participant;
-  to_wire(m.name, w.name);
-  w.role = static_cast<std::uint8_t>(m.role);
-  to_wire(m.color, w.color);
-  to_wire(m.devices, w.devices);
-}
-
-Refusal from_wire(const prosector_RosterEntry& w, RosterEntry& m) {
-  m.participant = w.participant;
-  m.name = from_wire(w.name);
-  m.role = static_cast<Role>(w.role);
-  m.color = from_wire(w.color);
-  m.devices = from_wire(w.devices);
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(RosterEntry);
 
 Refusal check(RosterEntry& m) {
   if (const Refusal color = check_color(m.color)) return color;

@@ -1,6 +1,6 @@
 // Wire conversion of body motion and rest shapes: RigidState, SoftState, Settled.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 #include "idl/wire/soft_quantizer.h"
 
 namespace prosector {
@@ -23,26 +23,19 @@ bool box_within(const Grid& grid, double limit) {
   return true;
 }
 
+template <class Io>
+void fields(Io& io, MessageOf<Io, RigidState>& m, WireOf<Io, prosector_RigidState>& w) {
+  io(m.body, w.body);
+  io(m.time, w.time);
+  io(m.pose, w.pose);
+  io(m.linear_velocity, w.linear_velocity);
+  io(m.angular_velocity, w.angular_velocity);
+  io(m.settled, w.settled);
+}
+
 }  // namespace
 
-void to_wire(const RigidState& m, prosector_RigidState& w, WireArena&) {
-  w.body = m.body;
-  w.time = to_wire(m.time);
-  to_wire(m.pose, w.pose);
-  to_wire(m.linear_velocity, w.linear_velocity);
-  to_wire(m.angular_velocity, w.angular_velocity);
-  w.settled = m.settled;
-}
-
-Refusal from_wire(const prosector_RigidState& w, RigidState& m) {
-  m.body = w.body;
-  m.time = from_wire(w.time);
-  m.pose = from_wire(w.pose);
-  m.linear_velocity = from_wire(w.linear_velocity);
-  m.angular_velocity = from_wire(w.angular_velocity);
-  m.settled = w.settled != 0;
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(RigidState);
 
 Refusal check(RigidState& m) {
   if (const Refusal pose = check_pose(m.pose)) return pose;

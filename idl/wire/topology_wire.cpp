@@ -1,6 +1,6 @@
 // Wire conversion of topology changes of soft bodies: TopologyRevision.
 
-#include "idl/wire/primitives.h"
+#include "idl/wire/fields.h"
 
 namespace prosector {
 namespace {
@@ -52,85 +52,54 @@ Refusal check(const SurfacePatch& patch) {
   return checks.refusal();
 }
 
+template <class Io>
+void fields(Io& io, MessageOf<Io, SurfacePatch::Point>& m, WireOf<Io, prosector_PatchPoint>& w) {
+  for (int k = 0; k < 3; ++k) {
+    io(m.rest[k], w.rest[k]);
+    io(m.now[k], w.now[k]);
+  }
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, SurfacePatch::Vertex>& m, WireOf<Io, prosector_PatchVertex>& w) {
+  io(m.slot, w.slot);
+  for (int k = 0; k < 3; ++k) io(m.rest[k], w.rest[k]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    io(m.point[k], w.point[k]);
+    io(m.weight[k], w.weight[k]);
+  }
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, SurfacePatch::Triangle>& m, WireOf<Io, prosector_PatchTriangle>& w) {
+  io(m.slot, w.slot);
+  for (std::size_t k = 0; k < 3; ++k) io(m.corners[k], w.corners[k]);
+  io(m.inner, w.inner);
+}
+
+template <class Io>
+void fields(Io& io, MessageOf<Io, TopologyRevision>& m, WireOf<Io, prosector_TopologyRevision>& w) {
+  io(m.body, w.body);
+  io(m.revision, w.revision);
+  io(m.previous_hash, w.previous_hash);
+  io(m.chain_hash, w.chain_hash);
+  io(m.content_hash, w.content_hash);
+  io(m.time, w.time);
+  io(m.cause, w.cause);
+  io(m.author, w.author);
+  io(m.piece_of, w.piece_of);
+  io(m.surface_hash, w.surface_hash);
+  io(m.mesh, w.mesh);
+  io(m.map, w.embedding);
+  const auto item = [](auto& items, auto& entry, auto& field) { fields(items, entry, field); };
+  io.list(m.patch.points, w.points, max_streamed_points, "too many points", item);
+  io.list(m.patch.vertices, w.vertices, max_surface_vertices, "too many vertices", item);
+  io.list(m.patch.triangles, w.triangles, max_surface_triangles, "too many triangles", item);
+}
+
 }  // namespace
 
-void to_wire(const TopologyRevision& m, prosector_TopologyRevision& w, WireArena& arena) {
-  w.body = m.body;
-  w.revision = m.revision;
-  w.previous_hash = m.previous_hash;
-  w.chain_hash = m.chain_hash;
-  w.content_hash = m.content_hash;
-  w.time = to_wire(m.time);
-  w.cause = static_cast<std::uint8_t>(m.cause);
-  w.author = m.author;
-  w.piece_of = m.piece_of;
-  w.surface_hash = m.surface_hash;
-  w.mesh = to_wire(m.mesh);
-  w.embedding = to_wire(m.map);
-  make_sequence<prosector_PatchPoint>(w.points, m.patch.points.size(), arena);
-  for (std::size_t i = 0; i < m.patch.points.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      w.points._buffer[i].rest[k] = m.patch.points[i].rest[k];
-      w.points._buffer[i].now[k] = m.patch.points[i].now[k];
-    }
-  make_sequence<prosector_PatchVertex>(w.vertices, m.patch.vertices.size(), arena);
-  for (std::size_t i = 0; i < m.patch.vertices.size(); ++i) {
-    const SurfacePatch::Vertex& from = m.patch.vertices[i];
-    prosector_PatchVertex& to = w.vertices._buffer[i];
-    to.slot = from.slot;
-    for (int k = 0; k < 3; ++k) to.rest[k] = from.rest[k];
-    std::copy(from.point.begin(), from.point.end(), to.point);
-    std::copy(from.weight.begin(), from.weight.end(), to.weight);
-  }
-  make_sequence<prosector_PatchTriangle>(w.triangles, m.patch.triangles.size(), arena);
-  for (std::size_t i = 0; i < m.patch.triangles.size(); ++i) {
-    const SurfacePatch::Triangle& from = m.patch.triangles[i];
-    prosector_PatchTriangle& to = w.triangles._buffer[i];
-    to.slot = from.slot;
-    std::copy(from.corners.begin(), from.corners.end(), to.corners);
-    to.inner = from.inner;
-  }
-}
-
-Refusal from_wire(const prosector_TopologyRevision& w, TopologyRevision& m) {
-  if (!sequence_within(w.points, max_streamed_points)) return "too many points";
-  if (!sequence_within(w.vertices, max_surface_vertices)) return "too many vertices";
-  if (!sequence_within(w.triangles, max_surface_triangles)) return "too many triangles";
-  m.body = w.body;
-  m.revision = w.revision;
-  m.previous_hash = w.previous_hash;
-  m.chain_hash = w.chain_hash;
-  m.content_hash = w.content_hash;
-  m.time = from_wire(w.time);
-  m.cause = static_cast<TopologyCause>(w.cause);
-  m.author = w.author;
-  m.piece_of = w.piece_of;
-  m.surface_hash = w.surface_hash;
-  m.mesh = from_wire(w.mesh);
-  m.map = from_wire(w.embedding);
-  m.patch = {};
-  for (std::uint32_t i = 0; i < w.points._length; ++i) {
-    const prosector_PatchPoint& from = w.points._buffer[i];
-    m.patch.points.push_back(
-        {Eigen::Map<const Eigen::Vector3f>(from.rest), Eigen::Map<const Eigen::Vector3f>(from.now)});
-  }
-  for (std::uint32_t i = 0; i < w.vertices._length; ++i) {
-    const prosector_PatchVertex& from = w.vertices._buffer[i];
-    SurfacePatch::Vertex& to = m.patch.vertices.emplace_back();
-    to.slot = from.slot;
-    to.rest = Eigen::Map<const Eigen::Vector3f>(from.rest);
-    std::copy(std::begin(from.point), std::end(from.point), to.point.begin());
-    std::copy(std::begin(from.weight), std::end(from.weight), to.weight.begin());
-  }
-  for (std::uint32_t i = 0; i < w.triangles._length; ++i) {
-    const prosector_PatchTriangle& from = w.triangles._buffer[i];
-    SurfacePatch::Triangle& to = m.patch.triangles.emplace_back();
-    to.slot = from.slot;
-    std::copy(std::begin(from.corners), std::end(from.corners), to.corners.begin());
-    to.inner = from.inner != 0;
-  }
-  return {};
-}
+PROSECTOR_WIRE_BY_FIELDS(TopologyRevision);
 
 Refusal check(TopologyRevision& m) {
   if (const Refusal patch = check(m.patch)) return patch;

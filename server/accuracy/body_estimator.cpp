@@ -39,11 +39,11 @@ const Estimate& BodyEstimator::newest() const {
 }
 
 void BodyEstimator::keep_as_quiet() {
-  work_->keep(work_->quiet);
+  work_->state.keep(work_->before.quiet);
 }
 
 const TetMesh& BodyEstimator::mesh() const {
-  return work_->mesh;
+  return work_->body.mesh;
 }
 
 }  // namespace prosector

@@ -20,8 +20,8 @@ std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count);
 class Probes {
  public:
   Probes(const StaticBody& body, std::span<const Vec3> places);
-  /// Returns the displacement from rest (m) of the tissue at position k when the body's nodes are at `x` (3n,
-  /// m). Returns nothing if the position is outside the body's mesh.
+  /// Returns the displacement (m) of the tissue that at rest is at the k-th of `places`, when the body's
+  /// nodes are at `x` (3n, m). Returns nothing if that position at rest is outside the body's mesh.
   std::optional<Vec3> displacement(std::size_t k, const VecX& x) const;
 
  private:

@@ -14,15 +14,6 @@ inline constexpr double beam_first_frequency = 1.6864;
 /// node at the tip's centre.
 TestPiece beam_piece(unsigned cells, double poisson_ratio);
 
-/// Direction in which the reference beam swings: along a diagonal of its section. A square section has the
-/// same frequency in every direction. But a Kuhn mesh couples directions that are not along a diagonal of its
-/// end face, and the plane of the swing would rotate. The mesh is softest in this direction.
-inline const Vec3 swing_direction = Vec3(0, 1, -1).normalized();
-
-/// Returns the beam's rest positions `rest` (3n, m) bent in `swing_direction` into the first mode of a
-/// clamped–free beam (Euler–Bernoulli). The displacement at the tip is `amplitude` m.
-VecX in_first_mode(const VecX& rest, double amplitude);
-
 /// Returns the centre of the reference beam's free end face, m.
 inline Vec3 beam_tip() {
   return {beam_size[0], beam_size[1] / 2, beam_size[2] / 2};

@@ -123,8 +123,9 @@ class Options {
     body.elements *= std::pow(mesh_cell_ / cell, 3);
     auto expected = table_.prospect(rung, desc_.material.poisson_ratio, body, desc_.choice.fixed.model);
     if (!expected)
-      throw std::logic_error(
-          "a model configuration is to be compared, but the table has no measured cost and error for it");
+      throw std::logic_error(fmt::format(
+          "the server's table of measured costs and errors has no entry for the model configuration {}, {}",
+          rung.model, rung.element));
     std::vector<ActError> acts;
     if (known_.on_the_body) acts = known_.on_the_body(rung.model, rung.element, cell);
     const double of_the_way =

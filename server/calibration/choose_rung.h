@@ -31,8 +31,8 @@ inline bool chosen_by_need(const SoftDesc& desc) {
 /// fixed. Throws InputError if there is none.
 std::vector<Rung> candidates(const SoftDesc& desc);
 
-/// Returns the measurements that the table must contain to choose among the configurations that are
-/// candidates for this body.
+/// Returns the measurements that the table of measured errors and costs must contain to choose among the
+/// model configurations that are candidates for this body.
 std::vector<RungTrial> trials_for(const SoftDesc& desc);
 
 /// Function that returns the errors of a model and element on the body itself with cells of size `cell` (m),

@@ -75,8 +75,8 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   RungTable table;
   if (!options.table_file.empty()) {
     FoundTable found = read_table(options.table_file, options.machine);
-    if (!found.trouble.empty())
-      say(options, fmt::format("{} {}: measuring again", options.table_file.string(), found.trouble));
+    if (!found.error.empty())
+      say(options, fmt::format("{} {}: measuring again", options.table_file.string(), found.error));
     table = std::move(found.table);
   }
   if (!complete(table, wanted, options) || options.table_file.empty()) return table;

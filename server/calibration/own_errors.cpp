@@ -128,10 +128,12 @@ std::map<double, double> OwnErrors::errors_of(const Way& way, const std::string&
   if (way != reference) of_reference = errors_of(reference, act);
   for (const auto& [cell, found] : tried->second) {
     const auto same = [&](const ActError& a) { return a.act == act; };
-    const auto told = std::find_if(found.acts.begin(), found.acts.end(), same);
-    if (told == found.acts.end()) continue;  // a pressed place that only other meshes have
-    const double more = found.divided ? 0 : of_reference.empty() ? told->error : inferred(of_reference, cell);
-    out[cell] = told->error + more;
+    const auto match = std::find_if(found.acts.begin(), found.acts.end(), same);
+    if (match == found.acts.end()) continue;  // a pressed place that only other meshes have
+    const double more = found.divided          ? 0
+                        : of_reference.empty() ? match->error
+                                               : inferred(of_reference, cell);
+    out[cell] = match->error + more;
   }
   return out;
 }
@@ -199,7 +201,7 @@ bool OwnErrors::judge(const Way& way, double cell) {
   return true;
 }
 
-std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) const {
+std::filesystem::path OwnErrors::cache_file(const Way& way, const Anatomy& mesh) const {
   TrialKey key;
   key.add("trial 5");
   for (const std::string& text : {settings_.law, way.first, way.second}) key.add(text);
@@ -230,7 +232,7 @@ const BodyTrial& OwnErrors::trial_on(const Anatomy& mesh, double cell) {
 /// Returns the errors of model and element on the mesh, from the cache or by a trial. Nothing if a
 /// verification is not cached and not to be run.
 std::optional<std::vector<ActError>> OwnErrors::found(const Way& way, const Anatomy& mesh, double cell) {
-  const std::filesystem::path file = kept_in(way, mesh);
+  const std::filesystem::path file = cache_file(way, mesh);
   const std::string seal = file.filename().string();
   if (!body_.cache_dir.empty()) {
     const SealedFileResult kept = read_sealed_file(file, seal);

@@ -43,9 +43,9 @@ class OwnErrors {
   /// last two trials, or first order after a single one, with a quarter added. Empty if there was no trial of
   /// that model and element.
   std::vector<ActError> at(const std::string& model, const std::string& element, double cell) const;
-  /// Tries the model and element on the body with cells of `cell` m, with which the body has `elements`
-  /// elements. If that is too expensive, it tries the finest affordable cells and cells 1.5 times as large.
-  /// Returns whether anything new was found.
+  /// Measures the errors of the model and element on the body with cells of `cell` m, with which it has
+  /// `elements` elements. If that is too expensive, measures them with the finest affordable cells and with
+  /// cells 1.5 times as large. Returns whether any new error was measured.
   bool attempt(const std::string& model, const std::string& element, double cell, double elements);
   /// Verifies the errors of the model and element by repeating attempt() with a larger reference mesh, where
   /// that is more accurate. Returns whether anything new was found.
@@ -67,7 +67,7 @@ class OwnErrors {
   std::map<double, double> errors_of(const Way& way, const std::string& act) const;
   const BodyTrial& trial_on(const Anatomy& mesh, double cell);
   std::optional<std::vector<ActError>> found(const Way& way, const Anatomy& mesh, double cell);
-  std::filesystem::path kept_in(const Way& way, const Anatomy& mesh) const;
+  std::filesystem::path cache_file(const Way& way, const Anatomy& mesh) const;
 
   JudgedBody body_;
   TrialSettings settings_;

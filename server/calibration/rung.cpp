@@ -9,7 +9,6 @@
 #include "server/physics/mechanics/soft/mechanical_energy.h"
 #include "server/physics/mechanics/soft/rungs.h"
 #include "server/physics/mechanics/soft/soft_body.h"
-#include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 namespace {
@@ -139,16 +138,6 @@ std::string Rung::effort() const {
 std::string Rung::name() const {
   if (is_position_based()) return model + ", " + element;
   return model + ", " + element + ", " + integrator + ", " + solver;
-}
-
-std::vector<std::string> element_names() {
-  return {"tet4", "tet10"};  // SoftDesc::element has no table
-}
-
-std::vector<std::string> solver_names() {
-  std::vector<std::string> names;
-  for (const auto& row : solvers()) names.emplace_back(row.name);
-  return names;
 }
 
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece) {

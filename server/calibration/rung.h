@@ -29,9 +29,6 @@ struct Rung {
   bool is_position_based() const;
 };
 
-std::vector<std::string> element_names();
-std::vector<std::string> solver_names();
-
 /// Makes a specimen (a benchmarked body) of that test piece, simulated with the rung (model configuration).
 /// Throws InputError if the rung can't model it.
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece);

@@ -73,21 +73,12 @@ class Specimen : public Steppable {
   virtual double weight_energy(const Vec3& gravity) const;
 };
 
-/// Returns the centre of mass (m). momentum() returns the momentum (kg·m/s), and angular_momentum() the
-/// angular momentum (kg·m²/s) about the room's origin.
+/// Returns the centre of mass (m). momentum() returns the momentum (kg·m/s).
 Vec3 mass_center(const Specimen& specimen);
 Vec3 momentum(const Specimen& specimen);
-Vec3 angular_momentum(const Specimen& specimen);
 double kinetic_energy(const Specimen& specimen);
 /// Returns the total volume (m³) of the mesh's tetrahedra with nodes at the positions x (3n, m; corner nodes
 /// first).
 double volume(const TetMesh& mesh, const VecX& x);
-/// Returns the largest distance (m) of a node's position in `x` from its position in `rest`, after `rest` has
-/// been rigidly aligned with `x`. The alignment minimises the mean square distance of the nodes, weighted by
-/// mass (Kabsch 1976). Infinite if x is not finite. Both are 3n, m.
-double shape_error(const VecX& rest, const VecX& x, const VecX& node_mass);
-/// Returns the index of the node whose rest position in `rest` (3n, m) is `place`. Throws std::logic_error if
-/// there is none.
-Eigen::Index node_at(const VecX& rest, const Vec3& place);
 
 }  // namespace prosector

@@ -30,17 +30,4 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Returns the median duration of `repeats` calls of `f` in ms, after three calls to warm up.
-template <class F>
-double median_ms(int repeats, const F& f) {
-  for (int i = 0; i < 3; ++i) f();
-  std::vector<double> ms;
-  for (int i = 0; i < repeats; ++i) {
-    const double start = wall_ms();
-    f();
-    ms.push_back(wall_ms() - start);
-  }
-  return median(std::move(ms));
-}
-
 }  // namespace prosector

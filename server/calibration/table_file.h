@@ -16,7 +16,7 @@ std::string machine_and_build();
 /// reason ("" if there was no file).
 struct FoundTable {
   RungTable table;
-  std::string trouble;
+  std::string error;
 };
 /// Reads the table of measured configurations from `file`. Returns an empty table and the reason if the file
 /// is of another machine or build than `machine`, or damaged.

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double told_over = 0.03;             // m: height above the board below which planes are reported
+constexpr double report_height = 0.03;         // m: height above the board below which planes are reported
 constexpr double rubbing = 0.6;                // coefficient of friction
 constexpr std::uint32_t of_panels = 1u << 31;  // bit in plane ids that only planes of panels have
 
@@ -31,7 +31,7 @@ std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, con
   const double radius = hand_segments(hand)[index_end].radius;
   const Vec3 tip = panel.pose.inverse() * index_tip(hand, pose) - Vec3(0, 0, radius);
   if (!panel.open || !tip.allFinite() || std::abs(tip.x()) > panel_width / 2 ||
-      std::abs(tip.y()) > panel_height / 2 || tip.z() > told_over || tip.z() < -finger_depth)
+      std::abs(tip.y()) > panel_height / 2 || tip.z() > report_height || tip.z() < -finger_depth)
     return {};
   const ControlDesc* control = control_at(panel, tip.x(), tip.y());
   const std::uint32_t place = control != nullptr ? 1 + static_cast<std::uint32_t>(control->control) : 0;
@@ -45,7 +45,7 @@ std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, con
     plane.arm = pose.pose.inverse() * (panel.pose * tip);
     plane.stiffness = plane.tangential = stiffness;
     plane.friction = rubbing;
-    plane.radius = told_over;
+    plane.radius = report_height;
     out.push_back(plane);
   };
   if (control != nullptr && control->kind == ControlKind::button) {

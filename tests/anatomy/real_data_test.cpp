@@ -51,9 +51,9 @@ TEST(RealData, SkullAndBrainByThreshold) {
     GTEST_SKIP() << "head.nii or brain.nii.gz is not below " << default_data_dir();
   RigidDesc skull;
   skull.name = "skull";
-  skull.volume = ct;
-  skull.threshold = 170;
-  skull.surface_cell = 0.006;
+  skull.geometry.volume = ct;
+  skull.geometry.threshold = 170;
+  skull.geometry.surface_cell = 0.006;
   const TriangleMesh bone = make_surface(skull, {}, {});
   const SurfaceReport report = check_surface(bone);
   EXPECT_EQ(report.open_edges, 0u);
@@ -86,7 +86,7 @@ TEST(RealData, Bones) {
     if (file.empty()) GTEST_SKIP() << name << " is not below " << default_data_dir();
     RigidDesc d;
     d.name = name;
-    d.mesh = file;
+    d.geometry.mesh = file;
     EXPECT_EQ(check_surface(make_surface(d, {}, {})).open_edges, 0u) << name;
   }
 }

@@ -63,9 +63,9 @@ TEST(Sources, MissingFileFallsBackOrSaysWhereItLooked) {
 
   RigidDesc r;
   r.name = "bone";
-  r.mesh = "femur.off";
+  r.geometry.mesh = "femur.off";
   EXPECT_THROW(make_surface(r, paths, {}), InputError);
-  r.fallback = "femur";
+  r.geometry.fallback = "femur";
   EXPECT_EQ(check_surface(make_surface(r, paths, said.progress())).open_edges, 0u);
   EXPECT_TRUE(said.say("femur.off is missing"));
   SoftDesc nothing;
@@ -224,7 +224,7 @@ TEST(Sources, ASelfIntersectingSurfaceIsSaidEachTime) {
   const SourcePaths paths{dir.path, {}, dir.path / "cache"};
   RigidDesc rigid;
   rigid.name = "crossed bone";
-  rigid.mesh = "crossed.off";
+  rigid.geometry.mesh = "crossed.off";
   SoftDesc soft;
   soft.name = "crossed organ";
   soft.geometry.mesh = "crossed.vtk";
@@ -244,24 +244,24 @@ TEST(Sources, AStructureOfAVolumeAsARigidSurface) {
   const SourcePaths paths{dir.path, {}, dir.path / "cache"};
   RigidDesc d;
   d.name = "stone";
-  d.volume = "balls.inr";
-  d.surface_cell = 0.004;
+  d.geometry.volume = "balls.inr";
+  d.geometry.surface_cell = 0.004;
   const double small = 4.0 / 3 * M_PI * 0.010 * 0.010 * 0.010;  // label 9, and all above 8
   const double large = 4.0 / 3 * M_PI * 0.024 * 0.024 * 0.024;  // label 7
   const auto volume = [&] { return check_surface(make_surface(d, paths, {})).volume; };
-  d.label = 9;
+  d.geometry.label = 9;
   EXPECT_NEAR(volume(), small, 0.1 * small);
-  d.label = -1;
-  d.threshold = 8;
+  d.geometry.label = -1;
+  d.geometry.threshold = 8;
   EXPECT_NEAR(volume(), small, 0.1 * small);
-  d.label = 7;
+  d.geometry.label = 7;
   EXPECT_NEAR(volume(), large, 0.05 * large);
   EXPECT_NEAR(volume(), large, 0.05 * large);  // from the cache
-  d.surface_cell = 0;                          // the voxels' size
+  d.geometry.surface_cell = 0;                 // the voxels' size
   EXPECT_NEAR(volume(), large, 0.05 * large);
-  d.volume = "missing.nii";
+  d.geometry.volume = "missing.nii";
   EXPECT_THROW(make_surface(d, paths, {}), InputError);
-  d.fallback = "ball";
+  d.geometry.fallback = "ball";
   EXPECT_GT(volume(), 0);
 }
 

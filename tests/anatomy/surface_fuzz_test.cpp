@@ -78,15 +78,15 @@ TEST(SurfaceFuzz, AReaderThatTakesTooLongIsEnded) {
 }
 
 TEST(ChildProcess, EndsWithinItsLimitsAndSaysHow) {
-  EXPECT_EQ(run_child("/bin/echo", {"a b"}, {10, 100}).trouble, "");
+  EXPECT_EQ(run_child("/bin/echo", {"a b"}, {10, 100}).error, "");
   const ChildOutcome said = run_child("/bin/echo", {"a b"}, {10, 100});
   EXPECT_EQ(std::string(said.output.begin(), said.output.end()), "a b\n");
-  EXPECT_EQ(run_child("/bin/sh", {"-c", "exit 3"}, {10, 100}).trouble, "ended with exit code 3");
-  EXPECT_EQ(run_child("/bin/sh", {"-c", "kill -ABRT $$"}, {10, 100}).trouble, "crashed (Aborted)");
-  EXPECT_EQ(run_child("/bin/cat", {"/dev/zero"}, {10, 100}).trouble, "wrote more than 100 bytes");
-  EXPECT_EQ(run_child("/bin/sleep", {"20"}, {0.1, 100}).trouble, "timed out after 0.1 s");
-  EXPECT_EQ(run_child("/bin/cat", {"-"}, {10, 100}).trouble, "");  // nothing to read, at once
-  EXPECT_NE(run_child("/nonexistent", {}, {10, 100}).trouble.find("cannot be started (No such file"),
+  EXPECT_EQ(run_child("/bin/sh", {"-c", "exit 3"}, {10, 100}).error, "ended with exit code 3");
+  EXPECT_EQ(run_child("/bin/sh", {"-c", "kill -ABRT $$"}, {10, 100}).error, "crashed (Aborted)");
+  EXPECT_EQ(run_child("/bin/cat", {"/dev/zero"}, {10, 100}).error, "wrote more than 100 bytes");
+  EXPECT_EQ(run_child("/bin/sleep", {"20"}, {0.1, 100}).error, "timed out after 0.1 s");
+  EXPECT_EQ(run_child("/bin/cat", {"-"}, {10, 100}).error, "");  // nothing to read, at once
+  EXPECT_NE(run_child("/nonexistent", {}, {10, 100}).error.find("cannot be started (No such file"),
             std::string::npos);
 }
 

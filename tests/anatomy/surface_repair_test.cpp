@@ -166,8 +166,8 @@ TEST(SurfaceRepair, RigidBodiesSayWhatTheirMassIsOff) {
   const TempDir dir;
   RigidDesc desc;
   desc.name = "bone";
-  desc.mesh = "bone.off";
-  desc.scale = 1e-3;
+  desc.geometry.mesh = "bone.off";
+  desc.geometry.scale = 1e-3;
   const auto said_of = [&](const TriangleMesh& mesh) {
     write(dir.path / "bone.off", as_off(mesh, 1));
     Lines said;

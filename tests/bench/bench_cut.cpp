@@ -240,23 +240,23 @@ struct Made {
   Numbering numbering;
   std::optional<SurfaceDetector> surface;
 
-  void make_anew(const SoftDesc& desc, Anatomy anatomy) {
+  void rebuild(const SoftDesc& desc, Anatomy anatomy) {
     retired = std::exchange(solver, std::make_unique<SoftBody>(desc, std::move(anatomy)));
     find_surface();
   }
   void find_surface() { surface.emplace(solver->anatomy().embedding, solver->anatomy().surface); }
 };
 
-/// Updates the bodies after a topology edit, as the simulation does, or rebuilds them if `anew`.
-void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>& bodies) {
+/// Updates the bodies after a topology edit, as the simulation does, or rebuilds them if `rebuilt`.
+void fit_bodies(Organ& organ, const SoftDesc& desc, bool rebuilt, std::vector<Made>& bodies) {
   const Regrouped changed = organ.regroup(bodies.size());
   bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
   tbb::parallel_for(std::size_t{0}, changed.bodies.size(), [&](std::size_t i) {
     Made& body = bodies[changed.bodies[i]];
     const OrganPiece& piece = organ.piece(changed.bodies[i]);
-    const auto edit = anew ? std::nullopt : edit_since(organ, changed, piece);
+    const auto edit = rebuilt ? std::nullopt : edit_since(organ, changed, piece);
     if (!edit || !is_worth_following(*edit) || !body.solver->follower().can_follow(edit->mesh)) {
-      body.make_anew(desc, anatomy_of(organ, piece, body.numbering));
+      body.rebuild(desc, anatomy_of(organ, piece, body.numbering));
     } else if (const auto surface = surface_edit_since(organ, changed, piece, body.solver->anatomy().surface,
                                                        body.numbering)) {
       apply(*surface, body.numbering);
@@ -318,12 +318,12 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   std::vector<double> angles;  // of all pieces, degrees
   tbb::task_arena arena(threads);
   for (int run = 0; run < 2 * runs_through; ++run) {
-    const bool anew = run % 2 == 1;
+    const bool rebuilt = run % 2 == 1;
     const auto first = std::chrono::steady_clock::now();
     Organ organ(0, body.anatomy(), body.desc().material.density);
     const auto prepared = std::chrono::steady_clock::now();
     std::vector<Made> bodies(1);
-    bodies[0].make_anew(body.desc(), body.anatomy());
+    bodies[0].rebuild(body.desc(), body.anatomy());
     BladeStroke blade;
     const auto cut_to = [&](double end, double at, std::uint64_t stroke) {
       std::vector<Vec3> x;
@@ -336,14 +336,14 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
     };
     if (way.cut_before) {
       cut_to(lowest.x() + nick, lowest.z() / 3, 1);
-      fit_bodies(organ, body.desc(), anew, bodies);
+      fit_bodies(organ, body.desc(), rebuilt, bodies);
     }
     arena.execute([&] {
       const auto begin = cut_to(reach, z, 2);
       const auto cut = std::chrono::steady_clock::now();
       end_stroke(organ.complex(), blade);
       const auto ended = std::chrono::steady_clock::now();
-      fit_bodies(organ, body.desc(), anew, bodies);
+      fit_bodies(organ, body.desc(), rebuilt, bodies);
       const auto end = std::chrono::steady_clock::now();
       after = 0;
       mass = 0;
@@ -358,15 +358,15 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
       }
       const auto undo = std::chrono::steady_clock::now();
       static_cast<void>(organ.undo(1));
-      fit_bodies(organ, body.desc(), anew, bodies);
+      fit_bodies(organ, body.desc(), rebuilt, bodies);
       const auto undone = std::chrono::steady_clock::now();
-      making[anew].push_back(ms_between(ended, end));
-      undoing[anew].push_back(ms_between(undo, undone));
-      if (anew) return;
+      making[rebuilt].push_back(ms_between(ended, end));
+      undoing[rebuilt].push_back(ms_between(undo, undone));
+      if (rebuilt) return;
       preparing.push_back(ms_between(first, prepared));
       cutting.push_back(ms_between(begin, cut));
       ending.push_back(ms_between(cut, ended));
-      all.push_back(cutting.back() + making[anew].back());
+      all.push_back(cutting.back() + making[rebuilt].back());
     });
   }
   ReportRow row;

@@ -8,6 +8,7 @@
 #include "server/calibration/stopwatch.h"
 #include "server/physics/mechanics/soft/rungs.h"
 #include "tests/bench/memory.h"
+#include "tests/bench/rung_choices.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

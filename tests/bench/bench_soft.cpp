@@ -20,6 +20,19 @@
 namespace prosector {
 namespace {
 
+/// Returns the median duration of `repeats` calls of `f` in ms, after three calls to warm up.
+template <class F>
+double median_ms(int repeats, const F& f) {
+  for (int i = 0; i < 3; ++i) f();
+  std::vector<double> ms;
+  for (int i = 0; i < repeats; ++i) {
+    const double start = wall_ms();
+    f();
+    ms.push_back(wall_ms() - start);
+  }
+  return median(std::move(ms));
+}
+
 constexpr double h = 1. / 60;
 const Vec3 gravity(0, -9.81, 0);
 

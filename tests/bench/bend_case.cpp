@@ -6,6 +6,7 @@
 
 #include "server/calibration/beam_piece.h"
 #include "server/calibration/bend_reference.h"
+#include "tests/bench/specimen_measures.h"
 #include "tests/bench/trade_case.h"
 
 namespace prosector {

@@ -13,7 +13,7 @@ namespace {
 SceneDesc scene_of(int boxes) {
   SceneDesc scene;
   scene.rigid = {test::table()};
-  scene.rigid[0].parts[0].size = {20, 0.1, 20};
+  scene.rigid[0].geometry.parts[0].size = {20, 0.1, 20};
   for (int i = 0; i < boxes; ++i) {
     const Vec3 at(0.14 * (i % 10 - 4.5) + 0.01 * (i / 100 % 3), 0.1 + 0.13 * (i / 100),
                   0.14 * (i / 10 % 10 - 4.5));

@@ -57,7 +57,7 @@ void bounce_beside_tissue(ContactRows& rows, double restitution) {
   SceneDesc scene;
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.12, 0.02, 0.12}, {0, 0.0702, 0}, 8000),
                  test::part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.2, 0})};
-  scene.rigid[1].restitution = scene.rigid[2].restitution = std::sqrt(restitution);
+  scene.rigid[1].contact.restitution = scene.rigid[2].contact.restitution = std::sqrt(restitution);
   scene.soft = {test::block()};
   scene.soft[0].material.youngs_modulus = 5e4;
   ContactRun run(scene);

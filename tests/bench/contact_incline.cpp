@@ -23,8 +23,8 @@ SceneDesc soft_on_rigid(double angle) {
   SceneDesc scene;
   scene.gravity = tilted(angle);
   scene.rigid = {test::table()};
-  scene.rigid[0].parts[0].size = {40, 0.1, 20};
-  scene.rigid[0].friction = friction;
+  scene.rigid[0].geometry.parts[0].size = {40, 0.1, 20};
+  scene.rigid[0].contact.friction = friction;
   scene.soft = {test::block()};
   scene.soft[0].contact.friction = friction;
   scene.soft[0].material.youngs_modulus = 2e4;
@@ -37,7 +37,7 @@ SceneDesc rigid_on_soft(double angle) {
   SceneDesc scene;
   scene.gravity = tilted(angle);
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.06, 0.02, 0.06}, {-0.3, 0.0505, 0})};
-  scene.rigid[1].friction = friction;
+  scene.rigid[1].contact.friction = friction;
   SoftDesc& bed = scene.soft.emplace_back(test::block("bed"));
   bed.geometry.size = {0.9, 0.04, 0.12};
   bed.geometry.cell = bed.geometry.surface_cell = 0.02;

@@ -19,7 +19,7 @@ constexpr double tolerance = 0.002;  // m
 SceneDesc scene_of(int boxes, double over) {
   SceneDesc scene;
   scene.rigid = {test::table()};
-  scene.rigid[0].parts[0].size = {6, 0.1, 6};
+  scene.rigid[0].geometry.parts[0].size = {6, 0.1, 6};
   for (int i = 0; i < boxes; ++i) {
     const int column = i % 8, row = i / 8 % 5, layer = i / 40;
     const Vec3 at(apart * (column - 3.5), over + apart * layer, apart * (row - 2));

@@ -23,7 +23,7 @@ TickInput awake() {
 SceneDesc rigid_on_top(double ratio) {
   SceneDesc scene;
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0701, 0})};
-  scene.rigid[1].mass = ratio * block_mass;
+  scene.rigid[1].material.mass = ratio * block_mass;
   scene.soft = {test::block()};
   if (ratio > 1) scene.soft[0].material.youngs_modulus = 1e8;  // softer tissue would be flattened
   return scene;
@@ -32,7 +32,7 @@ SceneDesc rigid_on_top(double ratio) {
 SceneDesc soft_on_top(double ratio) {
   SceneDesc scene;
   scene.rigid = {test::table(), test::part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0101, 0})};
-  scene.rigid[1].mass = ratio * block_mass;
+  scene.rigid[1].material.mass = ratio * block_mass;
   scene.soft = {test::block()};
   scene.soft[0].pose.p.y() = 0.0503;
   return scene;

@@ -19,7 +19,7 @@ constexpr double back = 1.0;  // mm: largest shape error of recovered tissue
 SceneDesc tied_block(double radius) {
   SceneDesc scene;
   scene.rigid = {test::table()};
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {test::block()};
   scene.soft[0].attach = {{{0, 0, 0}, radius, 2e7}};
   return scene;
@@ -45,7 +45,7 @@ void squeeze(ContactRows& rows, double speed) {
   SceneDesc scene = tied_block(0.015);  // only the base: higher attachments would be pulled through the plate
   scene.rigid.push_back(test::part_body("press", "box", {0.4, 0.02, 0.4}, {0, 0.075, 0}));
   scene.rigid[1].fixed = true;
-  scene.rigid[1].friction = 0;
+  scene.rigid[1].contact.friction = 0;
   ContactRun run(scene);
   double widest = 0, force = 0;
   const double open = 0.075, shut = 0.016;

@@ -9,6 +9,7 @@
 
 #include "common/anatomy/sheets_and_ropes.h"
 #include "common/scene/scene.h"
+#include "tests/bench/specimen_measures.h"
 #include "tests/soft/kuhn.h"
 
 namespace prosector {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/bench/specimen_measures.h"
 #include "tests/bench/trade_case.h"
 #include "tests/soft/kuhn.h"
 

@@ -147,7 +147,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "--quick",
                 {"case", "act", "poisson_ratio", "model", "element", "tets"},
                 {"error_continuum", "unsettled", "estimate", "discretisation", "model_part", "effectivity"}},
-        Subject{"collision", "--pairs 10 --ticks 1 --bodies 100 --triangles 128", {"case", "fidelity"}, {}}),
+        Subject{"collision", "--pairs 10 --ticks 1 --bodies 100 --triangles 128", {"case", "fidelity"}, {}},
+        Subject{"contact",
+                "--case organ --quick",
+                {"case", "setting", "figure", "unit", "dt"},
+                {"measured", "reference", "tolerance", "ms_per_tick"}}),
     [](const auto& row) { return std::string(row.param.name) + std::to_string(row.index); });
 
 TEST_P(Json, SaysWhatWasMeasuredOnWhat) {

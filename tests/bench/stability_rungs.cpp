@@ -7,6 +7,7 @@
 #include "server/physics/mechanics/soft/integrators/time_integrator.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "server/physics/mechanics/soft/rungs.h"
+#include "tests/bench/rung_choices.h"
 
 namespace prosector {
 namespace {

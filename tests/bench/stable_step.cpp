@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "common/error.h"
-#include "server/calibration/beam_piece.h"
+#include "tests/bench/first_mode.h"
 
 namespace prosector {
 namespace {

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/calibration/beam_piece.h"
 #include "server/calibration/rung.h"
 #include "tests/bench/damped_cosine.h"
+#include "tests/bench/first_mode.h"
+#include "tests/bench/specimen_measures.h"
 #include "tests/bench/trade_case.h"
 
 namespace prosector {

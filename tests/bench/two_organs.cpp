@@ -23,9 +23,9 @@ SceneDesc two_organs(const Rung& rung) {
   RigidDesc& table = scene.rigid.emplace_back();
   table.name = "table";
   table.fixed = true;
-  table.parts.push_back({});
-  table.parts[0].size = {1, 0.04, 1};
-  table.parts[0].pose.p = {0, -0.02, 0};
+  table.geometry.parts.push_back({});
+  table.geometry.parts[0].size = {1, 0.04, 1};
+  table.geometry.parts[0].pose.p = {0, -0.02, 0};
   for (const double x : {-0.051, 0.051}) {
     SoftDesc& organ = scene.soft.emplace_back();
     rung.apply_to(organ);

@@ -160,9 +160,9 @@ TEST(ChooseScene, AFlippedBitOfATableGivesTheSameTableOrNone) {
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << random() % 8));
     std::ofstream(chooser.file) << flipped;
     const FoundTable found = read_table(chooser.file, chooser.machine);
-    refused += !found.trouble.empty();
+    refused += !found.error.empty();
     const bool same = std::ranges::equal(found.table.rows(), rows, {}, figures, figures);
-    EXPECT_TRUE(same || !found.trouble.empty()) << "byte " << at;
+    EXPECT_TRUE(same || !found.error.empty()) << "byte " << at;
   }
   EXPECT_GT(refused, 200);  // the others are in white space
 }

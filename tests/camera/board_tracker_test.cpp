@@ -19,10 +19,12 @@ class Watcher {
     optics_.bent = usual_lens();
     optics_.straight = straightener_.lens();
   }
-  std::optional<TrackedBoard> see(const Image& image, double seconds) {
+  /// `copied`: codes of tags of which another copy is detected in the picture's corner.
+  std::optional<TrackedBoard> see(const Image& image, double seconds, const std::vector<int>& copied = {}) {
     TagImage picture{grey_of(image), {}, {}, static_cast<std::int64_t>(1e9 * seconds)};
     picture.straight = straightener_.straight(picture.bent);
     picture.tags = finder_.find(picture.straight);
+    for (const int code : copied) picture.tags.push_back({code, {{{2, 12}, {12, 12}, {12, 2}, {2, 2}}}, 100});
     return tracker_.update(picture, optics_);
   }
 
@@ -93,6 +95,21 @@ TEST(BoardTracker, TellsNothingWhereEdgesAreGone) {
   }
   EXPECT_GT(lost, 0);
   EXPECT_LT(lost, 8);
+}
+
+TEST(BoardTracker, FitsTheEdgesOfATagOnceWhoseCodeIsDetectedTwice) {
+  const Board board = grid_board("four tags", {2, 2, 0.03, 0.008, 7});
+  SyntheticScene scene = usual_scene(usual_lens());
+  scene.rays = 3;
+  Carrier carrier;
+  carrier.pose = {{0.02, 0.01, -0.6}, Quat(Eigen::AngleAxisd(30 * degree, Vec3::UnitY()))};
+  scene.add_board(board, carrier);
+  const Image image = SceneRenderer(scene).paint(0);
+  const auto once = Watcher(board).see(image, 0), twice = Watcher(board).see(image, 0, {7, 10});
+  ASSERT_TRUE(once && twice && once->spread && twice->spread);
+  EXPECT_EQ(once->twice, 0);
+  EXPECT_EQ(twice->twice, 2);
+  EXPECT_NEAR(twice->spread->trace() / once->spread->trace(), 1, 0.1);
 }
 
 TEST(BoardTracker, OfBothPosesThatLookAlikeItKeepsOne) {

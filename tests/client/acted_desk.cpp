@@ -70,7 +70,7 @@ void ActedDesk::point_at(const Vec3& place) {
   pointed_ = place;
   if (!hand_.is_pressed() || !hand_.cut_depth()) return;
   const auto point = surface({eye, (pointed_ - eye).normalized()});
-  if (point && replica_.soft(point->body) != nullptr)
+  if (point && replica_.bodies().soft(point->body) != nullptr)
     hand_.trace(*point, [this](const Ray& ray, std::optional<BodyId> only) { return found(ray, only); });
 }
 
@@ -130,7 +130,7 @@ void ActedDesk::take() {
   bus_->take(received);
   for (const Received& r : received) {
     if (const auto* result = std::get_if<CommandResult>(&r.message); result && !result->accepted)
-      told_.push_back(result->reason);
+      messages_.push_back(result->reason);
     replica_.apply(r);
   }
 }
@@ -145,9 +145,9 @@ HandGuide ActedDesk::guide(double tick) {
   const auto point = surface(out.pointer);
   if (point && point->distance < farthest_surface) {
     out.surface = point->distance;
-    out.soft = replica_.soft(point->body) != nullptr;
+    out.soft = replica_.bodies().soft(point->body) != nullptr;
     out.level = point->normal.y();
-    const RigidReplica* rigid = replica_.rigid(point->body);
+    const RigidReplica* rigid = replica_.bodies().rigid(point->body);
     out.at_blade = rigid != nullptr && !rigid->edges.empty();
   }
   if (asked_for_) pressed_at_ = point ? std::optional(point->body) : std::nullopt;
@@ -167,7 +167,7 @@ HandGuide ActedDesk::guide(double tick) {
 }
 
 void ActedDesk::picture() {
-  const double tick = replica_.advance(network_.now_ns());
+  const double tick = replica_.time().advance(network_.now_ns());
   LocalUser user;
   user.participant = self_;
   user.present = true;
@@ -176,7 +176,7 @@ void ActedDesk::picture() {
   settings.overlay = false;
   settings.eye = Pose{eye, gaze};
   view_.build(replica_, tick, user, settings);
-  gauge_.look(replica_, tick * replica_.tick_seconds());
+  gauge_.look(replica_, tick * replica_.time().tick_seconds());
   for (const StrokeFigures& s : gauge_.take_ended()) strokes_.push_back(s);
   const HandGuide now = guide(tick);
   if (last_picture_ == 0) hand_.begin(now.pointer, first_reach);

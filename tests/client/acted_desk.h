@@ -56,7 +56,7 @@ class ActedDesk {
 
   /// Returns the server's lines, what it told this person of refusals and losses, and the strokes that ended.
   const std::vector<std::string>& log() const { return log_; }
-  const std::vector<std::string>& told() const { return told_; }
+  const std::vector<std::string>& messages() const { return messages_; }
   const std::vector<StrokeFigures>& strokes() const { return strokes_; }
 
  private:
@@ -73,7 +73,7 @@ class ActedDesk {
   std::uint64_t sequence_ = 0;
   Vec3 pointed_{0, 1, 0};
   std::optional<BodyId> pressed_at_;
-  std::vector<std::string> told_;
+  std::vector<std::string> messages_;
   std::vector<StrokeFigures> strokes_;
   StrokeTracker gauge_;
   bool asked_for_ = false;

@@ -15,7 +15,7 @@ constexpr std::int64_t second_ns = 1'000'000'000;
 
 struct Watched {
   TemporaryFile file{"watched.toml"};
-  std::vector<std::string> told;
+  std::vector<std::string> messages;
   int age = 0;
 
   void write(const std::string& text) {
@@ -25,7 +25,7 @@ struct Watched {
         file.path, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++age));
   }
   std::function<void(const std::string&)> report() {
-    return [this](const std::string& line) { told.push_back(line); };
+    return [this](const std::string& line) { messages.push_back(line); };
   }
 };
 
@@ -42,9 +42,9 @@ TEST(ConfigWatch, TakesWhatIsWrittenAndRefusesMistakes) {
   EXPECT_FALSE(watch.look(3 * second_ns, w.report())) << "once";
   w.write("[tracker]\nwings = 2\n");
   EXPECT_FALSE(watch.look(4 * second_ns, w.report()));
-  ASSERT_EQ(w.told.size(), 2u);
-  EXPECT_NE(w.told[1].find(":2: "), std::string::npos) << w.told[1];
-  EXPECT_NE(w.told[1].find("are unchanged"), std::string::npos);
+  ASSERT_EQ(w.messages.size(), 2u);
+  EXPECT_NE(w.messages[1].find(":2: "), std::string::npos) << w.messages[1];
+  EXPECT_NE(w.messages[1].find("are unchanged"), std::string::npos);
   std::filesystem::remove(w.file.path);
   EXPECT_FALSE(watch.look(5 * second_ns, w.report())) << "it is being replaced";
 }

@@ -61,14 +61,14 @@ TEST(Console, ListsWhatWasCutAndByWhom) {
   EXPECT_TRUE(std::holds_alternative<ListCuts>(parse("cuts")));
   EXPECT_TRUE(std::holds_alternative<DescribePointed>(parse("what")));
   std::map<BodyId, TopologyRevision> shown;
-  const auto told = [&] {
+  const auto answer = [&] {
     return cut_list_text(scene(), roster(), 0.02, [&](BodyId body) {
       const auto found = shown.find(body);
       return found == shown.end() ? nullptr : &found->second;
     });
   };
   shown[0].cause = TopologyCause::compiled;
-  EXPECT_EQ(told(), "nothing has been cut");
+  EXPECT_EQ(answer(), "nothing has been cut");
   TopologyRevision& liver = shown[0];
   liver.revision = 12;
   liver.time.tick = 100;
@@ -79,7 +79,7 @@ TEST(Console, ListsWhatWasCutAndByWhom) {
   piece.cause = TopologyCause::cut;
   piece.author = 8;
   piece.piece_of = 0;
-  EXPECT_EQ(told(),
+  EXPECT_EQ(answer(),
             "liver: revision 12, cut by Ada 2.0 s into the session\n"
             "bone 2: revision 0, cut by a participant who left 3.0 s into the session");
 }

@@ -57,7 +57,7 @@ class AtTheDesk : public testing::Test {
     window.drag_right(x, y);
     return std::exchange(window.events, {});
   }
-  double distance() const { return (desk.eye().p - target).norm(); }
+  double distance() const { return (desk.view().eye().p - target).norm(); }
   void press(Key key) {
     window.press(key);
     update();
@@ -70,17 +70,17 @@ bool is_closing(const CommandBody& command) {
 
 TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
   press(Key::f1);
-  EXPECT_TRUE(desk.choices().help);
+  EXPECT_TRUE(desk.display().choices().help);
   press(key_of('H'));
-  EXPECT_FALSE(desk.choices().help);
+  EXPECT_FALSE(desk.display().choices().help);
   press(key_of('I'));
-  EXPECT_TRUE(desk.choices().figures);
+  EXPECT_TRUE(desk.display().choices().figures);
   press(Key::f11);
-  EXPECT_TRUE(desk.choices().full_screen);
+  EXPECT_TRUE(desk.display().choices().full_screen);
   press(Key::tab);
   press(Key::tab);
-  EXPECT_EQ(desk.take_follow_requests(), 2u);
-  EXPECT_EQ(desk.take_follow_requests(), 0u);
+  EXPECT_EQ(desk.display().take_follow_requests(), 2u);
+  EXPECT_EQ(desk.display().take_follow_requests(), 0u);
   EXPECT_FALSE(desk.closed());
   press(Key::escape);
   EXPECT_TRUE(desk.closed());
@@ -125,56 +125,56 @@ TEST_F(AtTheDesk, ThePointerPointsThroughTheWindow) {
     update();
     return asked;
   };
-  const DrawCamera rest = desk.camera();
+  const DrawCamera rest = desk.view().camera();
   EXPECT_TRUE(asks_along(100, 500, ray_through(rest, 100, 500)));
-  desk.set_window_look(WindowLook{{0.2, 0.1, 0.5}, 0.3, false});
-  const DrawCamera seen = desk.camera();
+  desk.view().set_window_look(WindowLook{{0.2, 0.1, 0.5}, 0.3, false});
+  const DrawCamera seen = desk.view().camera();
   EXPECT_GT((seen.pose.p - rest.pose.p).norm(), 0.1);
   const Ray middle = ray_through(seen, 400, 300);
   EXPECT_LT((target - middle.from).normalized().cross(middle.along).norm(), 1e-9)
       << "the target lies in the screen";
   EXPECT_TRUE(asks_along(100, 500, ray_through(seen, 100, 500)));
   EXPECT_FALSE(asks_along(100, 500, ray_through(rest, 100, 500)));
-  EXPECT_EQ(desk.eye().p, rest.pose.p) << "the place that is turned and saved stays the desk's own";
+  EXPECT_EQ(desk.view().eye().p, rest.pose.p) << "the place that is turned and saved stays the desk's own";
 }
 
 TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
   for (const Shown expected : {Shown::strain, Shown::residual, Shown::error, Shown::none}) {
     press(key_of('V'));
-    EXPECT_EQ(desk.choices().shown, expected);
+    EXPECT_EQ(desk.display().choices().shown, expected);
   }
 }
 
 TEST_F(AtTheDesk, XOpensBodiesAtAPlaneThatTheWheelMovesWhileItIsHeld) {
   const Key x = key_of('X');
   press(x);
-  ASSERT_TRUE(desk.choices().section);
-  const SectionPlane first = *desk.choices().section;
-  EXPECT_GT(first.height(desk.eye().p), 0) << "the eye's side is taken away";
+  ASSERT_TRUE(desk.display().choices().section);
+  const SectionPlane first = *desk.display().choices().section;
+  EXPECT_GT(first.height(desk.view().eye().p), 0) << "the eye's side is taken away";
   EXPECT_NEAR(first.height({0, 0.95, 0}), 0, 1e-9) << "the middle of what the pointer is at";
   hold(x, {WheelTurned{0, 2}});
-  ASSERT_TRUE(desk.choices().section) << "moving does not close";
-  EXPECT_EQ(desk.choices().section->normal, first.normal);
-  EXPECT_LT(desk.choices().section->offset, first.offset) << "away from the eye";
+  ASSERT_TRUE(desk.display().choices().section) << "moving does not close";
+  EXPECT_EQ(desk.display().choices().section->normal, first.normal);
+  EXPECT_LT(desk.display().choices().section->offset, first.offset) << "away from the eye";
   press(x);
-  EXPECT_FALSE(desk.choices().section);
+  EXPECT_FALSE(desk.display().choices().section);
 }
 
 TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   update();
-  const Vec3 eye = desk.eye().p;
+  const Vec3 eye = desk.view().eye().p;
   const double distance = (eye - target).norm();
   window.drag_right(80, 40);
   update();
-  EXPECT_GT((desk.eye().p - eye).norm(), 0.2);
-  const Vec3 ahead = desk.eye().q * -Vec3::UnitZ();
-  EXPECT_LT((desk.eye().p + distance * ahead - target).norm(), 1e-9) << "still in the middle";
-  const Pose before = desk.eye();
+  EXPECT_GT((desk.view().eye().p - eye).norm(), 0.2);
+  const Vec3 ahead = desk.view().eye().q * -Vec3::UnitZ();
+  EXPECT_LT((desk.view().eye().p + distance * ahead - target).norm(), 1e-9) << "still in the middle";
+  const Pose before = desk.view().eye();
   press(key_of('F'));
   window.drag_right(-80, 20);
   update();
-  EXPECT_LT((desk.eye().p - before.p).norm(), 1e-9);
-  EXPECT_GT(desk.eye().q.angularDistance(before.q), 0.3);
+  EXPECT_LT((desk.view().eye().p - before.p).norm(), 1e-9);
+  EXPECT_GT(desk.view().eye().q.angularDistance(before.q), 0.3);
 }
 
 // At a few pictures a second a tap begins and ends between two of them.
@@ -182,15 +182,15 @@ TEST_F(AtTheDesk, AKeyTappedBetweenTwoPicturesMovesTheViewAsLongAsOne) {
   update();
   for (const char key : {'W', 'A', 'S', 'D', 'Q', 'E'}) {
     update();
-    const Vec3 before = desk.eye().p;
+    const Vec3 before = desk.view().eye().p;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     window.events = {KeyEvent{key_of(key), true, false}, KeyEvent{key_of(key), false, false}};
     update();
-    const Vec3 after = desk.eye().p;
+    const Vec3 after = desk.view().eye().p;
     EXPECT_GT((after - before).norm(), 1e-3) << key;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     update();
-    EXPECT_EQ(desk.eye().p, after) << key << " is no longer held";
+    EXPECT_EQ(desk.view().eye().p, after) << key << " is no longer held";
   }
 }
 
@@ -207,13 +207,13 @@ TEST_F(AtTheDesk, ZoomsByKeysDragAndPinch) {
   window.events = {KeyEvent{key_of('-'), false, false}, KeyEvent{key_of('='), true, false}};
   wait(150);
   EXPECT_LT(distance(), first);
-  EXPECT_LT((desk.eye().q.angularDistance(place_of({0, 1.5, 1}, target).pose().q)), 1e-9);
+  EXPECT_LT((desk.view().eye().q.angularDistance(place_of({0, 1.5, 1}, target).pose().q)), 1e-9);
 }
 
 TEST_F(AtTheDesk, WhatWasUnderThePointerStaysThereWhenTheViewIsMoved) {
   update();
   const auto ray_at = [&](double x, double y) {
-    return ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), x, y);
+    return ray_through(mono_camera(desk.view().eye(), DeskStart().fov, 800, 600), x, y);
   };
   const auto point = session.room.surface(ray_at(100, 100));
   ASSERT_TRUE(point);
@@ -224,25 +224,25 @@ TEST_F(AtTheDesk, WhatWasUnderThePointerStaysThereWhenTheViewIsMoved) {
 
 TEST_F(AtTheDesk, HomeAndNumbersBringTheViewToSavedPlaces) {
   update();
-  const Pose home = desk.eye();
+  const Pose home = desk.view().eye();
   window.drag_right(200, 60);
   update();
-  const Pose turned = desk.eye();
+  const Pose turned = desk.view().eye();
   hold(Key::control, {KeyEvent{key_of('7'), true, false}, KeyEvent{key_of('7'), false, false}});
   press(key_of('8'));
   wait(300);
-  EXPECT_LT((desk.eye().p - turned.p).norm(), 1e-9) << "nothing was saved there";
+  EXPECT_LT((desk.view().eye().p - turned.p).norm(), 1e-9) << "nothing was saved there";
   press(Key::home);
   wait(40);
-  EXPECT_GT((desk.eye().p - home.p).norm(), 1e-3) << "smoothly";
+  EXPECT_GT((desk.view().eye().p - home.p).norm(), 1e-3) << "smoothly";
   wait(300);
-  EXPECT_LT((desk.eye().p - home.p).norm(), 1e-9);
+  EXPECT_LT((desk.view().eye().p - home.p).norm(), 1e-9);
   press(key_of('4'));
   wait(300);
-  EXPECT_GT(desk.eye().p.y(), 2.9) << "from above";
+  EXPECT_GT(desk.view().eye().p.y(), 2.9) << "from above";
   press(key_of('7'));
   wait(300);
-  EXPECT_LT((desk.eye().p - turned.p).norm(), 1e-9);
+  EXPECT_LT((desk.view().eye().p - turned.p).norm(), 1e-9);
 }
 
 TEST_F(AtTheDesk, ADoubleClickFramesWhatIsThereAndGraspsNothing) {
@@ -254,21 +254,21 @@ TEST_F(AtTheDesk, ADoubleClickFramesWhatIsThereAndGraspsNothing) {
     window.events.push_back(MouseButtonEvent{MouseButton::left, false});
     wait(30);
   };
-  const Ray at = ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), 300, 320);
+  const Ray at = ray_through(mono_camera(desk.view().eye(), DeskStart().fov, 800, 600), 300, 320);
   const Vec3 clicked = session.room.surface(at)->at;
   click();
   click();
   wait(300);
   EXPECT_TRUE(desk.take_commands().empty());
-  const Vec3 ahead = desk.eye().q * -Vec3::UnitZ();
-  EXPECT_LT((clicked - desk.eye().p).cross(ahead).norm(), 1e-9) << "in the middle now";
-  EXPECT_NEAR((clicked - desk.eye().p).norm(), 0.5, 1e-9) << "brought near: it is too large to frame";
+  const Vec3 ahead = desk.view().eye().q * -Vec3::UnitZ();
+  EXPECT_LT((clicked - desk.view().eye().p).cross(ahead).norm(), 1e-9) << "in the middle now";
+  EXPECT_NEAR((clicked - desk.view().eye().p).norm(), 0.5, 1e-9) << "brought near: it is too large to frame";
   session.room.box = [&](BodyId) {
     return Eigen::AlignedBox3d(clicked - Vec3::Constant(0.1), clicked + Vec3::Constant(0.1));
   };
   press(key_of('G'));
   wait(300);
-  EXPECT_GT((clicked - desk.eye().p).norm(), 0.5) << "framed";
+  EXPECT_GT((clicked - desk.view().eye().p).norm(), 0.5) << "framed";
 }
 
 TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
@@ -276,23 +276,23 @@ TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
   Panel panel;
   panel.pose = {{0.3, 1.6, 0}, Quat::Identity()};
   session.own_panel = panel;
-  const Pose before = desk.eye();
+  const Pose before = desk.view().eye();
   wait(300);
-  EXPECT_EQ(desk.eye().p, before.p) << "nobody asked";
+  EXPECT_EQ(desk.view().eye().p, before.p) << "nobody asked";
   session.own_panel.reset();
   press(key_of('P'));
-  EXPECT_TRUE(desk.take_panel_request());
-  desk.expect_panel();
+  EXPECT_TRUE(desk.panel_opening().take_request());
+  desk.panel_opening().expect();
   session.own_panel = panel;
   wait(300);
-  const DrawCamera camera = mono_camera(desk.eye(), DeskStart().fov, 800, 600);
+  const DrawCamera camera = mono_camera(desk.view().eye(), DeskStart().fov, 800, 600);
   for (const double side : {-1.0, 1.0}) {
     const Vec3 corner =
         camera.pose.inverse() * (panel.pose * Vec3(side * panel_width / 2, side * panel_height / 2, 0));
     EXPECT_LT(std::abs(corner.x() / corner.z()), camera.right);
     EXPECT_LT(std::abs(corner.y() / corner.z()), camera.top);
   }
-  EXPECT_GT((desk.eye().p - target).dot(before.p - target), 0) << "from the same side";
+  EXPECT_GT((desk.view().eye().p - target).dot(before.p - target), 0) << "from the same side";
 }
 
 /// A hand that hovers may graze an organ, such as while the view turns. Its panel would hide what is looked
@@ -302,7 +302,7 @@ TEST_F(AtTheDesk, APanelThatAHoveringHandOpensIsClosedAndNoOther) {
     session.own_panel.reset();
     session.touched = touched;
     update();
-    if (asked) desk.expect_panel();
+    if (asked) desk.panel_opening().expect();
     desk.take_commands();
     session.own_panel = Panel();
     session.own_panel->body = 3;
@@ -353,7 +353,7 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   session.hidden_panel_lines = 2;
   update();
   const auto pixel_of = [&](const Vec3& on_board) -> MouseMoved {
-    const DrawCamera camera = mono_camera(desk.eye(), DeskStart().fov, 800, 600);
+    const DrawCamera camera = mono_camera(desk.view().eye(), DeskStart().fov, 800, 600);
     const Vec3 seen = camera.pose.inverse() * (panel.pose * on_board);
     const Eigen::Vector2d tangents = seen.head<2>() / -seen.z();
     return {800 * (tangents.x() - camera.left) / (camera.right - camera.left),
@@ -368,14 +368,14 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   };
   window.events = {head, WheelTurned{0, -1}};
   drag(60);
-  ASSERT_TRUE(desk.panel_look().place);
-  EXPECT_GT(desk.panel_look().place->p.x(), 0.02) << "to the right, as the pointer";
-  EXPECT_NEAR(desk.panel_look().place->p.y(), 1.15, 1e-12) << "level, as the pointer";
-  EXPECT_NEAR(desk.panel_look().place->p.z(), 0.3, 1e-12) << "as far along the view as it was";
-  EXPECT_EQ(desk.panel_look().first_line, 1u);
+  ASSERT_TRUE(desk.panel().look().place);
+  EXPECT_GT(desk.panel().look().place->p.x(), 0.02) << "to the right, as the pointer";
+  EXPECT_NEAR(desk.panel().look().place->p.y(), 1.15, 1e-12) << "level, as the pointer";
+  EXPECT_NEAR(desk.panel().look().place->p.z(), 0.3, 1e-12) << "as far along the view as it was";
+  EXPECT_EQ(desk.panel().look().first_line, 1u);
   window.events = {WheelTurned{0, -9}};
   update();
-  EXPECT_EQ(desk.panel_look().first_line, 2u) << "and no farther than to the last line";
+  EXPECT_EQ(desk.panel().look().first_line, 2u) << "and no farther than to the last line";
   const auto placings = [&] {
     std::vector<OpenPanel> out;
     for (const CommandBody& command : desk.take_commands()) {
@@ -388,10 +388,10 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   const std::vector<OpenPanel> put = placings();
   ASSERT_EQ(put.size(), 1u) << "everyone is to see it there";
   EXPECT_EQ(put[0].placing, PanelPlacement::put);
-  EXPECT_EQ(put[0].at, desk.panel_look().place->p);
+  EXPECT_EQ(put[0].at, desk.panel().look().place->p);
   session.own_panel->pose.p = put[0].at + Vec3(1e-7, 0, 0);
   update();
-  EXPECT_FALSE(desk.panel_look().place) << "the server has it there";
+  EXPECT_FALSE(desk.panel().look().place) << "the server has it there";
   panel.pose = session.own_panel->pose;
   for (int k = 0; k < 2; ++k) {
     window.events.push_back(MouseButtonEvent{MouseButton::left, true});
@@ -399,30 +399,30 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   }
   window.events.insert(window.events.begin(), pixel_of({0, panel_info.top - 0.005, 0}));
   wait(60);
-  EXPECT_FALSE(desk.panel_look().place);
+  EXPECT_FALSE(desk.panel().look().place);
   const std::vector<OpenPanel> back = placings();
   ASSERT_EQ(back.size(), 1u) << "a double click puts it back, for everyone";
   EXPECT_EQ(back[0].placing, PanelPlacement::put_back);
   session.own_panel->pose.p = {0, 1.15, 0.3};
   update();
   drag(-60);
-  ASSERT_TRUE(desk.panel_look().place);
+  ASSERT_TRUE(desk.panel().look().place);
   session.own_panel->pose.p.x() += 0.1;
   update();
-  EXPECT_TRUE(desk.panel_look().place) << "on its way there";
+  EXPECT_TRUE(desk.panel().look().place) << "on its way there";
   wait(1200);
-  EXPECT_FALSE(desk.panel_look().place) << "a fist carries it: it stands where everyone has it";
-  EXPECT_EQ(desk.panel_look().first_line, 2u);
+  EXPECT_FALSE(desk.panel().look().place) << "a fist carries it: it stands where everyone has it";
+  EXPECT_EQ(desk.panel().look().first_line, 2u);
   session.own_panel->body = 4;
   update();
-  EXPECT_EQ(desk.panel_look().first_line, 0u) << "another one begins anew";
+  EXPECT_EQ(desk.panel().look().first_line, 0u) << "another one begins anew";
 }
 
 TEST_F(AtTheDesk, ThePointerBringsTheHandOverTheSurface) {
   for (const auto& [x, y] : {std::pair(400.0, 300.0), std::pair(200.0, 400.0), std::pair(650.0, 500.0)}) {
     window.events.push_back(MouseMoved{x, y});
     wait(800);
-    const Ray ray = ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), x, y);
+    const Ray ray = ray_through(mono_camera(desk.view().eye(), DeskStart().fov, 800, 600), x, y);
     const Pose hand = desk.input().hands[right_hand].pose;
     const Vec3 fingertips = hand * Vec3(0, 0, -wrist_to_fingertips);
     const double distance = (fingertips - ray.from).dot(ray.along);
@@ -463,7 +463,7 @@ TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndAlt) {
 
 TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   update();
-  const Pose before = desk.eye();
+  const Pose before = desk.view().eye();
   Gamepad pad;
   pad.left = {0.1, -0.08};  // worn, at rest
   const auto show = [&] {
@@ -473,21 +473,21 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
     update();
   };
   show();
-  EXPECT_EQ(desk.eye().p, before.p);
+  EXPECT_EQ(desk.view().eye().p, before.p);
   pad.left = {1, 0};
   show();
-  EXPECT_GT((desk.eye().p - before.p).x(), 0.005) << "to the right";
+  EXPECT_GT((desk.view().eye().p - before.p).x(), 0.005) << "to the right";
   pad = {};
   pad.right = {0, 1};
-  const Pose turned = desk.eye();
+  const Pose turned = desk.view().eye();
   show();
-  EXPECT_GT(desk.eye().q.angularDistance(turned.q), 0.01);
+  EXPECT_GT(desk.view().eye().q.angularDistance(turned.q), 0.01);
 
-  const Pose hand = desk.input().hands[right_hand].pose, eye = desk.eye();
+  const Pose hand = desk.input().hands[right_hand].pose, eye = desk.view().eye();
   pad.right = {1, 0};
   pad.left_trigger = 1;  // the pointer instead
   show();
-  EXPECT_EQ(desk.eye().p, eye.p);
+  EXPECT_EQ(desk.view().eye().p, eye.p);
   EXPECT_GT((desk.input().hands[right_hand].pose.p - hand.p).norm(), 0.005);
 
   const Quat wrist = desk.input().hands[right_hand].pose.q;
@@ -495,25 +495,25 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   pad.down[static_cast<std::size_t>(PadButton::right_bumper)] = true;  // rolls the hand, and lifts no view
   show();
   EXPECT_GT(desk.input().hands[right_hand].pose.q.angularDistance(wrist), 0.01);
-  EXPECT_EQ(desk.eye().p, eye.p);
+  EXPECT_EQ(desk.view().eye().p, eye.p);
 
   pad = {};
   pad.left_trigger = 1;
   pad.left = {0, 1};  // zooms, and turns nothing
   show();
-  EXPECT_LT(desk.eye().q.angularDistance(eye.q), 1e-9);
-  EXPECT_GT((desk.eye().p - eye.p).dot(eye.q * Vec3::UnitZ()), 0.005);
+  EXPECT_LT(desk.view().eye().q.angularDistance(eye.q), 1e-9);
+  EXPECT_GT((desk.view().eye().p - eye.p).dot(eye.q * Vec3::UnitZ()), 0.005);
   pad = {};
   pad.left_trigger = 1;
   pad.down[static_cast<std::size_t>(PadButton::start)] = true;
   show();
   EXPECT_TRUE(desk.parts().is_open());
-  EXPECT_FALSE(desk.choices().help) << "the same button without the trigger";
+  EXPECT_FALSE(desk.display().choices().help) << "the same button without the trigger";
   pad = {};
   show();
   pad.down[static_cast<std::size_t>(PadButton::north)] = true;
   show();
-  EXPECT_EQ(desk.take_follow_requests(), 1u) << "no key types into the search";
+  EXPECT_EQ(desk.display().take_follow_requests(), 1u) << "no key types into the search";
   pad = {};
   pad.left_trigger = 1;
   pad.down[static_cast<std::size_t>(PadButton::start)] = true;
@@ -526,7 +526,7 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   wait(700);
   pad.down[static_cast<std::size_t>(PadButton::start)] = true;
   show();
-  EXPECT_TRUE(desk.choices().help);
+  EXPECT_TRUE(desk.display().choices().help);
   window.events.push_back(GamepadMoved{std::nullopt});  // unplugged while it grasps
   update();
   const std::vector<CommandBody> commands = desk.take_commands();

@@ -62,7 +62,7 @@ TEST_P(DrawnCutUnderTension, IsAsLongAsTheWayGapesAndIsTakenBack) {
   for (int k = 0; k < 120 && desk.draws(); ++k) desk.wait(0.5);
   for (int k = 0; k < 40 && desk.strokes().empty(); ++k) desk.wait(0.5);
   EXPECT_TRUE(desk.holds(knife));
-  EXPECT_TRUE(desk.told().empty()) << desk.told().front();
+  EXPECT_TRUE(desk.messages().empty()) << desk.messages().front();
   ASSERT_EQ(desk.strokes().size(), 1U);
   const StrokeFigures& stroke = desk.strokes()[0];
   EXPECT_GT(stroke.length, 0.09);

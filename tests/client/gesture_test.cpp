@@ -7,6 +7,7 @@
 
 #include "client/app/terminal/panel_call.h"
 #include "client/app/user/device_rig.h"
+#include "client/app/user/handled_bodies.h"
 #include "common/clock.h"
 #include "drivers/device/gesture.h"
 
@@ -96,10 +97,10 @@ Replica room() {
   return out;
 }
 
-void touch(Replica& replica, BodyId body) {
+void touch(Replica& replica, BodyId body, bool touching = true) {
   ContactSample sample;
   sample.participant = ada;
-  sample.touching = true;
+  sample.touching = touching;
   sample.body = body;
   replica.apply({.message = sample});
 }
@@ -133,6 +134,77 @@ TEST(PanelCall, ClosesOnesOwnAlone) {
   replica.apply({.message = panel});
   EXPECT_EQ(opened(call_panel(replica, ada, right_hand, std::nullopt)), 1u);
   EXPECT_TRUE(std::holds_alternative<ClosePanel>(call_panel(replica, grace, right_hand, 1).value()));
+}
+
+/// Sets the hands that hold a body.
+void hold(Replica& replica, BodyId body, const std::vector<HandRef>& holders) {
+  PartState part;
+  part.body = body;
+  part.holders = holders;
+  replica.apply({.message = part});
+}
+
+/// Sets the run of the server that the replica follows.
+void open_session(Replica& replica, std::uint64_t server_run) {
+  SessionInfo session;
+  session.server_run = server_run;
+  replica.apply({.message = session});
+}
+
+class LastHandled : public testing::Test {
+ protected:
+  LastHandled() { open_session(replica_, 1); }
+
+  Replica replica_ = room();
+
+  /// Returns the body that a hand of Ada's handled last, after an update.
+  std::optional<BodyId> last(std::size_t hand = right_hand) {
+    bodies_.update(replica_, ada);
+    return bodies_.last(hand);
+  }
+
+ private:
+  HandledBodies bodies_;
+};
+
+TEST_F(LastHandled, IsTheHeldBodyWhateverTheHandTouches) {
+  touch(replica_, 1);
+  hold(replica_, 2, {{ada, right_hand}});
+  EXPECT_EQ(last(), 2u);
+  hold(replica_, 2, {});
+  EXPECT_EQ(last(), 1u) << "still touched";
+}
+
+TEST_F(LastHandled, RemainsAfterReleaseAndAfterTheTouch) {
+  hold(replica_, 2, {{ada, right_hand}});
+  EXPECT_EQ(last(), 2u);
+  hold(replica_, 2, {});
+  EXPECT_EQ(last(), 2u);
+  touch(replica_, 1);
+  EXPECT_EQ(last(), 1u);
+  touch(replica_, 1, false);
+  EXPECT_EQ(last(), 1u);
+}
+
+TEST_F(LastHandled, IsNoneBeforeTheFirstTouch) {
+  touch(replica_, 1, false);  // a touch that is expected soon
+  EXPECT_EQ(last(), std::nullopt);
+  hold(replica_, 1, {{ada, left_hand}, {grace, right_hand}});
+  EXPECT_EQ(last(), std::nullopt) << "held by Ada's other hand and by another participant";
+  EXPECT_EQ(last(left_hand), 1u);
+}
+
+TEST_F(LastHandled, IsNoneForABodyThatTheSceneLacks) {
+  touch(replica_, 99);
+  EXPECT_EQ(last(), std::nullopt);
+}
+
+TEST_F(LastHandled, IsForgottenWithTheServersRun) {
+  touch(replica_, 1);
+  EXPECT_EQ(last(), 1u);
+  touch(replica_, 1, false);
+  open_session(replica_, 2);
+  EXPECT_EQ(last(), std::nullopt);
 }
 
 }  // namespace

@@ -122,14 +122,14 @@ struct DeskLesson : testing::Test {
     desk.ask(SetControl{control, value});
     desk.wait(1.5);  // a person's pace: a detached liver has sunk by then
   }
-  std::string told() const { return desk.told().empty() ? "" : desk.told().back(); }
+  std::string messages() const { return desk.messages().empty() ? "" : desk.messages().back(); }
 };
 
 TEST_F(DeskLesson, TouchesTheLiver) {
   desk.point_at(on_liver);
   desk.wait(1);
   desk.press();
-  EXPECT_TRUE(desk.waits_until_held(liver, true, 5)) << told();
+  EXPECT_TRUE(desk.waits_until_held(liver, true, 5)) << messages();
   desk.let_go();
   EXPECT_TRUE(desk.waits_until_held(liver, false, 2));
 }
@@ -140,15 +140,15 @@ TEST_F(DeskLesson, AsksAPartWhatItIs) {
   for (const BodyId part : {liver, kidney, body_named(simulation, "gallbladder")}) {
     desk.ask(OpenPanel{part});
     desk.wait(1);
-    ASSERT_EQ(simulation.panels().size(), 1U) << simulation.name(part) << ": " << told();
+    ASSERT_EQ(simulation.panels().size(), 1U) << simulation.name(part) << ": " << messages();
     EXPECT_EQ(simulation.panels()[0].body, part);
   }
   desk.ask(OpenPanel{liver});
   desk.wait(1);
   set(PanelControl::attach, 0);
-  EXPECT_FALSE(simulation.part(liver).attached) << told();
+  EXPECT_FALSE(simulation.part(liver).attached) << messages();
   set(PanelControl::attach, 1);
-  EXPECT_TRUE(simulation.part(liver).attached) << told();
+  EXPECT_TRUE(simulation.part(liver).attached) << messages();
   set(PanelControl::light_shaft, 1);
   EXPECT_TRUE(simulation.part(liver).lit);
   set(PanelControl::stiffness, 0.75);
@@ -156,26 +156,26 @@ TEST_F(DeskLesson, AsksAPartWhatItIs) {
   desk.ask(ClosePanel{});
   desk.wait(0.5);
   EXPECT_TRUE(simulation.panels().empty());
-  EXPECT_TRUE(desk.told().empty()) << told();
+  EXPECT_TRUE(desk.messages().empty()) << messages();
 }
 
 TEST_F(DeskLesson, DoesTheSameAtTheTerminal) {
   type("detach kidney");
-  EXPECT_FALSE(simulation.part(kidney).attached) << told();
+  EXPECT_FALSE(simulation.part(kidney).attached) << messages();
   type("attach kidney");
-  EXPECT_TRUE(simulation.part(kidney).attached) << told();
+  EXPECT_TRUE(simulation.part(kidney).attached) << messages();
   type("inspect liver 2");
-  EXPECT_TRUE(simulation.part(liver).inspected) << told();
+  EXPECT_TRUE(simulation.part(liver).inspected) << messages();
   type("end liver");
-  EXPECT_FALSE(simulation.part(liver).inspected) << told();
-  EXPECT_TRUE(desk.told().empty()) << told();
+  EXPECT_FALSE(simulation.part(liver).inspected) << messages();
+  EXPECT_TRUE(desk.messages().empty()) << messages();
 }
 
 TEST_F(DeskLesson, CutsTheLiverAndTakesItBack) {
   desk.point_at(handle);
   desk.wait(1);
   desk.press();
-  ASSERT_TRUE(desk.waits_until_held(scalpel, true, 5)) << told();
+  ASSERT_TRUE(desk.waits_until_held(scalpel, true, 5)) << messages();
   desk.let_go();
   desk.wait(1.5);
   desk.draw(handle, cut_from, 1);
@@ -184,13 +184,13 @@ TEST_F(DeskLesson, CutsTheLiverAndTakesItBack) {
   desk.draw(cut_from, cut_to, 2);
   desk.let_go();
   for (int k = 0; k < 60 && desk.draws(); ++k) desk.wait(0.5);
-  ASSERT_GT(simulation.revision(liver), 0U) << "nothing was cut: " << told();
+  ASSERT_GT(simulation.revision(liver), 0U) << "nothing was cut: " << messages();
   EXPECT_TRUE(desk.holds(scalpel));
   const std::size_t tets = simulation.soft(liver).anatomy().tets.tets.size();
   desk.take_back();
   desk.wait(1);
   EXPECT_LT(simulation.soft(liver).anatomy().tets.tets.size(), tets);
-  EXPECT_TRUE(desk.told().empty()) << told();
+  EXPECT_TRUE(desk.messages().empty()) << messages();
 }
 
 // A picture that takes 3 s drops nothing.
@@ -198,7 +198,7 @@ TEST_F(DeskLesson, KeepsTheScalpelThroughAStall) {
   desk.point_at(handle);
   desk.wait(1);
   desk.press();
-  ASSERT_TRUE(desk.waits_until_held(scalpel, true, 5)) << told();
+  ASSERT_TRUE(desk.waits_until_held(scalpel, true, 5)) << messages();
   desk.let_go();
   desk.draw(handle, cut_from, 1);
   desk.wait(1);
@@ -206,7 +206,7 @@ TEST_F(DeskLesson, KeepsTheScalpelThroughAStall) {
   EXPECT_TRUE(desk.holds(scalpel));
   desk.wait(1);
   EXPECT_TRUE(desk.holds(scalpel));
-  EXPECT_TRUE(desk.told().empty()) << told();
+  EXPECT_TRUE(desk.messages().empty()) << messages();
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ class Told : public testing::Test {
 
 TEST_F(Told, WhatWasThereAtTheFirstLookIsNoNews) {
   join(ada, "Ada", Role::dissector);
-  ASSERT_NE(replica.topology(0), nullptr) << replica.missing();
+  ASSERT_NE(replica.bodies().topology(0), nullptr) << replica.missing();
   EXPECT_EQ(news(0), Lines{});
   EXPECT_EQ(news(1), Lines{});
 }
@@ -327,9 +327,9 @@ TEST_F(Told, ProgressGrowsToOneAsThingsArrive) {
   EXPECT_EQ(steps.back(), 1) << fresh.missing();
 }
 
-class ToldInGerman : public Told {
+class GermanMessages : public Told {
  protected:
-  ToldInGerman() : Told(catalogue_for("de")) {}
+  GermanMessages() : Told(catalogue_for("de")) {}
   std::string told(double now) {
     std::string out;
     for (const SessionMessage& happening : session_events.look(replica, now)) out += happening.text + "\n";
@@ -337,7 +337,7 @@ class ToldInGerman : public Told {
   }
 };
 
-TEST_F(ToldInGerman, HappeningsAreGerman) {
+TEST_F(GermanMessages, HappeningsAreGerman) {
   told(0);
   join(ada, "Ada", Role::observer);
   EXPECT_EQ(told(1), "Ada ist dabei als Zuschauer\n");
@@ -349,7 +349,7 @@ TEST_F(ToldInGerman, HappeningsAreGerman) {
   EXPECT_EQ(told(30), "eigener Schnitt zurückgenommen: liver\n");
 }
 
-TEST_F(ToldInGerman, SlowedTimeIsGermanAndOtherTroublesAreTheServers) {
+TEST_F(GermanMessages, SlowedTimeIsGermanAndOtherTroublesAreTheServers) {
   told(0);
   ServerStatus status;
   status.degraded = "simulated time slowed to 0.75 of real time; liver reset: unfolded";

@@ -37,7 +37,7 @@ TEST(NoSession, DoesNotSayOfASessionThatRunsThatItDoesNot) {
   EXPECT_FALSE(is_among(looking_for("less"), found));
   EXPECT_EQ(session_not_found_text(looking_for("lesson"), 10s, found),
             "session 'lesson' is running but did not answer within 10 s: its server or the network is busy. "
-            "Wait longer with --patience 40");
+            "Wait longer with --timeout 40");
 }
 
 }  // namespace

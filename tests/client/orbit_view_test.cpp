@@ -49,6 +49,30 @@ TEST(OrbitView, TurnsAboutTheTargetOrAboutTheEye) {
   EXPECT_GT((view.place().target - home.target).norm(), 0.1);
 }
 
+// As a pointer that is dragged to the right and downwards does while the user flies.
+TEST(OrbitView, GazeRotatesToTheRightAndDownwards) {
+  OrbitView view;
+  view.begin(home);
+  const auto gaze = [&] { return Vec3(view.place().pose().q * -Vec3::UnitZ()); };
+  const Vec3 before = gaze(), right = view.place().pose().q * Vec3::UnitX();
+  view.rotate_gaze(0.2, 0);
+  EXPECT_GT(gaze().dot(right), 0.1);
+  EXPECT_NEAR(gaze().y(), before.y(), 1e-12);
+  view.rotate_gaze(0, 0.2);
+  EXPECT_LT(gaze().y(), before.y() - 0.1);
+}
+
+// As a pointer that drags the target to the right and downwards does.
+TEST(OrbitView, EyeTurnsAboutTheTargetToTheLeftAndUpwards) {
+  OrbitView view;
+  view.begin(home);
+  const Vec3 eye = home.eye(), right = home.pose().q * Vec3::UnitX();
+  view.turn(0.2, 0);
+  EXPECT_LT((view.place().eye() - eye).dot(right), -0.1);
+  view.turn(0, 0.2);
+  EXPECT_GT(view.place().eye().y(), eye.y() + 0.05);
+}
+
 TEST(OrbitView, AnythingKeepsItInBoundsAndHomeIsAlwaysReached) {
   std::mt19937 random(7);
   const double wild[] = {0,    0.1,  -0.1,  1,    -3,      1e3,

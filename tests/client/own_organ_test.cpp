@@ -39,7 +39,7 @@ TEST(OwnOrgan, IsCutWithTheScalpelThatItsDraftHas) {
   desk.let_go();
   for (int k = 0; k < 60 && desk.draws(); ++k) desk.wait(0.5);
   EXPECT_GT(simulation.revision(liver), 0U);
-  EXPECT_TRUE(desk.told().empty()) << desk.told().front();
+  EXPECT_TRUE(desk.messages().empty()) << desk.messages().front();
 }
 
 }  // namespace

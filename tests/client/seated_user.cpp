@@ -82,7 +82,7 @@ void SeatedUser::step() {
 
 /// As Viewer::draw() does for a desk.
 void SeatedUser::draw() {
-  const double tick = replica_.advance(network_.now_ns());
+  const double tick = replica_.time().advance(network_.now_ns());
   const std::chrono::steady_clock::time_point now{std::chrono::nanoseconds(network_.now_ns())};
   const double aspect = static_cast<double>(window_->width()) / window_->height();
   if (!desk_->has_begun()) desk_->begin(start_view_of(replica_, tick, self_, aspect), now);
@@ -91,7 +91,7 @@ void SeatedUser::draw() {
   settings_ = {};
   settings_.width = window_->width();
   settings_.height = window_->height();
-  settings_.eye = desk_->eye();
+  settings_.eye = desk_->view().eye();
   settings_.pointed = desk_->pointed();
   show_choices(*desk_, settings_);
   picture_ = view_.build(replica_, tick, user_, settings_);
@@ -119,7 +119,7 @@ CoverSubject SeatedUser::subject() {
   bare.highlighted = bodies_to_see(*replica_.scene());
   const LocalUser handless{.participant = self_, .input = {}, .present = true};
   CoverSubject out;
-  const double tick = replica_.advance(network_.now_ns());
+  const double tick = replica_.time().advance(network_.now_ns());
   const DrawList& list = view_.build(replica_, tick, handless, bare);
   for (const DrawItem& item : list.items) {
     if (item.appearance.surface == Surface::emissive) continue;

@@ -270,7 +270,7 @@ TEST(CameraSight, TwoWhoLookAtOneBoardAgreeWhereItAndAPhantomAre) {
     while ((!looker.seen || !looker.seen->room_eye || !looker.seen->room_phantom) &&
            seconds_since(start) < 30)
       looker.seen = looker.sight->next(std::chrono::milliseconds(100));
-    ASSERT_TRUE(looker.seen && looker.seen->room_eye && looker.seen->room_phantom) << looker.sight->trouble();
+    ASSERT_TRUE(looker.seen && looker.seen->room_eye && looker.seen->room_phantom) << looker.sight->warning();
     EXPECT_LT((looker.seen->room_eye->p - looker.eye.p).norm(), 1e-3) << "m";
     EXPECT_LT((looker.seen->room_phantom->p - phantom * fixed.mount.p).norm(), 1e-3) << "m";
     EXPECT_LT(looker.seen->room_phantom->q.angularDistance(phantom.q * fixed.mount.q), 0.01);

@@ -36,14 +36,14 @@ class Wielded {
   std::int64_t now_ns_ = 7 * ns_of_second;
 
   void show_once(const std::optional<Pose>& instrument) {
-    const HandPose told = hand.follow(tool, instrument, now_ns_ += step_ns);
-    if (!told.tracked) {
+    const HandPose followed = hand.follow(tool, instrument, now_ns_ += step_ns);
+    if (!followed.tracked) {
       tool.wrist.reset();
       tool.is_held = false;
       return;
     }
-    if (tool.is_held) tool.pose = told.pose * tool.wrist->inverse() * tool.pose;
-    tool.wrist = told.pose;
+    if (tool.is_held) tool.pose = followed.pose * tool.wrist->inverse() * tool.pose;
+    tool.wrist = followed.pose;
     if (tool.is_held) tips.push_back(blade().tip);
     const auto wish = hand.take_command();
     if (!wish) return;
@@ -94,8 +94,8 @@ TEST(ToolHand, AsksAgainUntilItHolds) {
   std::int64_t now = 7 * ns_of_second;
   int wishes = 0;
   for (int k = 0; k < 125; ++k) {
-    const HandPose told = user.hand.follow(user.tool, leant({0, 1, 0}, 0), now += step_ns);
-    user.tool.wrist = told.pose;
+    const HandPose followed = user.hand.follow(user.tool, leant({0, 1, 0}, 0), now += step_ns);
+    user.tool.wrist = followed.pose;
     const auto wish = user.hand.take_command();
     wishes += wish && std::get<Grasp>(*wish).body == user.tool.body;
   }

@@ -585,12 +585,12 @@ SceneDesc lamp_and_ball() {
   lamp.name = "lamp";
   lamp.fixed = true;
   lamp.pose = {{0.3, 2, -0.4}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()))};
-  lamp.parts.resize(1);
+  lamp.geometry.parts.resize(1);
   ball.name = "ball";
   ball.pose.p = {0.1, 0.9, 0.2};
-  ball.parts.resize(1);
-  ball.parts[0].shape = "sphere";
-  ball.parts[0].size = Vec3::Constant(0.2);
+  ball.geometry.parts.resize(1);
+  ball.geometry.parts[0].shape = "sphere";
+  ball.geometry.parts[0].size = Vec3::Constant(0.2);
   scene.rigid = {lamp, ball};
   LightDesc carried, fixed;
   carried.kind = fixed.kind = LightKind::spot;

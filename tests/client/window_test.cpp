@@ -1,4 +1,5 @@
-// Run under xvfb-run with xdotool (tests/client/CMakeLists.txt): a real window, a person's hand on the mouse.
+// Run under deploy/with_display.sh with xdotool (tests/client/CMakeLists.txt): a real window, a person's hand
+// on the mouse.
 
 #include "client/render/window_context.h"
 
@@ -19,7 +20,8 @@ using namespace test;
 class Window : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::getenv("DISPLAY")) GTEST_SKIP() << "no DISPLAY: run under xvfb-run (packages xvfb, xdotool)";
+    if (!std::getenv("DISPLAY"))
+      GTEST_SKIP() << "no DISPLAY: run under deploy/with_display.sh (packages xvfb, xdotool)";
   }
 };
 

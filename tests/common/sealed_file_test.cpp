@@ -22,11 +22,11 @@ struct SealedFile : testing::Test {
 
 TEST_F(SealedFile, ComesBackUnderItsKeyOnly) {
   EXPECT_FALSE(read_sealed_file(file, "key").bytes);
-  EXPECT_EQ(read_sealed_file(file, "key").trouble, "");  // none there is no trouble
+  EXPECT_EQ(read_sealed_file(file, "key").error, "");  // no file is no error
   ASSERT_TRUE(write_sealed_file(file, "key", bytes));
   EXPECT_EQ(read_sealed_file(file, "key").bytes, bytes);
   EXPECT_FALSE(read_sealed_file(file, "another").bytes);
-  EXPECT_EQ(read_sealed_file(file, "another").trouble, "is damaged");
+  EXPECT_EQ(read_sealed_file(file, "another").error, "is damaged");
   ASSERT_TRUE(write_sealed_file(file, "empty", {}));
   EXPECT_EQ(read_sealed_file(file, "empty").bytes, std::vector<std::uint8_t>());
 }
@@ -38,7 +38,7 @@ TEST_F(SealedFile, AnyFlippedBitAndAnyLostByteIsNoticed) {
   const auto refuses = [&](const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
     const SealedFileResult found = read_sealed_file(file, "key");
-    return !found.bytes && !found.trouble.empty();
+    return !found.bytes && !found.error.empty();
   };
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string flipped = whole;

@@ -25,24 +25,24 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
     TetComplex complex(GetParam().mesh, mesh_density);
     TetTree tree, followed;
     std::vector<Vec3> x = rest_positions(complex);
-    const auto answers_as_anew = [&](const std::vector<Vec3>& edge, const std::vector<Vec3>& next) {
+    const auto answers_as_rebuilt = [&](const std::vector<Vec3>& edge, const std::vector<Vec3>& next) {
       const Vec3 low = Vec3::Constant(-1), high = Vec3::Constant(1);  // m: all of the mesh
-      TetTree anew;
-      anew.update(complex, x, low, high);
+      TetTree rebuilt;
+      rebuilt.update(complex, x, low, high);
       followed.update(complex, x, low, high);
       const std::vector<std::size_t> one_part(edge.size(), 0);
       for (const SweptSurface sheet(edge, next, one_part);
            const SweptSurface::Piece& piece : sheet.pieces()) {
         std::vector<TetId> a, b;
         followed.query(piece, a);
-        anew.query(piece, b);
+        rebuilt.query(piece, b);
         EXPECT_EQ(sorted(a), sorted(b));
         found += a.size();
       }
       for (NodeId node = 0; node < complex.node_end(); node += 7) {
         std::vector<TetId> a, b;
         followed.query(x[node], x[node], a);
-        anew.query(x[node], x[node], b);
+        rebuilt.query(x[node], x[node], b);
         EXPECT_EQ(sorted(a), sorted(b));
         found += a.size();
       }
@@ -52,13 +52,13 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
       BladeStroke state = begin_stroke(stroke.front());
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
-        if (!cuts.back().ops.empty()) answers_as_anew(stroke[i - 1], stroke[i]);
+        if (!cuts.back().ops.empty()) answers_as_rebuilt(stroke[i - 1], stroke[i]);
       }
     }
     if (cuts.empty()) continue;
     const Stroke& last = row.strokes.back();
     for (std::size_t k = cuts.back().ops.size(); k-- > 0;) complex.take_back(cuts.back().ops[k]);
-    answers_as_anew(last.front(), last.back());
+    answers_as_rebuilt(last.front(), last.back());
   }
   EXPECT_GT(found, 0U);
 }

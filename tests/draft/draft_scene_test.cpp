@@ -82,7 +82,7 @@ TEST(DraftScene, SurfacesOfEveryFormatAndUnitRun) {
     const SceneDesc scene = drafted(dir.path / c.file, dir.path);
     const bool bone = std::string(c.file) == "femur.obj";
     ASSERT_EQ(scene.soft.size(), bone ? 0u : 1u);
-    const double scale = bone ? scene.rigid[1].scale : scene.soft[0].geometry.scale;
+    const double scale = bone ? scene.rigid[1].geometry.scale : scene.soft[0].geometry.scale;
     EXPECT_NEAR(scale * c.per_metre, 1, 1e-9);
     EXPECT_FALSE(scene.lights.empty());
     run(scene, dir.path, bone ? 2 : 3);  // and the table, and a scalpel for what can be cut
@@ -220,7 +220,8 @@ TEST(DraftScene, WhatIsSaidIsDone) {
   EXPECT_EQ(drafted(file, dir.path, {.rigid = true}).rigid.size(), 2u);
   // From elsewhere the file is named in full.
   const TempDir other;
-  EXPECT_EQ(drafted(file, other.path, {.rigid = true}).rigid[1].mesh, std::filesystem::canonical(file));
+  EXPECT_EQ(drafted(file, other.path, {.rigid = true}).rigid[1].geometry.mesh,
+            std::filesystem::canonical(file));
 }
 
 std::string notes_on(const std::filesystem::path& source) {

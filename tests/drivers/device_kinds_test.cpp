@@ -42,7 +42,7 @@ class Fed {
   std::unique_ptr<Device> device;
   std::vector<DeviceSample> samples;
 
-  std::vector<std::uint8_t> next_bytes() { return told(*twin, feed, now_ns += period_ns); }
+  std::vector<std::uint8_t> next_bytes() { return sent_bytes(*twin, feed, now_ns += period_ns); }
   void poll() { device->poll(samples); }
   void give(std::span<const std::uint8_t> bytes) {
     feed.to_driver.insert(feed.to_driver.end(), bytes.begin(), bytes.end());
@@ -240,7 +240,7 @@ TEST(IgtlDevice, WrongChecksumsCountForNothing) {
   std::vector<DeviceSample> samples;
   device.poll(samples);
   for (int step = 1; step <= 100; ++step) {
-    feed.to_driver = told(twin, feed, step * period_ns);
+    feed.to_driver = sent_bytes(twin, feed, step * period_ns);
     device.poll(samples);
   }
   EXPECT_GT(samples.size(), 50u);

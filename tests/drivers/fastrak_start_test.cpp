@@ -60,7 +60,7 @@ struct FedTracker {
     const std::int64_t end = monotonic_ns() + static_cast<std::int64_t>(1e9 * seconds);
     while (samples.size() < 5 && monotonic_ns() < end) {
       device.poll(samples);
-      const auto bytes = told(*twin, feed, monotonic_ns());
+      const auto bytes = sent_bytes(*twin, feed, monotonic_ns());
       feed.to_driver.insert(feed.to_driver.end(), bytes.begin(), bytes.end());
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

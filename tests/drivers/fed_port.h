@@ -49,7 +49,7 @@ class FedPort final : public DevicePort {
 };
 
 /// Lets a simulated device hear what the driver says, and say what it has to by then, in ns.
-inline std::vector<std::uint8_t> told(Twin& twin, Feed& feed, std::int64_t now_ns) {
+inline std::vector<std::uint8_t> sent_bytes(Twin& twin, Feed& feed, std::int64_t now_ns) {
   std::vector<TwinOutput> out;
   twin.receive(feed.from_driver, now_ns, out);
   feed.from_driver.clear();

@@ -87,7 +87,7 @@ TEST(FiveDtWireless, TheTwinSpeaksUnasked) {
   options.wireless = true;
   FiveDtTwin twin(options, 1);
   FedGlove<FiveDtWirelessGlove> fed(255);
-  for (std::int64_t k = 1; k <= 20; ++k) fed.give(told(twin, fed.feed, 10'000'000 * k));
+  for (std::int64_t k = 1; k <= 20; ++k) fed.give(sent_bytes(twin, fed.feed, 10'000'000 * k));
   ASSERT_GE(fed.samples.size(), 19u);
   EXPECT_EQ(fed.samples.back().flexion, (std::array<double, fingers>{0, 0, 1, 1, 1}));
 }

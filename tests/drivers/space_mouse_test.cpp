@@ -23,7 +23,7 @@ TEST(SpaceMouse, MovesTheHandAsFarAsItsTwinWants) {
   std::vector<DeviceSample> samples;
   const std::int64_t end = monotonic_ns() + 1'500'000'000;
   while (monotonic_ns() < end) {
-    const auto bytes = told(twin, feed, monotonic_ns());
+    const auto bytes = sent_bytes(twin, feed, monotonic_ns());
     feed.to_driver.insert(feed.to_driver.end(), bytes.begin(), bytes.end());
     device.poll(samples);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -68,7 +68,7 @@ try:
     programs.append(twin)
     twin.wait("/dev/pts/")
     client = Program(BIN / "prosector-client", "camera", "align", f"synthetic:{OUT / 'camera.toml'}", "--tracker", f"fastrak:{OUT / 'tracker'}",
-                     "--board", "tablet", "--poses", POSES - 1, "--patience", "30", "--out-config", OUT / "client.toml")
+                     "--board", "tablet", "--poses", POSES - 1, "--timeout", "30", "--out-config", OUT / "client.toml")
     programs.append(client)
     check("the camera's place is found", client.ended(40) == 0)
     print("\n".join("    " + line for line in client.lines))

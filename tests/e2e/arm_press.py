@@ -63,7 +63,7 @@ class ArmPress:
         address, env = self.start_twin(script)
         self.write_config(address)
         user = self.start(self.binaries / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config",
-                          self.out / f"{self.name}.toml", "--session-log", self.out / f"{self.name}.jsonl", "--patience", "40", *words, env=env)
+                          self.out / f"{self.name}.toml", "--session-log", self.out / f"{self.name}.jsonl", "--timeout", "40", *words, env=env)
         user.wait("ready")
         return user
 

@@ -169,8 +169,10 @@ for what, recording, words in PLAY_CASES:
 
 DEVICES = write("devices.toml", "[tracker]\naddress = 'fastrak:/nonexistent'\n")
 CLIENT_CASES = [
-    ("no server", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
+    ("no server", ["observe", "--session", "nobody-is-here", "--timeout", "1", "--display", "none"],
      ["nobody-is-here", "searched"]),
+    ("an option's former name", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
+     ["--patience is deprecated", "use --timeout", "searched"]),
     ("bad size", ["observe", "--size", "800"], ["--size", "WIDTHxHEIGHT"]),
     ("is not a language", ["observe", "--language", "x y"], ["x y", "language tag"]),
     ("unknown driver", ["join", "--tracker", "magic:/dev/null"], ["magic", "fastrak"]),
@@ -182,7 +184,7 @@ CLIENT_CASES = [
     ("no such receiver", ["calibrate", "tip", "--config", DEVICES, "--station", "instrument"], ["instrument", "tracker.stations"]),
     ("no grid", ["calibrate", "field", "--config", DEVICES, "--grid", "2,2,2"], ["3 to 12 points"]),
     ("no glove", ["calibrate", "glove", "--config", DEVICES], ["devices.toml", "right glove"]),
-    ("a tracker that is away", ["calibrate", "noise", "--config", DEVICES, "--patience", "1"], ["timed out after 1 s"]),
+    ("a tracker that is away", ["calibrate", "noise", "--config", DEVICES, "--timeout", "1"], ["timed out after 1 s"]),
     ("nobody's eyes", ["calibrate", "eyes", "--config", DEVICES, "--marks", "0.2", "--screen", "0.7", "--rod", "0.4"], ["between the eyes"]),
     ("a recording of nothing", ["record", "magic:/dev/null", "--out", OUT / "recording.csv"], ["magic", "fastrak"]),
     ("a key that is none", ["config", DEVICES, "--set", "tracker.colour=1"], ["tracker.colour", "no such key"]),

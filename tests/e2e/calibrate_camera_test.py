@@ -53,7 +53,7 @@ def scene(name, keys, more=""):
 
 
 def calibrate(what, *words):
-    program = Program(BIN / "prosector-client", "calibrate", what, "--config", config, "--write", "--patience", "100", *words)
+    program = Program(BIN / "prosector-client", "calibrate", what, "--config", config, "--write", "--timeout", "100", *words)
     code = program.ended(130)
     print("\n".join("    " + line for line in program.lines))
     check(f"{what} ends well", code == 0)

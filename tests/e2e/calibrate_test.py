@@ -69,7 +69,7 @@ def config(name, text):
 
 
 def calibrate(what, file, *options):
-    return Program(BIN / "prosector-client", "calibrate", what, "--config", file, "--patience", "60", *options)
+    return Program(BIN / "prosector-client", "calibrate", what, "--config", file, "--timeout", "60", *options)
 
 
 def lead(program, guide, count, first=1):
@@ -159,7 +159,7 @@ pinch = true # I pinch
         keys.append((keys[-1][0] + step, x, 0.8 + 0.02 * (n % 4), -0.1, *about(1, 0, 0, 0.01)))
     programs.append(twin("fastrak", "wave", poses("wave", keys), "--room-device", room, *NOISE))
     wave_config = config("wave", f"[tracker]\naddress = 'fastrak:{OUT}/wave'\n")
-    latency = calibrate("latency", wave_config, "--against", OUT / "wave.log.csv", "--seconds", "4")
+    latency = calibrate("latency", wave_config, "--reference", OUT / "wave.log.csv", "--seconds", "4")
     programs.append(latency)
 
     # The tip of an instrument: it rests, then swings about it.

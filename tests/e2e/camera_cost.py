@@ -96,7 +96,7 @@ def measure(name, config, *display):
     with open(OUT / "sent.csv", newline="") as stream:
         seen = {int(row["seen_ns"]) for row in csv.DictReader(stream) if end - int(row["sent_ns"]) < 1e9 * SECONDS}
     pictures = 0
-    if "--picture-log" in display:
+    if "--frame-log" in display:
         with open(OUT / "drawn.csv", newline="") as stream:
             pictures = sum(end - int(row["drawn_ns"]) < 1e9 * SECONDS for row in csv.DictReader(stream)) / SECONDS
     row = {"what": name, "cores": sum(by_name.values()), "hands_a_second": len(seen) / SECONDS, "pictures_a_second": pictures,
@@ -109,7 +109,7 @@ def measure(name, config, *display):
 
 OUT.mkdir(parents=True, exist_ok=True)
 film()
-see = ("--display", "ar", "--picture-log", OUT / "drawn.csv")
+see = ("--display", "ar", "--frame-log", OUT / "drawn.csv")
 plain = ("--fps", "10", "--effect", "shadows=off", "--effect", "edges=off")
 rows = [measure("two bare hands", "hands", "--display", "none"), measure("and the tablet", "tablet", "--display", "none"), measure("and see-through", "tablet", *see),
         measure("10 pictures, no shadows", "tablet", *see, *plain), measure("and lite networks", "lite", *see, *plain)]

@@ -81,7 +81,7 @@ try:
     programs.append(observer)
     user = Program(BIN / "prosector-client", "join", "--name", "user", "--session", session, "--config", OUT / "client.toml", "--display", "ar:offscreen",
                    "--size", "640x480", "--no-overlay", "--quality", "low", "--fps", RATE, "--screenshot", f"{OUT}/first.png@0", "--record", OUT / "seen.avi",
-                   "--latency-log", OUT / "sent.csv", "--picture-log", OUT / "drawn.csv", "--summary", OUT / "user.json")
+                   "--latency-log", OUT / "sent.csv", "--frame-log", OUT / "drawn.csv", "--summary", OUT / "user.json")
     programs.append(user)
     for program in (observer, user):
         program.wait("everything is here")
@@ -92,7 +92,7 @@ try:
     time.sleep(SETTLED + SECONDS)
     user.end(signal.SIGINT)
     slow = Program(BIN / "prosector-client", "observe", "--name", "slow", "--session", session, "--camera", f"synthetic:{OUT}/scene.toml", "--display",
-                   "ar:offscreen", "--size", "320x240", "--quality", "low", "--fps", SLOW, "--record", OUT / "slow.avi", "--picture-log", OUT / "slow.csv",
+                   "ar:offscreen", "--size", "320x240", "--quality", "low", "--fps", SLOW, "--record", OUT / "slow.avi", "--frame-log", OUT / "slow.csv",
                    "--seconds", "4")
     programs.append(slow)
     check("who wants few pictures ends well", slow.ended(60) == 0)

@@ -40,11 +40,11 @@ check(f"a configuration without a tracker is refused before the calibration: {ea
       early.returncode != 0 and "tracker.address" in early.stderr and "views of the board" not in early.stdout)
 config.write_text('# mine\n[tracker]\naddress = "hands:0,2"\n')
 program = Program(BIN / "prosector-client", "camera", "calibrate", f"synthetic:{OUT / 'first.toml'}", "--second", f"synthetic:{OUT / 'second.toml'}",
-                  "--out", OUT / "lens.toml", "--out-config", config, "--patience", "40")
+                  "--out", OUT / "lens.toml", "--out-config", config, "--timeout", "40")
 try:
     told = program.wait("unplugged")
     check(f"the camera that is unplugged is named: {told}", "second.toml" in told)
-    print(program.wait("expected position error between the shown boards", seconds=150))
+    print(program.wait("expected error of positions where the board was held", seconds=150))
     program.wait("wrote ")
 finally:
     program.end(signal.SIGTERM)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""desk_cut_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the liver of cut.toml with the mouse, as docs/do/join.md
+"""desk_cut_test.py BIN OUT, run under deploy/with_display.sh: a person at a desk cuts the liver of cut.toml with the mouse, as docs/do/join.md
 tells: from above, takes up the knife, draws it over the liver with the button held, puts it down with a click beside the liver, and
 takes the cut back with Z. What came of it is read in the client's log, in the server's summary and in pictures."""
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""desk_parts_test.py BIN OUT, run under xvfb-run: a person at a desk and the list of parts. A real server, a real window, and
+"""desk_parts_test.py BIN OUT, run under deploy/with_display.sh: a person at a desk and the list of parts. A real server, a real window, and
 xdotool for the mouse and the keys: L opens the list, typing searches it, a click on an eye hides an organ and shows it again,
 one on a ring makes the others faint, Esc shuts one thing after the other, N writes names. No click on the list reaches a hand.
 """
@@ -10,7 +10,7 @@ import sys
 
 from PIL import ImageChops
 
-from desk_person import Processes, View, act, wait_until, windows
+from desk_person import Processes, View, act, wait_until, window_of
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
@@ -67,10 +67,10 @@ with Processes(OUT) as processes:
     session = f"parts-{os.getpid()}"
     server = processes.start("server.log", BIN / "prosector-server", OUT / "parts.toml", "--session", session, "--domain", 78,
                              "--summary", OUT / "server.json")
-    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"))
+    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), process=server)
     client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session,
                              "--domain", 78, "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--session-log", OUT / "log.jsonl")
-    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+    window = window_of(client, f"Prosector: {session}")
     act("windowfocus", window)
     view = View(window, (WIDTH, HEIGHT), 0.8, OUT / "log.jsonl")
     view.settle()

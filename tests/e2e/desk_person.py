@@ -1,4 +1,4 @@
-"""A person at a desk, acted: real processes, a real window, and xdotool for the mouse and the keys. Run under xvfb-run.
+"""A person at a desk, acted: real processes, a real window, and xdotool for the mouse and the keys. Run under deploy/with_display.sh.
 Importing this ends the test as skipped (77) where there is no display or no tool to act on it."""
 
 import json
@@ -18,17 +18,20 @@ def skip(why):
 
 
 if not os.environ.get("DISPLAY"):
-    skip("no display: run under xvfb-run")
+    skip("no display: run under deploy/with_display.sh")
 if not shutil.which("xdotool"):
     skip("xdotool is not installed")
 
 
-def wait_until(what, test, seconds=30):
-    """What `test` gives as soon as it is true."""
+def wait_until(what, test, seconds=30, process=None):
+    """Returns the result of `test` as soon as it is true. Fails at once if `process`, on which it depends, has exited."""
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
+        exited = process is not None and process.poll() is not None
         if (found := test()):
             return found
+        if exited:
+            raise AssertionError(f"{what}: the program ended with exit status {process.returncode}")
         time.sleep(0.1)
     raise AssertionError(f"{what}: not within {seconds} s")
 
@@ -39,6 +42,11 @@ def act(*words):
 
 def windows(title):
     return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True).stdout.split()
+
+
+def window_of(process, title, what="the window", seconds=30):
+    """Waits for a visible window with this title, and returns its id. Fails at once if `process`, which opens it, has exited."""
+    return wait_until(what, lambda: windows(title), seconds, process)[0]
 
 
 def geometry(window):
@@ -53,40 +61,52 @@ def corner(window):
 
 
 class Processes:
-    """What a test started, with a log each in the folder `out`; ended with it."""
+    """The programs that a test started, each with a log in the folder `out`; they end with the test. If it fails, prints the exit
+    status of each and the end of its log."""
+
+    LAST_LINES = 40
 
     def __init__(self, out):
-        self.out, self.running = out, []
+        self.out, self.started = out, []  # pairs of log name and process
         shutil.rmtree(out, ignore_errors=True)
         out.mkdir(parents=True)
 
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
-        for process in self.running:
+    def __exit__(self, kind, error, _):
+        if kind is not None and getattr(error, "code", 1) not in (None, 0, 77):  # 77: skipped
+            self.report()
+        for _, process in self.started:
             if process.poll() is None:
                 process.terminate()
-        for process in self.running:
+        for _, process in self.started:
             process.wait(20)
+
+    def report(self):
+        """Prints the exit status of each program and the last lines of its log."""
+        for log, process in self.started:
+            status = "running" if process.poll() is None else f"exit status {process.returncode}"
+            lines = (self.out / log).read_text(errors="replace").splitlines()[-self.LAST_LINES:]
+            print(f"--- {log}, {status}; its last {len(lines)} lines:", *lines, sep="\n", flush=True)
 
     def start(self, log, *command):
         with open(self.out / log, "w") as file:
-            self.running.append(subprocess.Popen([str(c) for c in command], stdin=subprocess.PIPE, stdout=file,
-                                                 stderr=subprocess.STDOUT))
-        return self.running[-1]
+            process = subprocess.Popen([str(c) for c in command], stdin=subprocess.PIPE, stdout=file, stderr=subprocess.STDOUT)
+        self.started.append((log, process))
+        return process
 
     def host_and_join(self, programs, scene, session, size, domain=92):
         """A server of that scene, a desk user in its window, which has the keys, and that window."""
         server = self.start("server.log", programs / "prosector-server", scene, "--session", session, "--domain", domain,
                             "--summary", self.out / "server.json", "--journal", self.out / "journal.sqlite")
-        wait_until("the server", lambda: self.says("server.log", "is open on this machine"), 60)
+        wait_until("the server", lambda: self.says("server.log", "is open on this machine"), 60, server)
         client = self.start("client.log", programs / "prosector-client", "join", "--name", "mouse", "--session", session,
                             "--domain", domain, "--size", "x".join(map(str, size)), "--quality", "low",
                             "--session-log", self.out / "log.jsonl")
-        window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+        window = window_of(client, f"Prosector: {session}")
         act("windowfocus", window)
-        wait_until("the scene", lambda: self.says("client.log", "everything is here"))
+        wait_until("the scene", lambda: self.says("client.log", "everything is here"), process=client)
         return server, client, window
 
     def leave(self, client, server):

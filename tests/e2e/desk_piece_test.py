@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""desk_piece_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the skin of sheet_cut.toml right through with the mouse, sees
+"""desk_piece_test.py BIN OUT, run under deploy/with_display.sh: a person at a desk cuts the skin of sheet_cut.toml right through with the mouse, sees
 its halves part, and has it whole again with one Z. What came of it is read in the client's log, in the server's summary and in pictures."""
 
 import os

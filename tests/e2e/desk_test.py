@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""desk_test.py BIN OUT, run under xvfb-run: a person at a desk. A real server, a real window, and xdotool for the mouse and the
+"""desk_test.py BIN OUT, run under deploy/with_display.sh: a person at a desk. A real server, a real window, and xdotool for the mouse and the
 keys: P over an organ brings up its panel, a click presses a button, a drag moves the slider, the button held over the
 organ goes in, touches and holds it. What came of it is read in the client's pictures and log and in the server's summary.
 """
@@ -11,7 +11,7 @@ import time
 
 from PIL import Image, ImageChops, ImageFilter, ImageGrab
 
-from desk_person import Processes, View, act, corner, minus, wait_until, windows
+from desk_person import Processes, View, act, corner, minus, wait_until, window_of
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
@@ -122,11 +122,11 @@ with Processes(OUT) as processes:
     session = f"desk-{os.getpid()}"
     server = processes.start("server.log", BIN / "prosector-server", OUT / "desk.toml", "--session", session, "--domain", 77, "--summary",
                    OUT / "server.json")
-    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"))
+    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), process=server)
     client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
-                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--session-log", OUT / "log.jsonl", "--audience", *(word for t in (START, BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
-    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
-    audience = wait_until("the audience's window", lambda: windows("Prosector: audience"))[0]
+                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--session-log", OUT / "log.jsonl", "--spectator-window", *(word for t in (START, BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
+    window = window_of(client, f"Prosector: {session}")
+    audience = window_of(client, "Prosector: audience", "the audience's window")
     act("windowsize", audience, *AUDIENCE[2:], "windowmove", audience, *AUDIENCE[:2])
     left, top = corner(window)
     act("windowfocus", window)

@@ -42,11 +42,11 @@ people = []
 try:
     server.wait("is open")
     host = Program(BIN / "prosector-client", "join", "--session", session, "--name", "Host", "--host", "--display", "none",
-                   "--patience", "20")
+                   "--timeout", "20")
     people.append(host)
     server.wait("Host joins")
     people.append(Program(BIN / "prosector-client", "observe", "--session", session, "--name", "Watcher", "--display", "none",
-                          "--patience", "20"))
+                          "--timeout", "20"))
     server.wait("Watcher joins")
 
     host.say("accuracy ball")

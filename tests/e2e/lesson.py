@@ -1,6 +1,6 @@
 """A lesson of docs/learn, gone through: its own blocks are run, in a folder that looks like a clone, and what comes of them is looked at.
 
-Run under xvfb-run. A block fenced as sh is a command of a terminal; one fenced as text is typed at a program's terminal, line by line.
+Run under deploy/with_display.sh. A block fenced as sh is a command of a terminal; one fenced as text is typed at a program's terminal, line by line.
 A lesson of which a block was left out fails.
 """
 

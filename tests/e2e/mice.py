@@ -63,7 +63,7 @@ class Player:
         self.next = 0
 
     def ready(self):
-        wait_until("the scene", lambda: "everything is here" in (self.out / f"{self.name}.log").read_text(), 120)
+        wait_until("the scene", lambda: "everything is here" in (self.out / f"{self.name}.log").read_text(), 120, self.process)
         self.view = MouseView(self)
         self.view.eyes()
 
@@ -175,7 +175,7 @@ def play():
     with screen() as first, screen() as second, Processes(options.out) as processes:
         server = processes.start("server.log", options.bin / "prosector-server", options.scene, "--session", "mice", "--domain", 93,
                                  "--summary", options.out / "server.json", "--journal", options.out / "journal.sqlite")
-        wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 300)
+        wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 300, server)
         players = [Player(name, display, processes, options.seed + k)
                    for k, (name, display) in enumerate((("ada", first), ("eve", second)))]
         for player in players:

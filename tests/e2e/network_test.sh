@@ -11,7 +11,7 @@ peer=
 status=0
 "$here/../idl/namespaces" "$kind" "$bin/wan_bridge" \
   "$bin/prosector-server $here/../../deploy/scenes/minimal.toml --session net --profile $kind --lan --seconds 60" \
-  "$bin/prosector-client observe --session net --profile $kind --lan=%I $peer --display none --seconds 4 --patience 40 --summary $out/$kind.json" \
+  "$bin/prosector-client observe --session net --profile $kind --lan=%I $peer --display none --seconds 4 --timeout 40 --summary $out/$kind.json" \
   > "$out/$kind.log" 2>&1 || status=$?
 cat "$out/$kind.log"
 [ $status = 0 ] || exit $status

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""newcomer.py BIN OUT [--brisk], run under xvfb-run: a person who has never seen Prosector touches the liver, takes the scalpel and cuts.
+"""newcomer.py BIN OUT [--brisk], run under deploy/with_display.sh: a person who has never seen Prosector touches the liver, takes the scalpel and cuts.
 
 They host and join by the words of README.md. They read the first messages and the help, look about with the pointer until what they
 look for is named beside it, and do what the help says: no key is written here (by_help.py). What the picture says in words they
@@ -14,7 +14,7 @@ import sys
 import time
 
 from by_help import Hands, Help
-from desk_person import Processes, act, corner, wait_until, windows
+from desk_person import Processes, act, corner, wait_until, window_of
 from PIL import ImageChops, ImageGrab, ImageStat
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -340,11 +340,11 @@ def main():
         host, scene = readme_command("host")
         server = processes.start("server.log", bin_folder / host, ROOT / scene, "--session", session, "--domain", 78, "--summary",
                                  out / "server.json")
-        wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 120)
+        wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 120, server)
         join, *options = readme_command("join at a desk")
         client = processes.start("client.log", bin_folder / join, *options, "--session", session, "--domain", 78)
-        window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
-        wait_until("the scene", lambda: processes.says("client.log", "everything is here"), 60)
+        window = window_of(client, f"Prosector: {session}")
+        wait_until("the scene", lambda: processes.says("client.log", "everything is here"), 60, client)
         person = Newcomer(out, client, window, out / "client.log", BRISK if "--brisk" in sys.argv else LEISURELY)
         try:
             touches_and_cuts(person)

@@ -25,16 +25,16 @@ programs = []
 try:
     programs.append(Program(BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache"))
     programs[0].wait("is open")
-    programs.append(Program(CLIENT, "observe", "--name", "Watcher", "--display", "none", "--session", session, "--offer", "igtl:127.0.0.1:0",
-                            "--offer-camera", "--camera", f"synthetic:{CAMERAS / 'table.toml'}"))
+    programs.append(Program(CLIENT, "observe", "--name", "Watcher", "--display", "none", "--session", session, "--publish", "igtl:127.0.0.1:0",
+                            "--publish-camera", "--camera", f"synthetic:{CAMERAS / 'table.toml'}"))
     port = programs[1].wait("and camera images, by igtl at 127.0.0.1 port").split()[-1]
     seen = run("camera", "selftest", f"igtl://127.0.0.1:{port}/Camera", "--seconds", "3")
     check(f"the other program sees the camera's pictures:\n{seen.stdout}{seen.stderr}", "images of 640 × 480" in seen.stdout)
     check("and the board in them", "board table: detected in" in seen.stdout)
     bad = run("camera", "selftest", "igtl://127.0.0.1:1/Camera", "--seconds", "3")
     check(f"where nobody listens it says so: {bad.stderr}", bad.returncode != 0 and "127.0.0.1" in bad.stderr)
-    bad = run("observe", "--display", "none", "--session", session, "--offer", "igtl:127.0.0.1:0", "--offer-camera")
-    check(f"without a camera it says which option names one: {bad.stderr}", bad.returncode != 0 and "--offer-camera" in bad.stderr)
+    bad = run("observe", "--display", "none", "--session", session, "--publish", "igtl:127.0.0.1:0", "--publish-camera")
+    check(f"without a camera it says which option names one: {bad.stderr}", bad.returncode != 0 and "--publish-camera" in bad.stderr)
 finally:
     for program in reversed(programs):
         program.end(signal.SIGKILL)

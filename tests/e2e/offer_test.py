@@ -54,7 +54,7 @@ def join(name, address):
 try:
     start(BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache").wait("is open")
     watcher = start(BIN / "prosector-client", "observe", "--name", "Watcher", "--display", "none", "--session", session, "--session-log",
-                    OUT / "offer.jsonl", "--offer", "vrpn:127.0.0.1:0", "--offer", "igtl:127.0.0.1:0")
+                    OUT / "offer.jsonl", "--publish", "vrpn:127.0.0.1:0", "--publish", "igtl:127.0.0.1:0")
     ports = {protocol: watcher.wait(f"by {protocol} at 127.0.0.1 port").split()[-1] for protocol in ("vrpn", "igtl")}
     twin = start(BIN / "prosector-device-twin", "vrpn", 0, "--script", script, "--wait-client")
     join(NAMES[0], twin.wait("vrpn:"))

@@ -11,7 +11,7 @@ import time
 import tomllib
 
 from checks import check, finish
-from desk_person import Processes, skip, wait_until, windows
+from desk_person import Processes, skip, wait_until, window_of
 from setup_window import SetupWindow, some_scenes
 
 PROGRAMS, SCENES, OUT = map(pathlib.Path, sys.argv[1:4])
@@ -64,7 +64,7 @@ with Processes(OUT) as processes:
     user.sees("scene minimal")
     user.click("scene minimal")
     user.click("host")
-    wait_until("the session's window", lambda: windows("^Prosector: anatomy"), 60)
+    window_of(user.process, "^Prosector: anatomy", "the session's window", 60)
     wait_until("the eyes in the session", lambda: processes.says("Ada.log", f"window face:synthetic:{face}: streaming"), 60)
     check("who enters looks through the screen as through a window", True)
     user.leave()

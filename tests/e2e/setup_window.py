@@ -1,4 +1,4 @@
-"""The set-up window of one person, acted on by a mouse: real windows, real events. Run under xvfb-run."""
+"""The set-up window of one person, acted on by a mouse: real windows, real events. Run under deploy/with_display.sh."""
 
 import json
 import os
@@ -9,7 +9,7 @@ import time
 
 from PIL import ImageGrab
 
-from desk_person import act, corner, wait_until, windows
+from desk_person import act, corner, wait_until, window_of
 
 DOMAIN = 93
 
@@ -21,7 +21,7 @@ class SetupWindow:
         self.out, self.layout = processes.out, processes.out / f"{name}.json"
         self.process = processes.start(f"{name}.log", programs / "prosector-client", "setup", "--domain", DOMAIN, "--name", name,
                                        "--layout-log", self.layout, *words)
-        self.window = wait_until("the set-up window", lambda: windows("^Prosector$"))[0]
+        self.window = window_of(self.process, "^Prosector$", "the set-up window")
 
     def read(self):
         try:
@@ -33,10 +33,14 @@ class SetupWindow:
         return self.read()["words"]
 
     def click(self, control):
-        left, top, right, bottom = wait_until(control, lambda: self.read()["controls"].get(control))
-        x, y = corner(self.window)
-        act("mousemove", x + (left + right) / 2, y + (top + bottom) / 2)
-        time.sleep(0.1)
+        """Clicks the middle of a control, once the layout has not moved it while the pointer went there."""
+        area = None
+        while (seen := self.sees(control)) != area:
+            area = seen
+            left, top, right, bottom = area
+            x, y = corner(self.window)
+            act("mousemove", x + (left + right) / 2, y + (top + bottom) / 2)
+            time.sleep(0.1)
         act("click", 1)
         time.sleep(0.3)
 
@@ -63,7 +67,7 @@ class SetupWindow:
         self.process.wait(20)
 
     def sees(self, control, seconds=30):
-        return wait_until(control, lambda: self.read()["controls"].get(control), seconds)
+        return wait_until(control, lambda: self.read()["controls"].get(control), seconds, self.process)
 
 
 def some_scenes(folder, scenes, *names):

@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 from checks import check, finish
-from desk_person import Processes, wait_until, windows
+from desk_person import Processes, wait_until, window_of
 from setup_window import SetupWindow, some_scenes
 
 PROGRAMS, SCENES, OUT = map(pathlib.Path, sys.argv[1:4])
@@ -20,7 +20,7 @@ with Processes(OUT) as processes:
     host.sees("scene minimal")
     host.click("scene minimal")
     host.click("host")
-    wait_until("the session's window", lambda: windows("^Prosector: anatomy"), 60)
+    window_of(host.process, "^Prosector: anatomy", "the session's window", 60)
     wait_until("everything of it", lambda: processes.says("Ada.log", "everything is here"), 60)
     check("two clicks lead into a hosted session", True)
     check("as its host", processes.says("Ada.log", "joined session 'anatomy' as Ada"))

@@ -56,7 +56,7 @@ server=$!
 pids+=($server)
 wait_for server "is open on the network"
 ip netns exec $observer_side "$bin/prosector-client" observe --session vanish --name watcher --profile "$profile" \
-  --lan=10.78.0.2 --peer 10.78.0.1 --patience 30 --display none > "$out/observer.log" 2>&1 &
+  --lan=10.78.0.2 --peer 10.78.0.1 --timeout 30 --display none > "$out/observer.log" 2>&1 &
 observer=$!
 pids+=($observer)
 wait_for observer "everything is here"

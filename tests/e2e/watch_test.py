@@ -60,7 +60,7 @@ client = None
 try:
     server.wait("is open")
     client = Program(BIN / "prosector-client", "observe", "--session", f"watch{os.getpid()}", "--name", "Watcher", "--display", "none",
-                     "--patience", "20", "--session-log", log)
+                     "--timeout", "20", "--session-log", log)
     server.wait("Watcher joins")
 
     write("scene.toml", HEAD + BALL.format("first", -0.1) + "[[soft]]\nname = 7\n")

@@ -74,12 +74,12 @@ TEST(RoomGuide, LeadsFromPointToPointAndRefusesWrongOnes) {
   fed.go(place(wrong));
   fed.hold(place(wrong), 1);
   EXPECT_EQ(guide.step().index, 1u);
-  EXPECT_NE(guide.step().trouble.find("should be 400 mm"), std::string::npos) << guide.step().trouble;
+  EXPECT_NE(guide.step().rejection.find("should be 400 mm"), std::string::npos) << guide.step().rejection;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     fed.go(place(corners[i]));
     fed.hold(place(corners[i]), 1);
     EXPECT_EQ(guide.step().index, i + 1);
-    EXPECT_TRUE(guide.step().trouble.empty());
+    EXPECT_TRUE(guide.step().rejection.empty());
   }
   EXPECT_TRUE(guide.step().done);
   EXPECT_LT((guide.fit().room_device.p - truth.p).norm(), 1e-3);
@@ -102,7 +102,7 @@ TEST(RoomGuide, GoesBackWhereThePointBeforeWasWrong) {
   EXPECT_EQ(guide.step().index, 2u);
   touch(corners[2] + Vec3(0.05, 0, 0));
   EXPECT_EQ(guide.step().index, 1u) << "point 2 is asked for again";
-  EXPECT_NE(guide.step().trouble.find("touch point 2 again"), std::string::npos) << guide.step().trouble;
+  EXPECT_NE(guide.step().rejection.find("touch point 2 again"), std::string::npos) << guide.step().rejection;
   for (std::size_t i = 1; i < corners.size(); ++i) touch(corners[i]);
   EXPECT_TRUE(guide.step().done);
   guide.back();
@@ -153,7 +153,7 @@ TEST(PhantomGuide, FindsTheShapeAndTellsTheErrorAtTargets) {
       fed.go({truth * p + slip, Quat::Identity()});
       fed.hold(fed.at, 1);
     }
-    ASSERT_TRUE(guide.step().done) << guide.step().trouble;
+    ASSERT_TRUE(guide.step().done) << guide.step().rejection;
     const GuideOutcome outcome = guide.outcome();
     ASSERT_EQ(outcome.words.size(), 1 + targets.size());
     const ClientConfig written = parse_client_config(
@@ -261,7 +261,7 @@ TEST(FieldGuide, ItsMapPutsTheDriversPosesRight) {
     const Pose place = reported({*guide.step().target, held});
     fed.go(place, 0.2);
     fed.hold(place, 0.6);
-    ASSERT_EQ(guide.step().index, before + 1) << guide.step().trouble;
+    ASSERT_EQ(guide.step().index, before + 1) << guide.step().rejection;
   }
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("prosector-field-{}.toml", getpid());
@@ -291,7 +291,7 @@ TEST(FieldGuide, TakesNoPlaceThatIsFarFromItsPoint) {
   fed.go({Vec3(0.4, 0.4, 0.4), Quat::Identity()});
   fed.hold(fed.at, 1);
   EXPECT_EQ(guide.step().index, 0u);
-  EXPECT_NE(guide.step().trouble.find("mm from this point"), std::string::npos);
+  EXPECT_NE(guide.step().rejection.find("mm from the instructed position"), std::string::npos);
 }
 
 TEST(GloveGuide, TakesEachPoseOnceAndFindsTheCounts) {
@@ -344,7 +344,7 @@ TEST(EyesGuide, FindsDisplayEyesAndMount) {
   EyesGuide guide(config, mark, 800, 600);
   FedGuide fed{guide, tracker, 1, 0, {}};
   EXPECT_FALSE(guide.confirm());
-  EXPECT_NE(guide.step().trouble.find("still"), std::string::npos);
+  EXPECT_NE(guide.step().rejection.find("still"), std::string::npos);
   while (!guide.step().done) {
     const std::size_t before = guide.step().index;
     const bool right = before >= guide.step().count / 2;
@@ -369,6 +369,8 @@ TEST(EyesGuide, FindsDisplayEyesAndMount) {
     EXPECT_FALSE(guide.confirm()) << "a cross isn't where the last one was";
     EXPECT_EQ(guide.step().index, before + 1);
   }
+  EXPECT_FALSE(guide.confirm());
+  EXPECT_NE(guide.step().rejection.find("all crosses"), std::string::npos) << guide.step().rejection;
   const std::string text = write_client_config(
       "[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 2\n", guide.outcome().changes, "c.toml");
   const ClientConfig read = parse_client_config(text, "c.toml");
@@ -380,6 +382,7 @@ TEST(EyesGuide, FindsDisplayEyesAndMount) {
   EXPECT_LT(read.tracker_device.placement.mount[1].q.angularDistance(mount.q), 0.3 * degree);
   guide.back();
   EXPECT_FALSE(guide.step().done);
+  EXPECT_EQ(guide.step().rejection, "") << "a cross is to be confirmed again";
 }
 
 TEST(DelayGuide, ComparesDevicesOfOtherFramesAndUnits) {

@@ -79,7 +79,7 @@ FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMes
     scene.faces.push_back({0, face});
     EyesFilter filter;
     raw.has_last = smoothed.has_last = false;
-    std::optional<Vec3> told;
+    std::optional<Vec3> reported;
     Vec3 truth = Vec3::Zero();
     const auto first = static_cast<std::uint64_t>(what.pictures * place);
     for (int k = 0; k < what.pictures; ++k) {
@@ -99,12 +99,12 @@ FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMes
       out.smooth_ms.push_back(milliseconds_since(start));
       const Vec3 way = (truth - screen_camera.p).normalized();
       raw.take(screen_camera * device_camera * eyes.head.p - truth, way);
-      told = screen_camera * device_camera * head.p;
-      if (k >= what.pictures / 2) smoothed.take(*told - truth, way);
+      reported = screen_camera * device_camera * head.p;
+      if (k >= what.pictures / 2) smoothed.take(*reported - truth, way);
     }
-    if (!told) continue;
-    const Vec3 off = *told - truth, way = truth.normalized();
-    out.gaze.push_back(std::acos(std::min(1.0, told->normalized().dot(way))));
+    if (!reported) continue;
+    const Vec3 off = *reported - truth, way = truth.normalized();
+    out.gaze.push_back(std::acos(std::min(1.0, reported->normalized().dot(way))));
     out.depth.push_back(1e3 * std::abs(off.dot(way)));
     out.across.push_back(1e3 * (off - off.dot(way) * way).norm());
     if (what.speed > 0) out.lag.push_back(-off.x() / what.speed);

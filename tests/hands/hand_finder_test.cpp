@@ -78,15 +78,15 @@ TEST(HiddenBends, GrowAndEndWhereTheyBegan) {
   for (const double bend : gesture_flexions({9, 9, 9, -9, -9})) EXPECT_TRUE(bend == 0 || bend == 1);
 }
 
-Gesture told(const std::array<double, fingers>& seen) {
+Gesture gesture_of(const std::array<double, fingers>& seen) {
   return GestureDetector(GestureThresholds{}).update(gesture_flexions(seen));
 }
 
 TEST(HiddenBends, FourFingersHalfBentAlikeAreAFist) {
-  EXPECT_EQ(told({0.5, 0.44, 0.47, 0.45, 0.5}), Gesture::fist) << "from behind";
-  EXPECT_NE(told({0.5, 0.36, 0.47, 0.45, 0.5}), Gesture::fist) << "a finger apart";
-  EXPECT_NE(told({0.5, 0.38, 0.4, 0.39, 0.4}), Gesture::fist) << "a hand at rest";
-  EXPECT_EQ(told({0.5, 0.1, 0.51, 0.52, 0.51}), Gesture::point);
+  EXPECT_EQ(gesture_of({0.5, 0.44, 0.47, 0.45, 0.5}), Gesture::fist) << "from behind";
+  EXPECT_NE(gesture_of({0.5, 0.36, 0.47, 0.45, 0.5}), Gesture::fist) << "a finger apart";
+  EXPECT_NE(gesture_of({0.5, 0.38, 0.4, 0.39, 0.4}), Gesture::fist) << "a hand at rest";
+  EXPECT_EQ(gesture_of({0.5, 0.1, 0.51, 0.52, 0.51}), Gesture::point);
 }
 
 /// Turns the back of a hand to the camera above it, its fingers away from the camera by that angle.

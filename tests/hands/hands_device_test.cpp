@@ -125,7 +125,7 @@ Image torn_picture(const Image& image, int row, int shift) {
 
 TEST_F(BareHands, StayWhereTheyAreWhileSinglePicturesAreTorn) {
   const Quat upright = hand_.camera_wrist.q;
-  std::size_t told = 0, pictures = 0;
+  std::size_t reported = 0, pictures = 0;
   for (int way = 0; way < 4; ++way) {
     hand_.flexion.fill(way % 2 == 0 ? 0.1 : 0.8);
     hand_.camera_wrist.q = (Quat(Eigen::AngleAxisd(0.2 * way, Vec3::UnitZ())) * upright).normalized();
@@ -140,7 +140,7 @@ TEST_F(BareHands, StayWhereTheyAreWhileSinglePicturesAreTorn) {
       if (torn) shown.image = torn_picture(whole.image, 120 + 7 * k, 60 + 31 * k % 300);
       for (const TrackedHand& hand : tracker.see(0, shown)) {
         if (hand.hand != hand_.hand) continue;
-        ++told;
+        ++reported;
         if (!first) first = hand.wrist;
         EXPECT_LT(hand.wrist.q.angularDistance(first->q), 0.8) << way << " " << k;
         EXPECT_LT((hand.wrist.p - first->p).norm(), 0.15) << way << " " << k;
@@ -148,7 +148,7 @@ TEST_F(BareHands, StayWhereTheyAreWhileSinglePicturesAreTorn) {
       ++pictures;
     }
   }
-  EXPECT_GE(told, pictures * 6 / 10);
+  EXPECT_GE(reported, pictures * 6 / 10);
 }
 
 TEST_F(BareHands, ComeFromASyntheticCameraInRealTime) {

@@ -126,11 +126,11 @@ TEST_F(Felt, ThePlaneIsWhereTheArmIs) {
 
 TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
   press(-0.006);
-  const double told = reported_stiffness();
+  const double reported = reported_stiffness();
   const double before = reported_force().y();
   press(-0.0065);
   const double slope = (reported_force().y() - before) / 0.0005;
-  EXPECT_NEAR(told / slope, 1, 0.11) << "of " << slope << " N/m";
+  EXPECT_NEAR(reported / slope, 1, 0.11) << "of " << slope << " N/m";
 }
 
 TEST_F(Felt, TheBlockIsWhereAStaticSolutionUnderTheTouchesHasIt) {
@@ -221,11 +221,11 @@ TEST(FeltSheet, StiffnessIsTheSlopeOfForceOverWay) {
     c.settle(moved(to, 40));
   };
   press(0.02, -0.015);
-  const double told = c.reported_stiffness(), before = c.reported_force().y();
+  const double reported = c.reported_stiffness(), before = c.reported_force().y();
   press(-0.015, -0.0155);
   const double slope = (c.reported_force().y() - before) / 5e-4;
   EXPECT_GT(before, 0.5);
-  EXPECT_NEAR(told / slope, 1, 0.15) << "of " << slope << " N/m";
+  EXPECT_NEAR(reported / slope, 1, 0.15) << "of " << slope << " N/m";
 }
 
 TEST(FeltHands, TheStateIsTheSameWithAndWithout) {

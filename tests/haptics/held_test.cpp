@@ -70,11 +70,11 @@ TEST(Held, WhatAToolPressesIsFelt) {
   c.settle(moved_to(at));
   expect_as_on_the_hand(c, 0.03);
   EXPECT_GT(c.reported_force().y(), 0.5);
-  const double told = c.reported_stiffness(), before = c.reported_force().y();
+  const double reported = c.reported_stiffness(), before = c.reported_force().y();
   go(c, at, at - Vec3(0, 5e-4, 0));
   c.settle(moved_to(at));
   const double slope = (c.reported_force().y() - before) / 5e-4;
-  EXPECT_NEAR(told / slope, 1, 0.2) << "of " << slope << " N/m";
+  EXPECT_NEAR(reported / slope, 1, 0.2) << "of " << slope << " N/m";
 }
 
 /// What the arm renders of the told planes where the hand is as the arm has it, N.
@@ -158,11 +158,11 @@ TEST(Held, TissuePullsBackAsItIsPulled) {
   c.settle(moved_to(at));
   expect_as_on_the_hand(c, 0.03);
   EXPECT_LT(c.reported_force().y(), -0.3);
-  const double told = c.reported_stiffness(), before = c.reported_force().y();
+  const double reported = c.reported_stiffness(), before = c.reported_force().y();
   go(c, at, at + Vec3(0, 5e-4, 0));
   c.settle(moved_to(at));
   const double slope = (before - c.reported_force().y()) / 5e-4;
-  EXPECT_NEAR(told / slope, 1, 0.2) << "of " << slope << " N/m";
+  EXPECT_NEAR(reported / slope, 1, 0.2) << "of " << slope << " N/m";
   EXPECT_TRUE(std::any_of(c.last.planes.begin(), c.last.planes.end(),
                           [](const ContactPlane& plane) { return plane.holds; }));
 }

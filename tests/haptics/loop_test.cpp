@@ -95,9 +95,9 @@ struct Pressed {
     reading.stylus.p = {0, -0.002, 0};
     for (int k = 0; k < 1000; ++k) go_on();
   }
-  Vec3 go_on(bool told = true) {
+  Vec3 go_on(bool receives = true) {
     t += 1e-3;
-    if (told && static_cast<int>(t * 1000) % 16 == 0) loop.take(planes, t);
+    if (receives && static_cast<int>(t * 1000) % 16 == 0) loop.take(planes, t);
     return loop.cycle(reading, t);
   }
 };

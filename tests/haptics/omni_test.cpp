@@ -307,6 +307,16 @@ TEST(OmniPress, APlaneIsFeltAsStiffAsItIs) {
   }
 }
 
+TEST(OmniSocket, ALineThatIsNotOpenSaysWhyItDoesNotStart) {
+  const auto line = omni::make_socket_line("/nonexistent/omni");
+  EXPECT_FALSE(line->start());
+  EXPECT_NE(line->error().find("/nonexistent/omni: the connection"), std::string::npos) << line->error();
+  EXPECT_FALSE(line->open());
+  const std::string why = line->error();
+  EXPECT_FALSE(line->start());
+  EXPECT_EQ(line->error(), why) << "the reason of the failed connection remains";
+}
+
 TEST(OmniSocket, NobodyThereIsNoError) {
   const auto arm = open_omni_twin("/nonexistent/omni", {});
   EXPECT_FALSE(arm->read().valid);

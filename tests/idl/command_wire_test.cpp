@@ -179,7 +179,7 @@ TEST(CommandWire, MalformedFieldsAreRefusedAlsoWhereTheCommandDoesNotUseThem) {
   const std::vector<Malformed> table = {
       {[](W& w) { w.shape.p[1] = 1e6; }, "the offset of a part's displayed shape is out of range"},
       {[](W& w) { w.shape.a[5] = nan; }, "shape out of range"},
-      {[](W& w) { w.shape.a[8] = 0; }, "shape collapsed"},
+      {[](W& w) { w.shape.a[8] = 0; }, "the transform of an inspected body is singular"},
       {[](W& w) { w.participant = 0; }, "participant id 0"},
       {[](W& w) { w.kind = command_kinds; }, "unknown kind"},
       {[](W& w) { w.kind = 255; }, "unknown kind"},

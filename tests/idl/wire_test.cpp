@@ -179,7 +179,8 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<SceneInfo>("large chunks",
                          [](SceneInfo& m) { m.bodies[1].chunk_points = max_chunk_points + 1; }),
       spoiled<SceneInfo>("light nowhere", [](SceneInfo& m) { m.lights[0].position.x() = nan; }),
-      spoiled<SceneInfo>("light without direction", [](SceneInfo& m) { m.lights[0].direction.setZero(); }),
+      spoiled<SceneInfo>("the direction of a light is zero or out of range",
+                         [](SceneInfo& m) { m.lights[0].direction.setZero(); }),
       spoiled<SceneInfo>("field of view", [](SceneInfo& m) { m.camera.fov = 4; }),
       spoiled<SceneInfo>("a patient askew",
                          [](SceneInfo& m) {
@@ -271,7 +272,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<ArmForce>("third hand", [](ArmForce& m) { m.hand = 2; }),
       spoiled<ArmForce>("force", [](ArmForce& m) { m.force.x() = nan; }),
       spoiled<ArmForce>("energy", [](ArmForce& m) { m.given = nan; }),
-      spoiled<Recording>("a mark beyond the end", [](Recording& m) { m.last_tick = 80; }),
+      spoiled<Recording>("a mark of the recording is after its end", [](Recording& m) { m.last_tick = 80; }),
       spoiled<Recording>("marks out of order", [](Recording& m) { m.marks[0].tick = 70; }),
       spoiled<Recording>("kind of mark", [](Recording& m) { m.marks[1].kind = static_cast<MarkKind>(5); }),
       spoiled<Recording>("marks", [](Recording& m) { m.marks.resize(max_recording_marks + 1); }),

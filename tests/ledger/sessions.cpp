@@ -233,7 +233,7 @@ Session proxies() {
        {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull, Fidelity::mesh}) {
     const std::string name(fidelity_name(collision));
     RigidDesc box = part_body("box " + name, "box", {0.03, 0.04, 0.05}, {x + 0.01, 0.12, 0.01});
-    box.collision = collision;
+    box.contact.collision = collision;
     box.pose.q = Quat(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()));
     out.scene.rigid.push_back(box);
     SoftDesc soft = block(name);
@@ -312,7 +312,7 @@ Session entangled() {
   out.scene.room.emplace();
   out.scene.rigid = {table(), part_body("shot", "sphere", {0.03, 0, 0}, {0, 0.5, 0.5})};
   out.scene.rigid[0].pose.p.y() = 0.95;
-  for (RigidDesc& rigid : out.scene.rigid) rigid.continuous = true;
+  for (RigidDesc& rigid : out.scene.rigid) rigid.contact.continuous = true;
   out.scene.soft = {block(), block("other")};
   out.scene.soft[0].pose.p.y() = 1.03;
   out.scene.soft[1].pose.p = {0.11, 1.03, 0};

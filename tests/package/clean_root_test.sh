@@ -9,7 +9,7 @@ enter "$@"
 add prosector-client
 in_root dpkg-query -W -f '${Package}\n' | grep -E -- '-dev$|^(gcc|g\+\+|cpp|clang)(-[0-9.]+)?$|^(make|cmake|binutils)$' &&
   fail "the client brought these along"
-as_person prosector-client observe --display none --patience 1 --seconds 1 >"$work/alone" 2>&1 && fail "a session without a server"
+as_person prosector-client observe --display none --timeout 1 --seconds 1 >"$work/alone" 2>&1 && fail "a session without a server"
 grep -q 'prosector-client: ' "$work/alone" || fail "the client alone: $(tail -n 3 "$work/alone")"
 as_person prosector-fastrak-twin --version >/dev/null
 
@@ -20,7 +20,7 @@ set -eu
 cd
 prosector-server /usr/share/prosector/scenes/minimal.toml --session bare --seconds 120 --journal journal.sqlite >server 2>&1 &
 for wait in $(seq 300); do ! grep -q 'participate:' server || break; sleep 0.2; done
-prosector-client observe --session bare --name visitor --display offscreen --size 320x240 --seconds 3 --patience 30 \
+prosector-client observe --session bare --name visitor --display offscreen --size 320x240 --seconds 3 --timeout 30 \
   --screenshot picture.png --summary figures.json >client 2>&1 || { cat server client; exit 1; }
 kill -TERM $!
 wait $!

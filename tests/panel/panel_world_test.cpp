@@ -44,7 +44,7 @@ TEST(PanelWorld, TouchingElsewhereMovesOrClosesIt) {
 TEST(PanelWorld, GoesAfterAWhileWithoutTouch) {
   Room room;
   room.step(hand(ada, liver), moment());
-  const int time_limit = static_cast<int>(std::ceil(panel_patience / tick));
+  const int time_limit = static_cast<int>(std::ceil(panel_timeout / tick));
   room.step(hand(ada, liver), 2 * time_limit);
   EXPECT_EQ(room.world.panels().size(), 1u) << "while the part is touched it stays";
   room.step(hand(ada), time_limit - 1);
@@ -349,7 +349,7 @@ TEST(PanelWorld, StaysWhileAFingerPointsAtIt) {
     pointing.index = {room.first * tip, room.first * (tip + Vec3(0, 0, 0.02)), 0.008};
   };
   point(0.1);
-  room.step(pointing, 3 * static_cast<int>(std::ceil(panel_patience / tick)));
+  room.step(pointing, 3 * static_cast<int>(std::ceil(panel_timeout / tick)));
   ASSERT_EQ(room.world.panels().size(), 1u);
   EXPECT_EQ(room.world.panels()[0].body, liver) << "although another part is touched";
   point(0.2);

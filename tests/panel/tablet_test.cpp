@@ -73,7 +73,7 @@ TEST(Tablet, NeitherFistNorPointerNorTimeTakesItsPanel) {
   room.world.take(PanelEvent{.kind = PanelEvent::Kind::put, .participant = ada, .at = {0, 1, 0}},
                   room.bodies);
   room.event(PanelEvent::Kind::put_back, ada);
-  room.step(hand(ada), 2 * ticks_of(panel_patience));
+  room.step(hand(ada), 2 * ticks_of(panel_timeout));
   EXPECT_EQ(only_pose(room.world.panels()).p, board.p);
   EXPECT_TRUE(room.world.carriers().empty());
 }
@@ -95,7 +95,7 @@ TEST(Tablet, ThatIsLostRestsThenLetsGoAndComesBack) {
   room.step(hand(ada));
   EXPECT_EQ(only_pose(room.world.panels()).p, board.p);
   room.world.take(HeldPlace{ada, HeldObject::tablet, false, {}});
-  room.step(hand(ada), ticks_of(tablet_rest) + ticks_of(panel_patience) + 3);
+  room.step(hand(ada), ticks_of(tablet_rest) + ticks_of(panel_timeout) + 3);
   EXPECT_TRUE(room.world.panels().empty());
 }
 

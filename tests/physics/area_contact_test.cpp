@@ -271,7 +271,7 @@ TEST(AreaContact, TissueGetsTheImpulseAndItsMoment) {
     scene.soft[0].material.damping_stiffness = 0;
     scene.rigid = {part_body("ball", "sphere", {0.04, 0, 0}, {0.021, 0.0805, 0.013})};
     scene.rigid[0].fixed = true;
-    scene.rigid[0].friction = 0;
+    scene.rigid[0].contact.friction = 0;
     Simulation simulation(scene, options());
     TickInput input;
     input.kinematic_targets.push_back({0, {{0.021, 0.078, 0.013}, Quat::Identity()}});
@@ -310,7 +310,8 @@ TEST(AreaContact, FrictionHoldsWithoutCreep) {
   scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.03;
   scene.soft[0].material.youngs_modulus = 2e4;
   const double angle =
-      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
+      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].contact.friction)) -
+      std::numbers::pi / 180;
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   Simulation simulation(scene, options());
   TickInput input;
@@ -330,7 +331,7 @@ TEST(AreaContact, FrictionHoldsWithoutCreep) {
 TEST(AreaContact, WhatIsSmallAndHeavyStaysOutside) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("tip", "sphere", {0.006, 0, 0}, {0.002, 0.0340, 0.001})};
-  scene.rigid[1].mass = 0.02;
+  scene.rigid[1].material.mass = 0.02;
   scene.soft = {block()};
   scene.soft[0].contact.points = ContactPoints::surface;
   scene.soft[0].geometry.size = {0.06, 0.03, 0.06};

@@ -130,7 +130,8 @@ TEST(Friction, HoldsABlockThatStaysAwakeWithoutCreep) {
   scene.soft = {block()};
   scene.soft[0].material.youngs_modulus = 2e4;
   const double angle =
-      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
+      std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].contact.friction)) -
+      std::numbers::pi / 180;
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   Simulation simulation(scene, options());
   run(simulation, 60, drive(0, table_place));
@@ -175,11 +176,11 @@ TEST(Friction, StiffBlockSlidesAsACoulombBodyDoes) {
   SceneDesc scene;
   scene.gravity = tilted(30);
   scene.rigid = {table()};
-  scene.rigid[0].parts[0].size.x() = 20;
+  scene.rigid[0].geometry.parts[0].size.x() = 20;
   scene.soft = {block()};
   scene.soft[0].material.youngs_modulus = 2e4;
   scene.soft[0].material.damping_mass = 0;
-  scene.rigid[0].friction = scene.soft[0].contact.friction = 0.3;
+  scene.rigid[0].contact.friction = scene.soft[0].contact.friction = 0.3;
   Simulation simulation(scene, options());
   const double theory = 9.81 * (0.5 - 0.3 * std::sqrt(0.75));
   EXPECT_NEAR(acceleration(simulation, [&] { return centre(simulation, 1).x(); }), theory, 0.02 * theory);
@@ -197,7 +198,7 @@ TEST(Friction, RigidBlockOnTissueHoldsBelowItsAngleAndSlidesAbove) {
     bed.pose.p.y() = 0.02;
     bed.material.youngs_modulus = 2e5;
     bed.attach = {{{0, -1000, 0}, std::hypot(1000, 1), 1e13}};
-    bed.contact.friction = scene.rigid[1].friction = 0.3;
+    bed.contact.friction = scene.rigid[1].contact.friction = 0.3;
     Simulation simulation(scene, options());
     const auto at = [&] { return simulation.rigid_state(1).pose.p.x(); };
     run(simulation, 30, drive(0, table_place));
@@ -246,7 +247,7 @@ TEST(Restitution, HoldsBesideTissue) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("plate", "box", {0.12, 0.02, 0.12}, {0, 0.0702, 0}, 8000),
                    part_body("ball", "sphere", {0.04, 0, 0}, {0, 0.2, 0})};
-    scene.rigid[1].restitution = scene.rigid[2].restitution = std::sqrt(restitution);
+    scene.rigid[1].contact.restitution = scene.rigid[2].contact.restitution = std::sqrt(restitution);
     scene.soft = {block()};
     scene.soft[0].material.youngs_modulus = 5e4;
     Simulation simulation(scene, options());
@@ -324,7 +325,7 @@ TEST(Driven, WhatCannotBeDrivenIsIgnoredAndReported) {
 
 /// Impulses of substeps are told as they were; a minimised tick's are the forces where Newton stopped, half a
 /// per cent off what the last step made of them.
-double told_within(const std::string& integrator) {
+double force_tolerance(const std::string& integrator) {
   return integrator == "implicit_euler" ? 1e-2 : 1e-9;
 }
 
@@ -341,15 +342,15 @@ TEST(Touches, TellTheMomentumThatTissueGot) {
   for (const char* integrator : {"implicit_euler", "symplectic_euler"}) {
     scene.soft[0].configuration.integrator = integrator;
     Simulation simulation(scene, options());
-    Vec3 told = Vec3::Zero();
+    Vec3 reported = Vec3::Zero();
     for (int tick = 0; tick < 60; ++tick) {
       simulation.step({});
-      for (const Exchange& touch : simulation.exchanges()) told += touch.impulse;
+      for (const Exchange& touch : simulation.exchanges()) reported += touch.impulse;
     }
     const VecX& mass = simulation.soft(1).node_mass();
     const Vec3 got = simulation.soft_state(1).motion.v.reshaped(3, mass.size()) * mass;
     EXPECT_GT(got.norm(), 0.01) << integrator;
-    EXPECT_LT((told - got).norm(), told_within(integrator) * got.norm()) << integrator;
+    EXPECT_LT((reported - got).norm(), force_tolerance(integrator) * got.norm()) << integrator;
   }
 }
 
@@ -393,7 +394,7 @@ TEST(Stack, TowerOnTissueStands) {
   scene.soft[0].material.youngs_modulus = 1e5;
   for (int i = 0; i < 8; ++i) {
     scene.rigid.push_back(part_body("box", "box", {0.06, 0.03, 0.06}, {0, 0.0755 + 0.0303 * i, 0}));
-    scene.rigid.back().mass = i % 2 == 0 ? 0.01 : 0.3;
+    scene.rigid.back().material.mass = i % 2 == 0 ? 0.01 : 0.3;
   }
   Simulation simulation(scene, options());
   run(simulation, 240, drive(0, table_place));

@@ -62,7 +62,7 @@ TEST(Determinism, BrokenCheckpointsAreRefusedAndChangeNothing) {
   for (std::size_t size = 0; size < good.size(); size += 1 + good.size() / 200)
     EXPECT_THROW(simulation.restore(std::span(good).first(size)), InputError);
   SceneDesc other = busy();
-  other.rigid[1].density = 900;
+  other.rigid[1].material.density = 900;
   EXPECT_THROW(Simulation(other, options()).restore(good), InputError);
   EXPECT_EQ(simulation.state_hash(), before);
   std::mt19937_64 random(1);

@@ -86,7 +86,7 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
   constexpr double h = 1.0 / 60;
   SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {2, 2, 2}));
   SoftBodyState state = body.initial_state();
-  const auto told = [&](double length, bool balanced, bool all_held) {
+  const auto exchanged = [&](double length, bool balanced, bool all_held) {
     Island island;
     island.soft.push_back({0, &body, &state});
     Contact& pressed = island.contacts.emplace_back();
@@ -106,13 +106,13 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
     system.assemble(q, false);
     if (balanced) system.joints().take_balanced();
     system.joints().take(length, VecX::Zero(q.size()));
-    system.joints().tell_joints(q, all_held);
+    system.joints().write_joint_forces(q, all_held);
     return pressed.exchanged.y();
   };
   for (const double length : {1.0, 0.5, 1.0 / 32}) {
-    EXPECT_NEAR(std::abs(told(length, false, true)), 1, 1e-12) << length;  // N: 1 kN/m, 1 mm
-    EXPECT_NEAR(std::abs(told(length, true, false)), 1, 1e-12) << length;
-    EXPECT_NEAR(std::abs(told(length, false, false)), length, 1e-12)
+    EXPECT_NEAR(std::abs(exchanged(length, false, true)), 1, 1e-12) << length;  // N: 1 kN/m, 1 mm
+    EXPECT_NEAR(std::abs(exchanged(length, true, false)), 1, 1e-12) << length;
+    EXPECT_NEAR(std::abs(exchanged(length, false, false)), length, 1e-12)
         << length;  // what it moved free bodies by
   }
 }
@@ -135,7 +135,7 @@ TEST(Exchange, RigidPlateRestsOnTissueAtAnyMassRatio) {
   for (const double ratio : {1e-4, 1.0, 1e4}) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0701, 0})};
-    scene.rigid[1].mass = ratio * block_mass;
+    scene.rigid[1].material.mass = ratio * block_mass;
     scene.soft = {block()};
     if (ratio > 1) scene.soft[0].material.youngs_modulus = 1e8;  // or it would be flat
     Simulation simulation(scene, options());
@@ -146,7 +146,7 @@ TEST(Exchange, RigidPlateRestsOnTissueAtAnyMassRatio) {
       simulation.step({});
       speed = std::max(speed, simulation.rigid_state(1).linear_velocity.norm());
     }
-    const double pressure = scene.rigid[1].mass * 9.81 / 0.01;
+    const double pressure = scene.rigid[1].material.mass * 9.81 / 0.01;
     const double yields = pressure / scene.soft[0].material.youngs_modulus *
                           scene.soft[0].geometry.surface_cell / scene.contact_stiffness;
     EXPECT_LT(speed, 1e-3) << ratio;
@@ -159,7 +159,7 @@ TEST(Exchange, TissueRestsOnARigidPlateAtAnyMassRatio) {
   for (const double ratio : {1e-4, 1.0, 1e4}) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("plate", "box", {0.14, 0.02, 0.14}, {0, 0.0101, 0})};
-    scene.rigid[1].mass = ratio * block_mass;
+    scene.rigid[1].material.mass = ratio * block_mass;
     scene.soft = {block()};
     scene.soft[0].pose.p.y() = 0.0503;
     Simulation simulation(scene, options());
@@ -179,9 +179,10 @@ TEST(Exchange, BlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove) {
     scene.soft = {block()};
     scene.soft[0].material.youngs_modulus = 2e5;
     scene.rigid = {table(), part_body("waker", "sphere", {0.01, 0, 0}, {0, 0.08, 0}, 100)};
-    scene.rigid[0].parts[0].size = {20, 0.1, 20};
-    const double angle = std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].friction)) +
-                         beyond * std::numbers::pi / 180;
+    scene.rigid[0].geometry.parts[0].size = {20, 0.1, 20};
+    const double angle =
+        std::atan(std::sqrt(scene.soft[0].contact.friction * scene.rigid[0].contact.friction)) +
+        beyond * std::numbers::pi / 180;
     scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
     Simulation simulation(scene, options());
     run(simulation, 60);

@@ -20,7 +20,7 @@ const Vec3 size(0.1, 0.06, 0.1);
 SceneDesc tied_block() {
   SceneDesc scene;
   scene.rigid = {table()};
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {block()};
   scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.025;
   scene.soft[0].attach = {{{0, 0, 0}, 0.015, 2e7}};
@@ -64,7 +64,7 @@ TEST(ExtremeContact, SqueezedFlatAtAnySpeedTissueIsBack) {
     SceneDesc scene = tied_block();
     scene.rigid.push_back(part_body("press", "box", {0.4, 0.02, 0.4}, {0, 0.075, 0}));
     scene.rigid[1].fixed = true;
-    scene.rigid[1].friction = 0;
+    scene.rigid[1].contact.friction = 0;
     Watched run(scene);
     constexpr double open = 0.075, shut = 0.016;
     const auto plate_at = [&](double y) { run.drive(1, {{0, y, 0}, Quat::Identity()}); };
@@ -124,7 +124,7 @@ TEST(ExtremeContact, PouredBoxesPileUpOrRollOff) {
   constexpr int boxes = 12;
   constexpr double box = 0.02;
   SceneDesc scene = tied_block();
-  scene.rigid[0].friction = 0.5;
+  scene.rigid[0].contact.friction = 0.5;
   for (int i = 0; i < boxes; ++i) {
     const Vec3 at(0.036 * (i % 2 - 0.5), 0.09 + 0.04 * (i / 4), 0.036 * (i / 2 % 2 - 0.5));
     scene.rigid.push_back(part_body("box " + std::to_string(i), "box", Vec3::Constant(box), at));

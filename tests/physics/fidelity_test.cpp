@@ -24,7 +24,7 @@ SceneDesc plate(Fidelity collision) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("plate", "box", {0.12, 0.02, 0.06}, {0, 0.1, 0})};
   scene.rigid[1].pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()));
-  scene.rigid[1].collision = collision;
+  scene.rigid[1].contact.collision = collision;
   return scene;
 }
 
@@ -64,7 +64,7 @@ TEST(Fidelity, TissueCarriesWhatTheRigidBodyCollidesAs) {
   for (const auto& [collision, reach] : {std::pair{Fidelity::hull, 0.01}, {Fidelity::sphere, 0.046}}) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("plate", "box", {0.08, 0.02, 0.04}, {0, 0.12, 0}, 300)};
-    scene.rigid[1].collision = collision;
+    scene.rigid[1].contact.collision = collision;
     scene.soft = {block()};
     Simulation simulation(scene, options());
     run(simulation, 60);
@@ -85,9 +85,9 @@ TEST(Masks, DecideWhoPassesThroughWhom) {
   scene.soft = {block(), block("wraith")};
   for (SoftDesc& soft : scene.soft) soft.pose.p.y() += 0.05;
   scene.soft[1].pose.p.x() = -0.3;
-  scene.rigid[0].group = "room";
-  scene.rigid[1].group = scene.soft[1].contact.group = "ghosts";
-  scene.rigid[1].touches = {hand_group};
+  scene.rigid[0].contact.group = "room";
+  scene.rigid[1].contact.group = scene.soft[1].contact.group = "ghosts";
+  scene.rigid[1].contact.touches = {hand_group};
   scene.soft[1].contact.touches = {"ghosts"};
   Simulation simulation(scene, options());
   run(simulation, 90);
@@ -117,8 +117,8 @@ TEST(Continuous, FastProbeIsStoppedByTissue) {
     scene.soft[0].geometry.size = {0.1, 0.03, 0.1};
     scene.soft[0].attach = {{.center = {0, 0.03, 0}, .radius = 0.2, .stiffness = 1e11}};
     scene.rigid = {part_body("probe", "capsule", {0.006, 0.06, 0}, {0.003, 2.9, 0.002})};
-    scene.rigid[0].mass = 1e-4;
-    scene.rigid[0].continuous = on;
+    scene.rigid[0].material.mass = 1e-4;
+    scene.rigid[0].contact.continuous = on;
     Simulation simulation(scene, options());
     bool touched = false;
     double lowest = 1;
@@ -138,7 +138,7 @@ TEST(Continuous, FastBallIsStoppedByAPlate) {
     scene.gravity = {0, -600, 0};
     scene.rigid = {part_body("ball", "sphere", {0.02, 0, 0}, {0, 2.9, 0}),
                    part_body("plate", "box", {0.3, 0.005, 0.3}, {0, 0, 0})};
-    scene.rigid[0].continuous = on;
+    scene.rigid[0].contact.continuous = on;
     scene.rigid[1].fixed = true;
     Simulation simulation(scene, options());
     run(simulation, 12);

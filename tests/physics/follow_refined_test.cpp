@@ -70,9 +70,9 @@ TEST_P(RefinedFollowers, TouchingAtRandomIsBeingMadeAnew) {
     const PieceEdit edit = edit_between(refined.piece, now);
     ASSERT_TRUE(body.follower().can_follow(edit.mesh));
     body.follower().follow(edit.mesh, refined_embedding(refined, now));
-    SoftBody anew(desc, refined_anatomy(refined, now));
-    ASSERT_EQ(body.content_hash(), anew.content_hash());
-    ASSERT_TRUE(same_answers(body, anew, static_cast<unsigned>(followed)));
+    SoftBody rebuilt(desc, refined_anatomy(refined, now));
+    ASSERT_EQ(body.content_hash(), rebuilt.content_hash());
+    ASSERT_TRUE(same_answers(body, rebuilt, static_cast<unsigned>(followed)));
     const Anatomy& anatomy = body.anatomy();
     for (std::size_t v = 0; v < anatomy.embedding.rows.size(); ++v)
       ASSERT_LT((anatomy.embedding.apply(v, body.rest().data()) - anatomy.surface.positions[v]).norm(),

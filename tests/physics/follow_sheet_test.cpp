@@ -57,14 +57,14 @@ Way random_way(Random& random) {
   return ::testing::AssertionSuccess();
 }
 
-::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
-  const Anatomy &a = followed.anatomy(), &b = anew.anatomy();
-  if (followed.content_hash() != anew.content_hash() || a.quads != b.quads || a.triangles != b.triangles ||
-      followed.elements() != anew.elements())
+::testing::AssertionResult same(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+  const Anatomy &a = followed.anatomy(), &b = rebuilt.anatomy();
+  if (followed.content_hash() != rebuilt.content_hash() || a.quads != b.quads || a.triangles != b.triangles ||
+      followed.elements() != rebuilt.elements())
     return ::testing::AssertionFailure() << "another mesh";
   if (a.surface.triangles != b.surface.triangles || a.surface.positions != b.surface.positions)
     return ::testing::AssertionFailure() << "another surface";
-  return same_answers(followed, anew, seed);
+  return same_answers(followed, rebuilt, seed);
 }
 
 struct Rung {
@@ -100,12 +100,12 @@ class FollowingCloths final : public FollowingBodies {
     body.solver->follower().follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
     body.follow(surface, std::move(numbering));
   }
-  ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
+  ::testing::AssertionResult same(std::size_t body, Hung& rebuilt, unsigned seed) override {
     if (const auto springs =
-            prosector::same(springs_, make_sheet_springs(desc.material, anew.solver->anatomy()));
+            prosector::same(springs_, make_sheet_springs(desc.material, rebuilt.solver->anatomy()));
         !springs)
       return springs;
-    return prosector::same(*bodies[body].solver, *anew.solver, seed);
+    return prosector::same(*bodies[body].solver, *rebuilt.solver, seed);
   }
 
   SpringNetwork springs_;  // of what followed last

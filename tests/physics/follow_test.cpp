@@ -18,11 +18,11 @@
 namespace prosector {
 namespace {
 
-::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
-  const Anatomy &a = followed.anatomy(), &b = anew.anatomy();
-  if (followed.content_hash() != anew.content_hash() || a.tets.tets != b.tets.tets ||
-      followed.linear_tets().tets != anew.linear_tets().tets ||
-      followed.linear_tets().positions != anew.linear_tets().positions)
+::testing::AssertionResult same(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+  const Anatomy &a = followed.anatomy(), &b = rebuilt.anatomy();
+  if (followed.content_hash() != rebuilt.content_hash() || a.tets.tets != b.tets.tets ||
+      followed.linear_tets().tets != rebuilt.linear_tets().tets ||
+      followed.linear_tets().positions != rebuilt.linear_tets().positions)
     return ::testing::AssertionFailure() << "another mesh";
   if (a.surface.triangles != b.surface.triangles || a.surface.inner != b.surface.inner ||
       a.surface.positions != b.surface.positions ||
@@ -30,7 +30,7 @@ namespace {
         return p.node == q.node && p.weight == q.weight;
       }))
     return ::testing::AssertionFailure() << "another surface";
-  return same_answers(followed, anew, seed);
+  return same_answers(followed, rebuilt, seed);
 }
 
 /// Whether an organ that goes through the log, looking at all of the skin after each entry, has the surfaces
@@ -104,8 +104,8 @@ class FollowingBlocks final : public FollowingBodies {
     body.follow(*surface, std::move(numbering));
     ++surfaces;
   }
-  ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
-    return prosector::same(*bodies[body].solver, *anew.solver, seed);
+  ::testing::AssertionResult same(std::size_t body, Hung& rebuilt, unsigned seed) override {
+    return prosector::same(*bodies[body].solver, *rebuilt.solver, seed);
   }
   void end_stroke() override {
     ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc.material.density));
@@ -194,8 +194,8 @@ TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
     organ.follow(*edit);
     apply(edit->mesh, mesh);
     model->follow(desc.material, mesh, edit->mesh);
-    const auto anew = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
-    EXPECT_EQ(model->rest_trace(), anew->rest_trace());
+    const auto rebuilt = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
+    EXPECT_EQ(model->rest_trace(), rebuilt->rest_trace());
   }
 }
 

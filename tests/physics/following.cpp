@@ -36,23 +36,23 @@ AssertionResult same(const Numbering& a, const Numbering& b) {
 }
 
 AssertionResult same_vertices(TissueSurface& a, TissueSurface& b, const SoftBody& body) {
-  const SurfaceDetector &followed = a.vertices(), &anew = b.vertices();
-  if (!std::ranges::equal(followed.triangle_order(), anew.triangle_order()))
+  const SurfaceDetector &followed = a.vertices(), &rebuilt = b.vertices();
+  if (!std::ranges::equal(followed.triangle_order(), rebuilt.triangle_order()))
     return AssertionFailure() << "another order of triangles";
   if (vertices_in_order(a, body.rest()) != vertices_in_order(b, body.rest()))
     return AssertionFailure() << "another order of vertices";
   const TriangleMesh& surface = body.anatomy().surface;
   for (std::uint32_t vertex = 0; vertex < surface.positions.size(); ++vertex)
-    if (!std::ranges::equal(followed.around(vertex), anew.around(vertex)))
+    if (!std::ranges::equal(followed.around(vertex), rebuilt.around(vertex)))
       return AssertionFailure() << "other triangles around vertex " << vertex;
   for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle)
-    if (followed.neighbours(triangle) != anew.neighbours(triangle))
+    if (followed.neighbours(triangle) != rebuilt.neighbours(triangle))
       return AssertionFailure() << "other neighbours of triangle " << triangle;
   return AssertionSuccess();
 }
 
-AssertionResult same(const TriangleSurface& followed, const TriangleSurface& anew) {
-  const SurfaceTopology &a = followed.topology(), &b = anew.topology();
+AssertionResult same(const TriangleSurface& followed, const TriangleSurface& rebuilt) {
+  const SurfaceTopology &a = followed.topology(), &b = rebuilt.topology();
   if (!std::ranges::equal(a.triangles(), b.triangles()) || a.vertices() != b.vertices() ||
       a.closed() != b.closed() || !std::ranges::equal(a.pieces(), b.pieces()))
     return AssertionFailure() << "another topology";
@@ -67,8 +67,8 @@ AssertionResult same(const TriangleSurface& followed, const TriangleSurface& ane
     return p.box.lo == q.box.lo && p.box.hi == q.box.hi && p.begin == q.begin && p.end == q.end &&
            p.right == q.right;
   };
-  if (!std::ranges::equal(followed.tree().order(), anew.tree().order()) ||
-      !std::ranges::equal(followed.tree().nodes(), anew.tree().nodes(), same_node))
+  if (!std::ranges::equal(followed.tree().order(), rebuilt.tree().order()) ||
+      !std::ranges::equal(followed.tree().nodes(), rebuilt.tree().nodes(), same_node))
     return AssertionFailure() << "another tree";
   return AssertionSuccess();
 }
@@ -124,8 +124,8 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
 
 }  // namespace
 
-AssertionResult same_answers(SoftBody& followed, SoftBody& anew, unsigned seed) {
-  const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
+AssertionResult same_answers(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+  const std::vector<VecX> x = answers(followed, seed), y = answers(rebuilt, seed);
   for (std::size_t i = 0; i < x.size(); ++i)
     if (x[i].size() != y[i].size() || x[i] != y[i]) return AssertionFailure() << "answer " << i << " differs";
   return AssertionSuccess();
@@ -174,17 +174,17 @@ std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
   return out;
 }
 
-AssertionResult same_contact(Hung& followed, Hung& anew) {
-  AssertionResult out = same(followed.numbering, anew.numbering);
-  if (out) out = same_vertices(*followed.surface, *anew.surface, *anew.solver);
-  const TriangleSurface *a = followed.surface->faces(), *b = anew.surface->faces();
+AssertionResult same_contact(Hung& followed, Hung& rebuilt) {
+  AssertionResult out = same(followed.numbering, rebuilt.numbering);
+  if (out) out = same_vertices(*followed.surface, *rebuilt.surface, *rebuilt.solver);
+  const TriangleSurface *a = followed.surface->faces(), *b = rebuilt.surface->faces();
   if (out && (a == nullptr) != (b == nullptr))
     return AssertionFailure() << "faces where there are none, or none";
   if (out && b != nullptr) out = same(*a, *b);
   return out;
 }
 
-Hung FollowingBodies::made_anew(std::size_t body) const {
+Hung FollowingBodies::rebuild(std::size_t body) const {
   Hung out;
   out.solver = std::make_unique<SoftBody>(desc, anatomy_of(organ, organ.piece(body), out.numbering));
   out.solver->set_in_force(stiffness_, true);
@@ -193,7 +193,7 @@ Hung FollowingBodies::made_anew(std::size_t body) const {
 }
 
 void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(unsigned)>& next) {
-  bodies[0] = made_anew(0);
+  bodies[0] = rebuild(0);
   for (unsigned stroke = 0; stroke < count; ++stroke) {
     SCOPED_TRACE(::testing::Message() << "stroke " << stroke);
     const Stroke way = next(stroke);
@@ -226,7 +226,7 @@ void FollowingBodies::regroup(bool undone) {
   for (const std::size_t body : changed.bodies) {
     const auto edit = edit_since(organ, changed, organ.piece(body));
     if (!edit || !can_follow(*edit)) {
-      bodies[body] = made_anew(body);
+      bodies[body] = rebuild(body);
       not_followed += edit ? 1 : 0;
       continue;
     }
@@ -237,15 +237,15 @@ void FollowingBodies::regroup(bool undone) {
 }
 
 void FollowingBodies::compare(std::size_t body) {
-  Hung anew = made_anew(body);
-  ASSERT_TRUE(same(body, anew, compared_++)) << "body " << body;
-  ASSERT_TRUE(same_contact(bodies[body], anew)) << "body " << body;
+  Hung rebuilt = rebuild(body);
+  ASSERT_TRUE(same(body, rebuilt, compared_++)) << "body " << body;
+  ASSERT_TRUE(same_contact(bodies[body], rebuilt)) << "body " << body;
   const auto found = meetings_when_crumpled(bodies[body], compared_);
   const auto same_meeting = [](const VertexMeeting& a, const VertexMeeting& b) {
     return a.vertex == b.vertex && a.at.triangle == b.at.triangle && a.at.weights == b.at.weights &&
            a.normal == b.normal && a.gap == b.gap;
   };
-  ASSERT_TRUE(std::ranges::equal(found, meetings_when_crumpled(anew, compared_), same_meeting))
+  ASSERT_TRUE(std::ranges::equal(found, meetings_when_crumpled(rebuilt, compared_), same_meeting))
       << "body " << body << " meets itself elsewhere";
   meetings += found.size();
 }

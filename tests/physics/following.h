@@ -35,10 +35,10 @@ struct Hung {
 };
 
 /// Whether all that a step would ask of them is the same, bit for bit, at places that only `seed` tells.
-::testing::AssertionResult same_answers(SoftBody& followed, SoftBody& anew, unsigned seed);
+::testing::AssertionResult same_answers(SoftBody& followed, SoftBody& rebuilt, unsigned seed);
 
 /// Whether what hangs on a surface is the same, bit for bit.
-::testing::AssertionResult same_contact(Hung& followed, Hung& anew);
+::testing::AssertionResult same_contact(Hung& followed, Hung& rebuilt);
 
 /// Where the surface meets itself, crumpled in a way that `seed` changes a little.
 std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed);
@@ -69,7 +69,7 @@ class FollowingBodies {
   virtual void follow_cut(const PieceEdit& edit) = 0;
   virtual void follow_change(const PieceEdit& edit, const Regrouped& changed) = 0;
   /// Whether the body's solver is.
-  virtual ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) = 0;
+  virtual ::testing::AssertionResult same(std::size_t body, Hung& rebuilt, unsigned seed) = 0;
   virtual void end_stroke() {}
 
   Organ& organ;
@@ -77,7 +77,7 @@ class FollowingBodies {
   std::map<std::size_t, Hung> bodies;
 
  private:
-  Hung made_anew(std::size_t body) const;
+  Hung rebuild(std::size_t body) const;
   void regroup(bool undone);
   void compare(std::size_t body);
   double stiffness_;

@@ -72,7 +72,7 @@ TEST(Hand, TeleportStaysBounded) {
   // Friction holds at most μ·m·g/2 across the middle, at the base: a strain of 4·that/(E·section) there, and
   // none at the ends.
   const SoftDesc& desc = scene.soft[0];
-  const double friction = std::sqrt(desc.contact.friction * scene.rigid[0].friction);
+  const double friction = std::sqrt(desc.contact.friction * scene.rigid[0].contact.friction);
   const double held = friction * desc.material.density * desc.geometry.size.prod() * 9.81 / 2;
   const double strain =
       4 * held / (desc.material.youngs_modulus * desc.geometry.size.x() * desc.geometry.size.y());
@@ -83,7 +83,7 @@ TEST(Hand, TeleportStaysBounded) {
 TEST(Hand, ShapeRecoversFromTeleports) {
   SceneDesc scene;
   scene.rigid = {table()};
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {block()};
   scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};  // or it would leave the table
   Simulation simulation(scene, options());

@@ -64,7 +64,7 @@ TEST(Hold, TwoHandsLiftWhatOneCannot) {
   for (const bool both : {true, false}) {
     SceneDesc scene;
     scene.rigid = {table(), part_body("weight", "box", {0.3, 0.04, 0.08}, {0, 0.02, 0})};
-    scene.rigid[1].mass = 6;  // 59 N; a hand pulls with 40 N at most
+    scene.rigid[1].material.mass = 6;  // 59 N; a hand pulls with 40 N at most
     Simulation simulation(scene, options());
     std::vector<std::pair<ParticipantId, Vec3>> hands = {{1, {-0.08, 0.055, 0.045}}};
     if (both) hands.push_back({2, {0.08, 0.055, 0.045}});

@@ -10,6 +10,7 @@
 #include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
 #include "server/physics/mechanics/contact/element_surface.h"
 #include "server/physics/mechanics/soft/soft_body.h"
+#include "server/physics/stations/compile/compile.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
@@ -117,6 +118,15 @@ SoftDesc rope(const std::string& name, const std::string& model) {
   soft.geometry.size = {0.24, 0.01, 0.01};
   soft.material.youngs_modulus = 2e5;
   return soft;
+}
+
+TEST(Layers, ARopeThatTouchesItselfHasNoTrianglesAndNoMeanEdge) {
+  SceneDesc scene;
+  scene.soft = {rope("rope", "xpbd")};
+  scene.soft[0].contact.self_contact = true;
+  const CompiledScene compiled = compile(scene, options());
+  ASSERT_TRUE(compiled.soft[0].solver->anatomy().surface.triangles.empty());
+  EXPECT_EQ(compiled.soft[0].collision.cell, 0);
 }
 
 double mean_height(const Simulation& simulation, BodyId body) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/error.h"
 #include "server/physics/mechanics/organs/cut_records.h"
 #include "server/physics/mechanics/organs/organ.h"
 #include "server/physics/mechanics/soft/soft_body.h"
@@ -146,6 +147,37 @@ TEST(Organ, GoesBackToAMarkBitForBit) {
   EXPECT_EQ(bytes(organ), bytes(other));
 }
 
+TEST(Organ, RefusesALogThatSkipsTheIdOfATetrahedron) {
+  const Simulation simulation(block_and_scalpel(), options());
+  const SoftBody& body = simulation.soft(1);
+  const auto uncut = [&] { return Organ(0, body.anatomy(), body.desc().material.density); };
+  const Organ organ = uncut();
+  const TetComplex& complex = organ.complex();
+  SplitEdge split;
+  split.a = complex.corners(0)[0];
+  split.b = complex.corners(0)[1];
+  split.t = 0.5;
+  split.node = static_cast<NodeId>(complex.node_end());
+  split.first = static_cast<TetId>(complex.tet_end());
+  split.count = static_cast<std::uint32_t>(std::ranges::count_if(
+      complex.star(split.a), [&](TetId tet) { return has_corner(complex, tet, split.b); }));
+  TetId lowest = 0;  // of the tetrahedra that remain
+  while (has_corner(complex, lowest, split.a) && has_corner(complex, lowest, split.b)) ++lowest;
+  const auto restore = [&](const SplitEdge& op) {
+    OrganLog log(1);
+    log[0].ops = {op};
+    uncut().restore(std::move(log), {{0, lowest}}, 1);
+  };
+  EXPECT_NO_THROW(restore(split));
+  ++split.first;
+  try {
+    restore(split);
+    ADD_FAILURE() << "restored";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no edge split created"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Organ, WhatACutTakesAllTiesFromFallsAlsoThePieceThatKeepsTheName) {
   SceneDesc scene = block_and_scalpel();
   scene.gravity = Vec3(0, -9.81, 0);
@@ -182,7 +214,7 @@ TEST(Organ, WhatLiesOnItStaysWhereItIsWithTheFirstCut) {
   for (const Vec3& at : {Vec3(0.005, 0.067, 0), Vec3(0, 0.066, 0.022), Vec3(0, 0.066, -0.022),
                          Vec3(0.026, 0.066, 0.01), Vec3(0.026, 0.066, -0.014)}) {
     scene.rigid.push_back(part_body("weight", "box", {0.012, 0.01, 0.012}, at));
-    scene.rigid.back().friction = 1;
+    scene.rigid.back().contact.friction = 1;
   }
   loaf.contact.friction = 1;
   CompileOptions from_shape = options();

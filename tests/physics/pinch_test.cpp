@@ -174,7 +174,7 @@ TEST(Pinch, ARodHeldByItsEndDoesNotSwing) {
 
 TEST(Pinch, SmoothOrHeavyThingsSlip) {
   SceneDesc smooth = ball();
-  smooth.rigid[1].friction = 0.004;  // 3 N at either side bear 0.015 N of its 0.17 N
+  smooth.rigid[1].contact.friction = 0.004;  // 3 N at either side bear 0.015 N of its 0.17 N
   EXPECT_GT(pinch(smooth, 0.016).moved, 0.05);
   EXPECT_GT(pinch(ball(2e5), 0.016).moved, 0.05);  // 4.2 N, of which they bear 1.9 N
 }

@@ -17,7 +17,7 @@ SceneDesc tilted(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
   scene.rigid = {table()};
-  scene.rigid[0].parts[0].size = {40, 0.1, 40};
+  scene.rigid[0].geometry.parts[0].size = {40, 0.1, 40};
   return scene;
 }
 
@@ -33,7 +33,7 @@ SceneDesc slide() {
   SceneDesc scene = tilted(30);
   scene.rigid.push_back(part_body("box", "box", {0.12, 0.1, 0.08}, {0, 0.055, 0}));
   scene.rigid.push_back(part_body("bouncer", "sphere", {0.1, 0, 0}, {0, 1, 1}));
-  scene.rigid[0].restitution = scene.rigid[2].restitution = 0.7;
+  scene.rigid[0].contact.restitution = scene.rigid[2].contact.restitution = 0.7;
   return scene;
 }
 

@@ -27,15 +27,15 @@ struct PlainWorld::Impl {
   std::vector<std::unique_ptr<btRigidBody>> bodies;
 
   void add(const RigidDesc& desc) {
-    const Vec3 size = desc.parts[0].size;
+    const Vec3 size = desc.geometry.parts[0].size;
     const double r = size.x() / 2;
-    const bool sphere = desc.parts[0].shape == "sphere";
+    const bool sphere = desc.geometry.parts[0].shape == "sphere";
     if (sphere)
       shapes.push_back(std::make_unique<btSphereShape>(static_cast<btScalar>(r)));
     else
       shapes.push_back(std::make_unique<btBoxShape>(bullet(size / 2)));
     const double volume = sphere ? 4 * std::numbers::pi / 3 * r * r * r : size.prod();
-    const double mass = desc.fixed ? 0 : desc.density * volume;
+    const double mass = desc.fixed ? 0 : desc.material.density * volume;
     const Vec3 s = size.cwiseAbs2();
     const Vec3 inertia = sphere ? Vec3::Constant(0.4 * mass * r * r)
                                 : Vec3(mass / 12 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()));
@@ -43,8 +43,8 @@ struct PlainWorld::Impl {
                                                   bullet(inertia));
     info.m_startWorldTransform.setIdentity();
     info.m_startWorldTransform.setOrigin(bullet(desc.pose.p));
-    info.m_friction = static_cast<btScalar>(desc.friction);
-    info.m_restitution = static_cast<btScalar>(desc.restitution);
+    info.m_friction = static_cast<btScalar>(desc.contact.friction);
+    info.m_restitution = static_cast<btScalar>(desc.contact.restitution);
     info.m_linearSleepingThreshold = 0.02F;
     info.m_angularSleepingThreshold = 0.1F;
     bodies.push_back(std::make_unique<btRigidBody>(info));

@@ -26,8 +26,8 @@ TEST(Rigid, InclineSlidesBeyondTheFrictionAngleOnly) {
     const double angle = degrees * std::numbers::pi / 180;
     scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
     scene.rigid = {table(), part_body("box", "box", {0.1, 0.05, 0.1}, {-0.5, 0.0251, 0})};
-    scene.rigid[0].friction = 0.6;
-    scene.rigid[1].friction = 0.5;  // Bullet takes the product: 0.3
+    scene.rigid[0].contact.friction = 0.6;
+    scene.rigid[1].contact.friction = 0.5;  // Bullet takes the product: 0.3
     Simulation simulation(scene, options());
     run(simulation, 30);
     const double from = simulation.rigid_state(1).pose.p.x();
@@ -64,7 +64,7 @@ TEST(Rigid, MassesFollowClosedForms) {
 TEST(Rigid, TwoHundredBoxesStayFinite) {
   SceneDesc scene;
   scene.rigid = {table()};
-  scene.rigid[0].parts[0].size = {20, 0.1, 20};  // some roll far
+  scene.rigid[0].geometry.parts[0].size = {20, 0.1, 20};  // some roll far
   for (int i = 0; i < 200; ++i)
     scene.rigid.push_back(part_body("box" + std::to_string(i), "box", {0.05, 0.05, 0.05},
                                     {0.06 * (i % 5), 0.03 + 0.06 * (i / 25), 0.06 * (i / 5 % 5)}));

@@ -30,7 +30,7 @@ SceneDesc slope(double sine, bool on_the_rooms_floor) {
 SceneDesc rigid_ball(double sine, double resistance, bool on_the_rooms_floor) {
   SceneDesc scene = slope(sine, on_the_rooms_floor);
   scene.rigid.push_back(part_body("ball", "sphere", Vec3::Constant(2 * radius), {0, radius, 0}));
-  scene.rigid.back().rolling_resistance = resistance;
+  scene.rigid.back().contact.rolling_resistance = resistance;
   return scene;
 }
 

@@ -28,14 +28,14 @@ SceneDesc in_room(bool floor = true, bool walls = true) {
   return scene;
 }
 
-struct Told {
+struct BodyNote {
   std::string body, note;
   std::uint64_t tick;
 };
 
 /// What a run tells of bodies that were put back.
-std::vector<Told> run_and_listen(Simulation& simulation, int ticks, const TickInput& input = {}) {
-  std::vector<Told> out;
+std::vector<BodyNote> run_and_listen(Simulation& simulation, int ticks, const TickInput& input = {}) {
+  std::vector<BodyNote> out;
   TickInput now = input;
   for (int i = 0; i < ticks; ++i) {
     for (const BodyReport& row : simulation.step(now).bodies)
@@ -60,18 +60,19 @@ std::vector<RigidDesc> one_of_each_shape(double y) {
   for (const Fidelity collision : {Fidelity::mesh, Fidelity::sphere, Fidelity::obb}) {
     out.push_back(
         part_body(std::string(fidelity_name(collision)), "box", {0.06, 0.06, 0.06}, {0.3 * ++k, y, 0}));
-    out.back().collision = collision;
-    out.back().parts.push_back(out.back().parts.front());
-    out.back().parts.back().pose.p.x() = 0.06;
+    out.back().contact.collision = collision;
+    std::vector<PartDesc>& parts = out.back().geometry.parts;
+    parts.push_back(parts.front());
+    parts.back().pose.p.x() = 0.06;
   }
   for (const Fidelity collision : {Fidelity::mesh, Fidelity::hull}) {  // a ring of triangles
     RigidDesc ring;
     ring.name = fmt::format("ring {}", fidelity_name(collision));
-    ring.collision = collision;
+    ring.contact.collision = collision;
     CurveDesc curve;
     curve.kind = "ellipse";
     curve.diameter = 0.02;
-    ring.curves = {curve};
+    ring.geometry.curves = {curve};
     ring.pose.p = {0.3 * ++k - 3, y, 0};
     out.push_back(ring);
   }
@@ -86,9 +87,9 @@ TEST(Room, RigidBodiesOfEveryShapeRestOnTheFloor) {
   for (BodyId body = 0; body < scene.rigid.size(); ++body) {
     const RigidBodyState state = simulation.rigid_state(body);
     EXPECT_LT(state.linear_velocity.norm(), 0.02) << simulation.name(body);
-    const double lowest = !scene.rigid[body].curves.empty()                 ? 0.01  // it lies flat
-                          : scene.rigid[body].collision == Fidelity::sphere ? 0.05
-                                                                            : 0.03;
+    const double lowest = !scene.rigid[body].geometry.curves.empty()                ? 0.01  // it lies flat
+                          : scene.rigid[body].contact.collision == Fidelity::sphere ? 0.05
+                                                                                    : 0.03;
     EXPECT_GT(state.pose.p.y(), lowest - 0.002) << simulation.name(body);
     EXPECT_LT(state.pose.p.y(), 0.08) << simulation.name(body);
   }
@@ -159,8 +160,8 @@ TEST(Room, TissueThatIsFastStopsAtTheWall) {
   scene.soft = {block()};
   scene.soft[0].pose.p = {2, 1, 0};
   Simulation simulation(scene, options());
-  for (const Told& told : run_and_listen(simulation, 200))
-    EXPECT_EQ(told.note.find("room"), std::string::npos) << told.note;
+  for (const BodyNote& report : run_and_listen(simulation, 200))
+    EXPECT_EQ(report.note.find("room"), std::string::npos) << report.note;
   EXPECT_LT(extent(simulation, 0, 0).second, RoomShape().width / 2 + 0.01);
   EXPECT_GT(extent(simulation, 0, 0).first, RoomShape().width / 2 - 0.12);
   // What so hard a blow turned inside out is whole again.
@@ -276,15 +277,15 @@ SceneDesc without_floor() {
 
 TEST(Room, WhatIsLostComesBackOnceAndIsSaidOnce) {
   Simulation simulation(without_floor(), options());
-  std::vector<Told> told = run_and_listen(simulation, 60);
-  EXPECT_TRUE(told.empty()) << "lost within a second";
+  std::vector<BodyNote> reports = run_and_listen(simulation, 60);
+  EXPECT_TRUE(reports.empty()) << "lost within a second";
   EXPECT_LT(simulation.rigid_state(0).pose.p.y(), -1);
-  told = run_and_listen(simulation, 600);
-  ASSERT_EQ(told.size(), 4u);
+  reports = run_and_listen(simulation, 600);
+  ASSERT_EQ(reports.size(), 4u);
   for (const char* body : {"ball", "block"}) {
-    std::vector<Told> own;
-    std::copy_if(told.begin(), told.end(), std::back_inserter(own),
-                 [&](const Told& t) { return t.body == body; });
+    std::vector<BodyNote> own;
+    std::copy_if(reports.begin(), reports.end(), std::back_inserter(own),
+                 [&](const BodyNote& t) { return t.body == body; });
     ASSERT_EQ(own.size(), 2u) << body;
     EXPECT_NE(own[0].note.find("left the room: moved back to its initial position"), std::string::npos)
         << own[0].note;
@@ -305,9 +306,9 @@ TEST(Room, WhatSomebodyTakesAndDropsMayBeLostAnew) {
   ASSERT_TRUE(simulation.hands()[0].holding);
   run(simulation, 5, target(at));
   simulation.step(event(HandEvent::Kind::release, at));
-  const std::vector<Told> told = run_and_listen(simulation, 300, event(HandEvent::Kind::vanish, at));
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_NE(told[0].note.find("moved back to its initial position"), std::string::npos);
+  const std::vector<BodyNote> reports = run_and_listen(simulation, 300, event(HandEvent::Kind::vanish, at));
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_NE(reports[0].note.find("moved back to its initial position"), std::string::npos);
 }
 
 TEST(Room, StateHoldsWhatWasLost) {
@@ -317,8 +318,8 @@ TEST(Room, StateHoldsWhatWasLost) {
   Simulation restored(without_floor(), options());
   restored.restore(saved);
   EXPECT_EQ(restored.state_hash(), through.state_hash());
-  const std::vector<Told> told = run_and_listen(restored, 300);
-  ASSERT_EQ(told.size(), 2u) << "both rest where they are";
+  const std::vector<BodyNote> reports = run_and_listen(restored, 300);
+  ASSERT_EQ(reports.size(), 2u) << "both rest where they are";
   run(through, 300);
   EXPECT_EQ(restored.state_hash(), through.state_hash());
 }
@@ -328,8 +329,8 @@ TEST(Room, WithoutWallsWhatFliesOffComesBack) {
   scene.gravity = {20, -9.81, 0};
   scene.rigid = {part_body("ball", "sphere", {0.05, 0, 0}, {0, 1, 0})};
   Simulation simulation(scene, options());
-  const std::vector<Told> told = run_and_listen(simulation, 600);
-  EXPECT_EQ(told.size(), 2u);
+  const std::vector<BodyNote> reports = run_and_listen(simulation, 600);
+  EXPECT_EQ(reports.size(), 2u);
   EXPECT_NEAR(simulation.rigid_state(0).pose.p.x(), 0, 1e-6);
 }
 

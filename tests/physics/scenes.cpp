@@ -104,9 +104,9 @@ RigidDesc part_body(const std::string& name, const std::string& shape, const Vec
   PartDesc part;
   part.shape = shape;
   part.size = size;
-  out.parts = {part};
+  out.geometry.parts = {part};
   out.pose.p = at;
-  out.density = density;
+  out.material.density = density;
   return out;
 }
 

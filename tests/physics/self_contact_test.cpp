@@ -191,7 +191,7 @@ TEST_P(StruckClamp, KeepsMomentumAndGainsNoEnergy) {
   scene.tick_rate = 240;
   scene.rigid = {part_body("plate", "box", {0.03, 0.01, 0.04}, {0.03, 0.081, 0})};
   scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {soft};
   Simulation simulation(scene, clamps());
   const auto strike = [&](double y) {
@@ -253,7 +253,7 @@ TEST(SelfContactOf, RubsByFriction) {
     SceneDesc scene = on_a_table(clamp());
     scene.gravity = {0, -9.81, 1};
     scene.soft[0].contact.friction = friction;
-    scene.rigid[0].friction = 1 / friction;  // of both bodies: 1
+    scene.rigid[0].contact.friction = 1 / friction;  // of both bodies: 1
     Simulation simulation(scene, clamps());
     const auto slant = [&] {
       const std::vector<Vec3> now = surface_now(simulation, 1);

@@ -36,7 +36,7 @@ TEST(Soft, RestsOnTheTableAsleepFromTheStart) {
 TEST(Soft, HandPressesAndTheBlockComesBackAndSleeps) {
   SceneDesc scene = block_on_table();
   scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};  // or the hand would drag it along the table
-  scene.rigid[0].friction = 0;                      // dry friction may hold a part of the strain
+  scene.rigid[0].contact.friction = 0;              // dry friction may hold a part of the strain
   Simulation simulation(scene, options());
   simulation.step(appear(palm_over(0.03)));
   EXPECT_TRUE(simulation.asleep(1));
@@ -89,7 +89,7 @@ TEST(Soft, SleepsOnlyWhenItsStressHasRelaxed) {
   SceneDesc scene = block_on_table();
   scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};
   scene.soft[0].material.relaxation = {{0.5, 3}};
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   Simulation simulation(scene, options());
   const double rest = height(simulation, 1);
   simulation.step(appear(palm_over(0.02)));

@@ -108,7 +108,7 @@ TEST_P(ThinEnergy, SheetOnAThinRod) {
   SceneDesc scene;
   RigidDesc rod = part_body("rod", "capsule", {0.01, 0.3, 0.01}, {0, 0, 0});
   rod.fixed = true;
-  rod.friction = 2;
+  rod.contact.friction = 2;
   rod.pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
   scene.rigid = {rod};
   scene.soft = {thin("sheet", "sheet", GetParam())};

@@ -35,7 +35,7 @@ SceneDesc slope(double angle) {
   SceneDesc scene;
   scene.gravity = gravity * Vec3(std::sin(angle), -std::cos(angle), 0);
   scene.rigid = {table()};
-  scene.rigid[0].friction = friction;
+  scene.rigid[0].contact.friction = friction;
   return scene;
 }
 
@@ -127,7 +127,7 @@ TEST_P(ThinFriction, SlidesOnASheetAboveIt) {
 /// On ice: what one sheet loses the other gets, until they go together.
 TEST_P(ThinFriction, SheetTakesAFreeSheetAlong) {
   SceneDesc scene = slope(0);
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {sheet("lower", GetParam(), 0.2, 0.14), sheet("upper", GetParam(), 0.08, 0.08)};
   scene.soft[0].pose.p = {0, 0.0035, 0};
   scene.soft[1].pose.p = {-0.03, 0.036, 0.003};

@@ -24,7 +24,7 @@ TEST(Rod, ClosestPointsOfSegmentAndTriangle) {
 SceneDesc bed(double mass) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("tip", "sphere", {0.006, 0, 0}, {0.002, 0.0340, 0.001})};
-  scene.rigid[1].mass = mass;
+  scene.rigid[1].material.mass = mass;
   scene.soft = {block()};
   scene.soft[0].geometry.size = {0.06, 0.03, 0.06};
   scene.soft[0].geometry.cell = scene.soft[0].geometry.surface_cell = 0.006;

@@ -11,7 +11,7 @@ SceneDesc under_ball(SoftDesc tissue, double radius, const Vec3& middle) {
   scene.gravity = Vec3::Zero();
   scene.rigid = {part_body("ball", "sphere", {2 * radius, 0, 0}, middle)};
   scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
+  scene.rigid[0].contact.friction = 0;
   scene.soft = {std::move(tissue)};
   return scene;
 }

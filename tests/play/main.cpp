@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "common/error.h"
+#include "common/former_option_name.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "server/calibration/choose_scene.h"
@@ -132,24 +133,27 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   using namespace prosector::test;
   Options options;
-  CLI::App app("People play at random in scenes; the organs are judged when they have left.");
-  app.add_option("scenes", options.scenes, "scene files");
-  app.add_option("--watch", options.watch, "a journal to run again instead, telling how its organs are");
-  app.add_option("--from", options.from, "tick from which it tells");
-  app.add_option("--to", options.to, "tick at which it ends");
-  app.add_option("--every", options.every, "ticks between two lines");
-  app.add_option("--seed", options.seed, "of the first run");
-  app.add_option("--seeds", options.seeds, "how many runs a scene, each of the next seed");
-  app.add_option("--people", options.people, "who play at once");
-  app.add_option("--bouts", options.bouts, "of play and rest, a run");
-  app.add_option("--bout", options.bout, "s of play");
-  app.add_option("--rest", options.rest, "s of rest, then the organs are judged");
-  app.add_option("--threads", options.threads, "of the simulation");
-  app.add_option("--model", options.model, "of every solid organ, instead of the scene's");
-  app.add_option("--element", options.element, "likewise");
-  app.add_flag("--saves", options.saves, "save and restore the state after every tick, and compare");
-  app.add_flag("--tell", options.tell, "say how the organs are while they rest");
-  app.add_option("--json", options.json, "file for the figures");
+  CLI::App app("Simulated users play at random in scenes; then the organs are checked.");
+  app.add_option("scenes", options.scenes, "Scene files");
+  app.add_option("--watch", options.watch, "Re-run this journal instead, and print the organs' state");
+  app.add_option("--from", options.from, "With --watch: first tick that is printed");
+  app.add_option("--to", options.to, "With --watch: last tick");
+  app.add_option("--every", options.every, "With --watch: ticks between two printed lines");
+  app.add_option("--seed", options.seed, "Random seed of the first run");
+  app.add_option("--seeds", options.seeds, "Number of runs per scene, with consecutive seeds");
+  CLI::Option* users = app.add_option("--users", options.people, "Number of simulated users");
+  prosector::accept_former_name(app, *users, "--people");
+  app.add_option("--bouts", options.bouts, "Number of bouts per run, each of play and rest");
+  app.add_option("--bout", options.bout, "Duration of play in a bout, s");
+  app.add_option("--rest", options.rest, "Duration of rest in a bout, s; the organs are checked after it");
+  app.add_option("--threads", options.threads, "Threads of the simulation");
+  app.add_option("--model", options.model, "Model of every solid organ (default: the scene's)");
+  app.add_option("--element", options.element, "Element type of every solid organ (default: the scene's)");
+  app.add_flag("--saves", options.saves, "Save and restore the state after every tick, and compare");
+  CLI::Option* verbose =
+      app.add_flag("--verbose", options.tell, "Also print the organs' state while they rest");
+  prosector::accept_former_name(app, *verbose, "--tell");
+  app.add_option("--json", options.json, "File to write the figures to");
   CLI11_PARSE(app, argc, argv);
   try {
     return run(options);

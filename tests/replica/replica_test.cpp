@@ -144,10 +144,10 @@ TEST(Replica, KnowsTheEdgesOfABlade) {
     return replica;
   };
   const Replica good = received({{0, 0, -0.5}, {0, 0, -1}, {1, 0, 0}, {2, 0, 0}});
-  ASSERT_EQ(good.rigid(0)->edges.size(), 2u);
-  EXPECT_EQ(good.rigid(0)->edges[1].to, Vec3(2, 0, 0));
+  ASSERT_EQ(good.bodies().rigid(0)->edges.size(), 2u);
+  EXPECT_EQ(good.bodies().rigid(0)->edges[1].to, Vec3(2, 0, 0));
   const Replica bad = received({{0, 0, -0.5}, {0, 0, -1}, {1, 0, 0}});
-  EXPECT_TRUE(bad.rigid(0)->edges.empty()) << "one without its other end";
+  EXPECT_TRUE(bad.bodies().rigid(0)->edges.empty()) << "one without its other end";
   EXPECT_EQ(bad.refused(), 1u);
 }
 
@@ -174,10 +174,10 @@ TEST(Replica, CarriesTheSurfaceWithTheStreamedPoints) {
            session(), s.scene(), SmallScene::chunk(s.mesh_asset), SmallScene::chunk(s.map_asset), s.first(),
            s.soft(0, 10, Vec3::Zero()), s.soft(1, 10, Vec3::Zero()), s.soft(0, 11, {0, 0, 0.5})})
     feed(replica, m);
-  ASSERT_TRUE(replica.soft(0)->sample(10.5, dt));
-  EXPECT_NEAR(static_cast<double>(replica.soft(0)->surface()[1].z()), 0.25, 1e-6);
-  EXPECT_TRUE(replica.soft(0)->sample(11, dt));
-  EXPECT_FALSE(replica.soft(0)->sample(12, dt));  // nothing moved any more
+  ASSERT_TRUE(replica.bodies().soft(0)->sample(10.5, dt));
+  EXPECT_NEAR(static_cast<double>(replica.bodies().soft(0)->surface()[1].z()), 0.25, 1e-6);
+  EXPECT_TRUE(replica.bodies().soft(0)->sample(11, dt));
+  EXPECT_FALSE(replica.bodies().soft(0)->sample(12, dt));  // nothing moved any more
 }
 
 TEST(Replica, SettledOverridesALostLastChunk) {
@@ -191,8 +191,8 @@ TEST(Replica, SettledOverridesALostLastChunk) {
                             SmallScene::chunk(s.map_asset), s.first(), s.soft(0, 10, Vec3::Zero()), settled})
     feed(replica, m);
   ASSERT_TRUE(replica.complete());
-  replica.soft(0)->sample(30, dt);
-  EXPECT_NEAR(replica.soft(0)->points()[2].z(), 1, 1e-6);
+  replica.bodies().soft(0)->sample(30, dt);
+  EXPECT_NEAR(replica.bodies().soft(0)->points()[2].z(), 1, 1e-6);
 }
 
 TEST(Replica, CountsContradictionsAndGoesOn) {

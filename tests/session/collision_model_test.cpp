@@ -12,7 +12,7 @@ namespace {
 /// An L of two boxes as one mesh, turned in the scene.
 RigidDesc bracket() {
   RigidDesc body;
-  body.mesh = "bracket.obj";
+  body.geometry.mesh = "bracket.obj";
   body.pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
   return body;
 }
@@ -40,12 +40,12 @@ TEST(CollisionModel, OutlinesEncloseTheSurface) {
   const TriangleMesh mesh = surface();
   for (const Fidelity fidelity : {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull}) {
     const std::string_view word = fidelity_name(fidelity);
-    body.collision = fidelity;
+    body.contact.collision = fidelity;
     const auto outline = collision_outline(body, mesh);
     ASSERT_TRUE(outline) << word;
     for (const Vec3& x : mesh.positions) EXPECT_LT(outside(*outline, x), 5e-4) << word;
   }
-  body.collision = Fidelity::aabb;
+  body.contact.collision = Fidelity::aabb;
   const TriangleMesh box = collision_outline(body, mesh).value();
   for (const auto& t : box.triangles) {
     const auto& p = box.positions;
@@ -56,12 +56,12 @@ TEST(CollisionModel, OutlinesEncloseTheSurface) {
 
 TEST(CollisionModel, OthersCollideAsTheirSurfaceOrNotAtAll) {
   RigidDesc body = bracket();
-  body.collision = Fidelity::mesh;
+  body.contact.collision = Fidelity::mesh;
   EXPECT_FALSE(collision_outline(body, surface()));
-  body.collision = Fidelity::none;
+  body.contact.collision = Fidelity::none;
   EXPECT_FALSE(collision_outline(body, surface()));
-  body.collision = Fidelity::hull;
-  body.parts.resize(1);
+  body.contact.collision = Fidelity::hull;
+  body.geometry.parts.resize(1);
   EXPECT_FALSE(collision_outline(body, surface())) << "its parts are convex as they are";
 }
 

@@ -90,14 +90,14 @@ class Asked {
   /// Gives a command. Returns its answer.
   CommandResult answer(const CommandBody& body) {
     const std::vector<Received> received = {from(asker, Command{asker, 9, body})};
-    if (session_.pacing().stands()) {
+    if (session_.pacing().is_stopped()) {
       session_.listen(received);
-      if (!session_.pacing().stands()) tick({});
+      if (!session_.pacing().is_stopped()) tick({});
     } else {
       tick(received);
     }
     std::optional<CommandResult> out;
-    for (const Outgoing& outgoing : session_.take_outgoing())
+    for (const Outgoing& outgoing : session_.output().take_outgoing())
       if (const auto* result = std::get_if<CommandResult>(&outgoing.message);
           result && result->sequence == 9) {
         EXPECT_FALSE(out) << "answered twice";
@@ -144,13 +144,13 @@ void expect_answer(char expected, const CommandBody& body, bool recording, bool 
                                   << (recording ? ", recording" : ", live") << (stopped ? ", stopped" : ""));
   Asked asked(recording, role != Role::host, role);
   asked.session().set_pace(stopped ? 0 : 1);
-  const std::uint64_t dropped = asked.session().dropped_total();
+  const std::uint64_t dropped = asked.session().output().dropped_total();
   const CommandResult answer = asked.answer(body);
   EXPECT_EQ(answer.accepted, expected == '+') << answer.reason;
   EXPECT_TRUE(answer.reason.starts_with(reasons.at(expected))) << answer.reason;
   const bool counted = expected == 'O' || (expected == 'H' && !std::holds_alternative<Seek>(body));
-  EXPECT_EQ(asked.session().dropped_total() - dropped, counted ? 1u : 0u);
-  const CommandCount& count = asked.session().commands()[body.index()];
+  EXPECT_EQ(asked.session().output().dropped_total() - dropped, counted ? 1u : 0u);
+  const CommandCount& count = asked.session().output().commands()[body.index()];
   EXPECT_EQ(count.refused, answer.accepted ? 0u : 1u);
 }
 
@@ -188,7 +188,7 @@ TEST(CommandTable, TheHostsRewindRunsASingleTickOfStoppedTime) {
     asked.session().set_pace(0);
     EXPECT_EQ(asked.answer(body).accepted,
               body.index() != command_number<Rewind>() || std::get<Rewind>(body).body == 2);
-    EXPECT_TRUE(asked.session().pacing().stands()) << "the tick is over";
+    EXPECT_TRUE(asked.session().pacing().is_stopped()) << "the tick is over";
     EXPECT_EQ(asked.session().pacing().pace(), 0);
   }
 }

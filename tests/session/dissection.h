@@ -72,7 +72,7 @@ struct Dissection {
 
 /// Largest distance of what a client draws from what the server has, m.
 inline double error(const Simulation& simulation, Guest& guest, BodyId body) {
-  SoftReplica* soft = guest.replica.soft(body);
+  SoftReplica* soft = guest.replica.bodies().soft(body);
   if (soft == nullptr) return 1;
   soft->sample(static_cast<double>(simulation.time().tick) + 1, 1.0 / 60);
   const Anatomy& anatomy = simulation.soft(body).anatomy();

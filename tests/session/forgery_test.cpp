@@ -86,7 +86,9 @@ struct Room {
   std::vector<HandTarget> targets;  // all that were consumed
 
   bool ada_is_in() const { return session.roster().members().contains(ada_id); }
-  std::uint64_t refused() const { return server->counters().dropped_total + session.dropped_total(); }
+  std::uint64_t refused() const {
+    return server->counters().dropped_total + session.output().dropped_total();
+  }
 
   /// Ticks until `done`, for at most `limit`; what `done` returned last.
   template <class Done>
@@ -147,8 +149,9 @@ TEST_P(Forgery, AForgedPresenceThatEndsTakesNobodyAlong) {
   auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   rogue->publish(presence_of(ada_id, "ada"));
-  EXPECT_TRUE(room.pump(
-      5000ms, [&] { return room.session.dropped().contains("Presence: another process's participant"); }));
+  EXPECT_TRUE(room.pump(5000ms, [&] {
+    return room.session.output().dropped().contains("Presence: another process's participant");
+  }));
   rogue.reset();
   room.pump(500ms, [] { return false; });
   EXPECT_TRUE(room.ada_is_in());

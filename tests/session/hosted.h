@@ -107,7 +107,7 @@ inline Vec3 press(std::uint64_t t) {
 
 /// Largest distance of the guest's drawn surface from the server's.
 inline double surface_error(Hosted& hosted, Guest& guest) {
-  SoftReplica* soft = guest.replica.soft(Hosted::liver);
+  SoftReplica* soft = guest.replica.bodies().soft(Hosted::liver);
   if (soft == nullptr) return 1;
   soft->sample(static_cast<double>(hosted.simulation.time().tick) + 1, 1.0 / 60);  // the newest it has
   const SparseMap& map = hosted.simulation.soft(Hosted::liver).anatomy().embedding;

@@ -234,7 +234,7 @@ TEST(JournalDamage, AFlippedBitOfTheLogIsSaidAndWhatCameBeforeItIsKept) {
   };
   put(log);
   EXPECT_EQ(JournalReader(copy.path).last_tick(), 20u);
-  EXPECT_EQ(JournalReader(copy.path).trouble(), "");
+  EXPECT_EQ(JournalReader(copy.path).error(), "");
   std::mt19937_64 random(23);
   for (int i = 0; i < 30; ++i) {
     std::string flipped = log;
@@ -242,13 +242,13 @@ TEST(JournalDamage, AFlippedBitOfTheLogIsSaidAndWhatCameBeforeItIsKept) {
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << random() % 8));
     put(flipped);
     const JournalReader reader(copy.path);
-    EXPECT_NE(reader.trouble().find("-wal is damaged"), std::string::npos) << "byte " << at;
+    EXPECT_NE(reader.error().find("-wal is damaged"), std::string::npos) << "byte " << at;
     Simulation simulation(test::hosted_scene(), test::options());
     EXPECT_TRUE(replay(reader, simulation, {})) << "byte " << at;
   }
   // Half a tick, as a crash leaves it, is no damage.
   put(log.substr(0, log.size() - 1000));
-  EXPECT_EQ(JournalReader(copy.path).trouble(), "");
+  EXPECT_EQ(JournalReader(copy.path).error(), "");
 }
 
 /// A folder that only root may write, seen by somebody else while it lives (tests run as root or not).
@@ -295,9 +295,9 @@ TEST(JournalPlace, IsReadByOthersAndWhereNothingCanBeWritten) {
   place.lock();
   const JournalReader whole(folder / "whole"), alone(folder / "without its log");
   EXPECT_EQ(whole.last_tick(), 20u);
-  EXPECT_EQ(whole.trouble(), "");
+  EXPECT_EQ(whole.error(), "");
   EXPECT_EQ(alone.header().session, "prosector");
-  EXPECT_NE(alone.trouble().find("-wal is not in the same folder"), std::string::npos) << alone.trouble();
+  EXPECT_NE(alone.error().find("-wal is not in the same folder"), std::string::npos) << alone.error();
 }
 
 TEST(JournalPlace, EndsAsOneFileThatIsReadAnywhere) {
@@ -309,7 +309,7 @@ TEST(JournalPlace, EndsAsOneFileThatIsReadAnywhere) {
   std::filesystem::copy_file(file.path, folder / "whole");
   place.lock();
   EXPECT_EQ(JournalReader(folder / "whole").last_tick(), 21u);
-  EXPECT_EQ(JournalReader(folder / "whole").trouble(), "");
+  EXPECT_EQ(JournalReader(folder / "whole").error(), "");
 }
 
 TEST(JournalPlace, IsExportedWholeWhileItIsWritten) {

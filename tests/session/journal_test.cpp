@@ -248,12 +248,12 @@ TEST(Journal, AFullDiskStopsTheJournalNotTheSession) {
   Guest ada = hosted.guest(1, BusEnd::dissector);
   ada.greet("ada", Role::dissector);
   std::uint64_t t = 0;
-  while (journal->trouble().empty() && t < 20000) {
+  while (journal->error().empty() && t < 20000) {
     ada.bus->publish(ada.hand_at({0.5, 0.5, 0.001 * static_cast<double>(t++ % 100)}));
     hosted.tick();
     ada.take();
   }
-  EXPECT_NE(journal->trouble().find("full"), std::string::npos) << journal->trouble();
+  EXPECT_NE(journal->error().find("full"), std::string::npos) << journal->error();
   const auto before = hosted.simulation.time().tick;
   for (int i = 0; i < 30; ++i) hosted.tick();
   EXPECT_EQ(hosted.simulation.time().tick, before + 30);

@@ -119,7 +119,7 @@ TEST(ServerLoop, ALateComerSeesTheSameInMotion) {
   EXPECT_TRUE(eve.replica.complete()) << eve.replica.missing();
   EXPECT_LT(test::surface_error(hosted, eve), 1e-4);
   EXPECT_EQ(eve.replica.roster().size(), 2u);
-  EXPECT_EQ(eve.replica.topology_hash(), pressing.ada.replica.topology_hash());
+  EXPECT_EQ(eve.replica.bodies().topology_hash(), pressing.ada.replica.bodies().topology_hash());
   // What came to rest before: the ball, which fell from where the scene has it.
   const Pose ball = hosted.simulation.rigid_state(1).pose;
   EXPECT_GT((ball.p - hosted.simulation.scene().rigid[1].pose.p).norm(), 0.1);
@@ -201,7 +201,7 @@ TEST(ServerLoop, WhatAnObserverSendsChangesNoBit) {
     }
     hashes.push_back(hosted.simulation.state_hash());
     if (garbage) {
-      EXPECT_GT(hosted.loop.session().dropped_total(), 100u);
+      EXPECT_GT(hosted.loop.session().output().dropped_total(), 100u);
       EXPECT_FALSE(eve.results.back().accepted);
     }
   }
@@ -300,7 +300,7 @@ TEST(ServerLoop, KeepsItsRate) {
 }
 
 TEST(BodyMeter, SaysOfABodyThatNeverWokeHowItWillBeStepped) {
-  const auto told = [](const char* model, const char* integrator, double damping = 0.01) {
+  const auto status_of = [](const char* model, const char* integrator, double damping = 0.01) {
     SceneDesc scene = test::hosted_scene();
     scene.soft[0].configuration.model = model;
     scene.soft[0].configuration.integrator = integrator;
@@ -310,13 +310,13 @@ TEST(BodyMeter, SaysOfABodyThatNeverWokeHowItWillBeStepped) {
     return BodyMeter(simulation, {}).newest().at(Hosted::liver);
   };
   const double tick = 1. / 60;
-  EXPECT_EQ(told("fem_corotational", "implicit_euler").substeps, 0u);
-  EXPECT_EQ(told("fem_corotational", "implicit_euler").step, tick);
-  EXPECT_EQ(told("xpbd", "implicit_euler").substeps, 7u);
-  EXPECT_EQ(told("xpbd", "implicit_euler").step, tick / 7);
-  EXPECT_GT(told("fem_corotational", "symplectic_euler").substeps, 1u);
+  EXPECT_EQ(status_of("fem_corotational", "implicit_euler").substeps, 0u);
+  EXPECT_EQ(status_of("fem_corotational", "implicit_euler").step, tick);
+  EXPECT_EQ(status_of("xpbd", "implicit_euler").substeps, 7u);
+  EXPECT_EQ(status_of("xpbd", "implicit_euler").step, tick / 7);
+  EXPECT_GT(status_of("fem_corotational", "symplectic_euler").substeps, 1u);
   // Undamped it holds at no step: implicit Euler will step it.
-  EXPECT_EQ(told("fem_corotational", "explicit_euler", 0).substeps, 0u);
+  EXPECT_EQ(status_of("fem_corotational", "explicit_euler", 0).substeps, 0u);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_F(HandOnTime, RefusesWhatIsOutOfBounds) {
   EXPECT_NE(ask(ada, SetPace{min_pace / 2}).reason.find("allowed"), std::string::npos);
   for (const std::uint32_t steps : {0u, most_steps + 1})
     EXPECT_NE(ask(ada, StepTicks{steps}).reason.find("allowed"), std::string::npos) << steps;
-  EXPECT_EQ(ada.replica.pace(), 1);
+  EXPECT_EQ(ada.replica.time().pace(), 1);
 }
 
 TEST_F(HandOnTime, StopsEveryThingWhilePeopleComeAndGo) {
@@ -82,7 +82,7 @@ TEST_F(HandOnTime, StopsEveryThingWhilePeopleComeAndGo) {
   ASSERT_FALSE(eve.results.empty());
   EXPECT_TRUE(eve.results[0].accepted);
   EXPECT_TRUE(eve.replica.complete()) << eve.replica.missing();
-  EXPECT_EQ(eve.replica.pace(), 0) << "who comes later is told, too";
+  EXPECT_EQ(eve.replica.time().pace(), 0) << "who comes later is told, too";
   EXPECT_TRUE(bo.replica.roster().contains(3));
   EXPECT_NE(ask(bo, Undo{}).reason.find("time is stopped"), std::string::npos);
   eve.command(Leave{});
@@ -91,7 +91,7 @@ TEST_F(HandOnTime, StopsEveryThingWhilePeopleComeAndGo) {
   EXPECT_TRUE(ask(ada, SetPace{1}).accepted);
   turn(10);
   EXPECT_GE(tick(), before + 10);
-  EXPECT_EQ(bo.replica.pace(), 1);
+  EXPECT_EQ(bo.replica.time().pace(), 1);
 }
 
 TEST_F(HandOnTime, StepsAsManyTicksAsAsked) {

@@ -262,17 +262,17 @@ TEST(PanelSession, AHeadIsToldWithTheDirectionThatItFaces) {
   PanelInputs inputs({true}, 60);
   HandInput input;
   input.head_tracked = true;
-  const auto told = [&](double turned, double down) {
+  const auto heads_after = [&](double turned, double down) {
     input.head.q = Quat(Eigen::AngleAxisd(turned, Vec3::UnitY()) * Eigen::AngleAxisd(-down, Vec3::UnitX()));
     inputs.see(7, input, true);
     TickInput out;
     inputs.consume([](ParticipantId) { return true; }, out);
     return out.heads;
   };
-  ASSERT_EQ(told(0, 1.5).size(), 1u);
-  EXPECT_TRUE(told(0, 0.3).empty()) << "it looks up, where it was, in the same direction";
-  EXPECT_TRUE(told(0.02, 1.5).empty());
-  const std::vector<HeadPlace> turned = told(1.2, 1.5);
+  ASSERT_EQ(heads_after(0, 1.5).size(), 1u);
+  EXPECT_TRUE(heads_after(0, 0.3).empty()) << "it looks up, where it was, in the same direction";
+  EXPECT_TRUE(heads_after(0.02, 1.5).empty());
+  const std::vector<HeadPlace> turned = heads_after(1.2, 1.5);
   ASSERT_EQ(turned.size(), 1u);
   EXPECT_NEAR((turned[0].ahead - Vec3(-std::sin(1.2), 0, -std::cos(1.2))).norm(), 0, 1e-12);
   input.head.q = Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitZ()));  // it lies on its side

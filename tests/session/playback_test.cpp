@@ -124,7 +124,7 @@ class PlayedSession : public testing::Test {
       EXPECT_LT(test::error(watched.simulation, guest, body), 1e-4) << "body " << body;
     for (BodyId body = static_cast<BodyId>(watched.simulation.body_count());
          body < guest.replica.scene()->bodies.size(); ++body)
-      EXPECT_TRUE(std::ranges::all_of(guest.replica.soft(body)->rest().triangles,
+      EXPECT_TRUE(std::ranges::all_of(guest.replica.bodies().soft(body)->rest().triangles,
                                       [](const auto& corners) { return corners[0] == corners[1]; }))
           << "body " << body << " is not there yet";
     EXPECT_EQ(guest.replica.refused(), 0u);
@@ -137,10 +137,10 @@ TEST_F(PlayedSession, BeginsWithWhoComesAndStandsAtItsEnd) {
   watched.come();
   ASSERT_TRUE(watched.eve.replica.recording());
   EXPECT_EQ(watched.eve.replica.recording()->last_tick, last);
-  EXPECT_EQ(watched.eve.replica.pace(), 1);
+  EXPECT_EQ(watched.eve.replica.time().pace(), 1);
   watched.turn(static_cast<int>(last) + 10);
   EXPECT_EQ(watched.tick(), last);
-  EXPECT_EQ(watched.eve.replica.pace(), 0);
+  EXPECT_EQ(watched.eve.replica.time().pace(), 0);
   expect_as_recorded(last, watched.eve);
   EXPECT_TRUE(watched.ask(watched.eve, SetPace{1}).accepted);
   watched.turn(3);

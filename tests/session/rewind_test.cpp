@@ -84,8 +84,8 @@ TEST_P(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
       const Replica& seen = guest->replica;
       ASSERT_TRUE(seen.complete()) << seen.missing();
       EXPECT_EQ(seen.refused(), 0u);
-      EXPECT_EQ(seen.topology_hash(), room.ada.replica.topology_hash());
-      EXPECT_EQ(guest->replica.soft(cut_body)->revision(), hosted.simulation.revision(cut_body));
+      EXPECT_EQ(seen.bodies().topology_hash(), room.ada.replica.bodies().topology_hash());
+      EXPECT_EQ(guest->replica.bodies().soft(cut_body)->revision(), hosted.simulation.revision(cut_body));
       for (const BodyId body : {cut_body, BodyId{2}}) EXPECT_LT(error(hosted.simulation, *guest, body), 1e-4);
       EXPECT_LT(scalpel_off(*guest), near);
     }

@@ -61,7 +61,7 @@ struct Room {
   ConsumedInput feed(const std::vector<Received>& received) {
     ConsumedInput out = session.consume(received, ++tick);
     session.finish_tick({});
-    for (const Outgoing& o : session.take_outgoing()) {
+    for (const Outgoing& o : session.output().take_outgoing()) {
       if (const auto* r = std::get_if<CommandResult>(&o.message)) results.push_back(*r);
       if (const auto* r = std::get_if<RosterEntry>(&o.message); r != nullptr && o.dispose) gone.push_back(*r);
     }
@@ -234,7 +234,7 @@ TEST(Session, LeavingAndLosingFreeEverything) {
     EXPECT_TRUE(in.input.targets.empty());
     EXPECT_TRUE(room.session.roster().members().empty());
     EXPECT_EQ(room.gone.size(), 1u);
-    EXPECT_EQ(room.session.dropped_total(), 0u);  // its last sample was under way: no offence
+    EXPECT_EQ(room.session.output().dropped_total(), 0u);  // its last sample was under way: no offence
     EXPECT_TRUE(room.join(presence(2, "ada"), 2).accepted);
   }
 }
@@ -247,7 +247,7 @@ TEST(Session, SamplesInAnothersNameAreDropped) {
                                       from(66, command(1, Join{}, 8)), from(66, input(5, 1))});
   EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
   EXPECT_EQ(room.session.roster().members().size(), 1u);
-  EXPECT_EQ(room.session.dropped_total(), 6u);
+  EXPECT_EQ(room.session.output().dropped_total(), 6u);
   EXPECT_EQ(room.results.size(), 1u);  // nothing is answered to whoever speaks in another's name
 }
 
@@ -259,7 +259,7 @@ TEST(Session, WhatNoKnownProcessWroteIsDropped) {
                  from(0, command(2, Join{})), from(0, command(1, Leave{}, 2))});
   EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
   EXPECT_EQ(room.session.roster().members().size(), 1u);
-  EXPECT_EQ(room.session.dropped_total(), 5u);
+  EXPECT_EQ(room.session.output().dropped_total(), 5u);
 }
 
 TEST(Session, AVisitorsEndIsBelievedOfTheVisitorOnly) {
@@ -267,7 +267,7 @@ TEST(Session, AVisitorsEndIsBelievedOfTheVisitorOnly) {
   room.feed(
       {from(1, command(1, Join{})), from(66, presence(1, ""), Liveness::gone), from(1, presence(1, "ada"))});
   EXPECT_EQ(room.session.roster().members().size(), 1u);
-  EXPECT_EQ(room.session.dropped_total(), 1u);
+  EXPECT_EQ(room.session.output().dropped_total(), 1u);
 }
 
 TEST(Session, AnObserverChangesNothingAndIsTold) {
@@ -279,7 +279,7 @@ TEST(Session, AnObserverChangesNothingAndIsTold) {
     EXPECT_FALSE(room.results.back().accepted);
     EXPECT_NE(room.results.back().reason.find("observer"), std::string::npos);
   }
-  EXPECT_EQ(room.session.dropped_total(), 6u);
+  EXPECT_EQ(room.session.output().dropped_total(), 6u);
 }
 
 Command set_role(ParticipantId by, ParticipantId subject, Role role) {
@@ -319,7 +319,7 @@ TEST(Session, AnObserverThatIsMadeADissectorHasHands) {
             1u);
   EXPECT_TRUE(room.results.back().accepted);
   EXPECT_EQ(room.session.roster().observers(), 0u);
-  const std::vector<SessionEvent> events = room.session.take_events();
+  const std::vector<SessionEvent> events = room.session.output().take_events();
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.back().kind, SessionEvent::Kind::role);
   EXPECT_EQ(events.back().detail, "dissector");
@@ -381,7 +381,7 @@ TEST(Session, WhatIsAskedOfPartsIsAnsweredByTheStep) {
   report.part_answers = {{}, "too far"};
   room.session.finish_tick({}, report);
   std::map<std::uint64_t, CommandResult> answers;
-  for (const Outgoing& o : room.session.take_outgoing())
+  for (const Outgoing& o : room.session.output().take_outgoing())
     if (const auto* r = std::get_if<CommandResult>(&o.message)) answers[r->sequence] = *r;
   EXPECT_TRUE(answers.at(20).accepted);
   EXPECT_EQ(answers.at(21).reason, "too far");
@@ -416,7 +416,7 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   report.cut_answers = {{}, "a later cut depends on it"};
   room.session.finish_tick({}, report);
   std::map<std::uint64_t, CommandResult> answers;
-  for (const Outgoing& o : room.session.take_outgoing())
+  for (const Outgoing& o : room.session.output().take_outgoing())
     if (const auto* r = std::get_if<CommandResult>(&o.message)) answers[r->sequence] = *r;
   EXPECT_TRUE(answers.at(20).accepted);
   EXPECT_NE(answers.at(21).reason.find("no body 3"), std::string::npos);
@@ -439,8 +439,8 @@ TEST(Session, ObserversTooAskForKeyframes) {
   const Command ask = command(3, RequestKeyframe{1}, 9);
   room.feed({from(3, ask), from(3, ask)});
   EXPECT_TRUE(room.results.back().accepted);
-  EXPECT_EQ(room.session.take_keyframe_requests(), (std::set<BodyId>{1}));
-  EXPECT_TRUE(room.session.take_keyframe_requests().empty());
+  EXPECT_EQ(room.session.requests().take_keyframes(), (std::set<BodyId>{1}));
+  EXPECT_TRUE(room.session.requests().take_keyframes().empty());
 }
 
 TEST(Session, PiecesAreBodiesThatCanBeAskedFor) {
@@ -493,11 +493,11 @@ TEST(Session, WhoseHandLosesWhatItHeldIsToldAndWhoLetsGoIsNot) {
     room.session.finish_tick({}, report);
     room.results.clear();
     room.feed({});
-    std::vector<std::string> told;
+    std::vector<std::string> messages;
     for (const CommandResult& result : room.results)
-      if (result.sequence == 0) told.push_back(result.reason);
-    EXPECT_EQ(told.size(), asked ? 0U : 1U);
-    for (const std::string& words : told)
+      if (result.sequence == 0) messages.push_back(result.reason);
+    EXPECT_EQ(messages.size(), asked ? 0U : 1U);
+    for (const std::string& words : messages)
       EXPECT_EQ(words, "your hand released it: knife was torn away by 80 N");
   }
 }
@@ -508,7 +508,7 @@ TEST(Session, AFloodOfStrangersIsCountedAndBounded) {
   for (ParticipantId id = 1; id <= 5000; ++id) flood.push_back(from(id, command(id, Join{})));
   for (int i = 0; i < 5000; ++i) flood.push_back(from(1, command(2, ResetBody{})));
   room.feed(flood);
-  EXPECT_GT(room.session.dropped_total(), 8000u);
+  EXPECT_GT(room.session.output().dropped_total(), 8000u);
   for (std::uint64_t i = 0; i < 20 * rules().presence_timeout; ++i) room.feed({});
   EXPECT_TRUE(room.join(presence(9999, "late but welcome"), 9999).accepted);
 }

@@ -60,9 +60,9 @@ class Room {
     }
     if (holds) hands.push_back({ada, right_hand, {}, {}, scalpel, {}});
     session_.finish_tick(hands, report);
-    for (const Outgoing& out : session_.take_outgoing())
+    for (const Outgoing& out : session_.output().take_outgoing())
       if (const auto* words = std::get_if<CommandResult>(&out.message); words && words->sequence == 0)
-        told.push_back(words->reason);
+        reasons.push_back(words->reason);
     return events;
   }
   /// Feeds nothing for so many ticks; returns what happened.
@@ -84,7 +84,7 @@ class Room {
 
   bool holds = false, within_reach = true;
   std::vector<HandState> others;
-  std::vector<std::string> told;
+  std::vector<std::string> reasons;
 
  private:
   Session session_{rules()};
@@ -109,10 +109,10 @@ TEST(Stall, KeepsTheHandAndItsHoldUntilItsLimit) {
   EXPECT_TRUE(room.be_silent(silent_for).empty()) << "longer than an untracked hand stays";
   EXPECT_TRUE(room.feed({room.hand()}).empty()) << "as if nothing had been";
   EXPECT_TRUE(room.holds);
-  EXPECT_TRUE(room.told.empty());
+  EXPECT_TRUE(room.reasons.empty());
 
   EXPECT_EQ(kinds(room.be_silent(silent_for + 1)), Kinds{Kind::vanish});
-  EXPECT_EQ(room.told, Words{"your hand released the scalpel: your client sent nothing for too long"});
+  EXPECT_EQ(room.reasons, Words{"your hand released the scalpel: your client sent nothing for too long"});
   EXPECT_EQ(room.session().hand_timeouts(), 1U);
 }
 
@@ -122,7 +122,7 @@ TEST(Stall, IsNotAHandThatItsClientNoLongerSees) {
   room.holds = true;
   for (std::uint64_t i = 0; i < tracked_for; ++i) EXPECT_TRUE(room.feed({room.hand(false)}).empty());
   EXPECT_EQ(kinds(room.feed({room.hand(false)})), Kinds{Kind::vanish});
-  EXPECT_EQ(room.told, Words{"your hand released the scalpel: your hand was no longer tracked"});
+  EXPECT_EQ(room.reasons, Words{"your hand released the scalpel: your hand was no longer tracked"});
   EXPECT_EQ(kinds(room.feed({room.hand()})), Kinds{Kind::appear}) << "it may be an open one";
 }
 
@@ -139,11 +139,11 @@ TEST(Stall, GivesBackWhatNobodyElseTook) {
   room.feed({room.hand()});
   room.holds = true;
   room.be_silent(silent_for + 1);
-  room.told.clear();
+  room.reasons.clear();
   const std::vector<HandEvent> events = room.feed({room.hand()});
   ASSERT_EQ(kinds(events), (Kinds{Kind::appear, Kind::regrasp}));
   EXPECT_EQ(events[1].body, scalpel);
-  EXPECT_TRUE(room.told.empty());
+  EXPECT_TRUE(room.reasons.empty());
   EXPECT_TRUE(room.feed({room.hand()}).empty()) << "once";
 }
 
@@ -153,13 +153,13 @@ TEST(Stall, TellsOfWhatCannotBeGivenBack) {
     room.feed({room.hand()});
     room.holds = true;
     room.be_silent(silent_for + 1);
-    room.told.clear();
+    room.reasons.clear();
     room.within_reach = false;
     if (taken) room.others = {{2, left_hand, {}, {}, scalpel, {}}};
     room.be_silent(1);
     room.feed({room.hand()});
-    EXPECT_EQ(room.told, Words{taken ? "another hand took the scalpel"
-                                     : "the scalpel is out of your hand's reach: grasp it again"});
+    EXPECT_EQ(room.reasons, Words{taken ? "another hand took the scalpel"
+                                        : "the scalpel is out of your hand's reach: grasp it again"});
   }
 }
 
@@ -185,7 +185,7 @@ TEST(Stall, OfALeaseThatRanOutGivesBackToWhoJoinsAgain) {
   room.lose_connection();
   EXPECT_FALSE(room.holds);
   room.join();
-  EXPECT_EQ(room.told, Words{"your connection was lost, and your hand released the scalpel"});
+  EXPECT_EQ(room.reasons, Words{"your connection was lost, and your hand released the scalpel"});
   EXPECT_EQ(kinds(room.feed({room.hand()})), (Kinds{Kind::appear, Kind::regrasp}));
   EXPECT_TRUE(room.holds);
 }
@@ -254,12 +254,12 @@ TEST(SequenceGate, StartsAnewBehindANumberThatRanAhead) {
   std::get<HandInput>(damaged).sequence = ~std::uint64_t{0};
   room.feed({damaged});
   std::uint64_t ignored = 0;
-  while (ignored < 1000 && room.session().dropped_total() == 0) {
+  while (ignored < 1000 && room.session().output().dropped_total() == 0) {
     room.feed({room.hand()});
     ++ignored;
   }
   EXPECT_EQ(ignored, SequenceGate::max_overtaken);
-  EXPECT_EQ(room.session().dropped().at("HandInput: numbering restarted"), 1U);
+  EXPECT_EQ(room.session().output().dropped().at("HandInput: numbering restarted"), 1U);
   EXPECT_LT(room.session().newest_input(ada)->sequence, 1000U);
 }
 

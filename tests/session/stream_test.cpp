@@ -212,7 +212,7 @@ TEST(TimedTurns, GoAtTheRateAndThePaceUntilToldToStop) {
 
 TEST(TimedTurns, TellOfEachSecondOnceAlsoAfterALongTurn) {
   const std::atomic<bool> stop{false};
-  int turns = 0, told = 0;
+  int turns = 0, reports = 0;
   take({.tick_rate = 10,
         .seconds = 2.15,
         .turn =
@@ -220,9 +220,9 @@ TEST(TimedTurns, TellOfEachSecondOnceAlsoAfterALongTurn) {
               if (++turns == 1) std::this_thread::sleep_for(std::chrono::milliseconds(2100));
             },
         .pace = [] { return 1.0; },
-        .each_second = [&] { ++told; }},
+        .each_second = [&] { ++reports; }},
        stop);
-  EXPECT_EQ(told, 1) << "one line after a turn of two seconds";
+  EXPECT_EQ(reports, 1) << "one line after a turn of two seconds";
 }
 
 TEST(StepMeter, SaysWhatIsSlowAndWhoIsDegraded) {

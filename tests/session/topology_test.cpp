@@ -133,7 +133,7 @@ struct Client {
     bus->take(received);
     for (Received& r : received)
       if (spoil(r)) replica.apply(r);
-    for (const BodyId body : replica.take_keyframe_requests(server.network.now_ns())) {
+    for (const BodyId body : replica.bodies().take_keyframe_requests(server.network.now_ns())) {
       bus->publish(Command{9, ++sequence, RequestKeyframe{body}});
     }
   }
@@ -143,7 +143,7 @@ struct Client {
   /// Largest distance between what is drawn of a body and what the server has, m; 1e9: not the same
   /// triangles.
   float error(BodyId body) {
-    SoftReplica* soft = replica.soft(body);
+    SoftReplica* soft = replica.bodies().soft(body);
     if (soft == nullptr) return 1e9f;
     soft->sample(static_cast<double>(server.time.tick) + 1, 1.0 / 60);
     return test::largest_difference(
@@ -177,9 +177,9 @@ TEST(Topology, EveryClientSeesTheSameCutsOverABadNetwork) {
   }
   ASSERT_TRUE(early.replica.complete());
   ASSERT_TRUE(late.replica.complete()) << late.replica.missing();
-  EXPECT_EQ(early.replica.topology_hash(), late.replica.topology_hash());
-  EXPECT_EQ(early.replica.soft(0)->revision(), 40u);
-  EXPECT_EQ(late.replica.soft(0)->revision(), 40u);
+  EXPECT_EQ(early.replica.bodies().topology_hash(), late.replica.bodies().topology_hash());
+  EXPECT_EQ(early.replica.bodies().soft(0)->revision(), 40u);
+  EXPECT_EQ(late.replica.bodies().soft(0)->revision(), 40u);
   EXPECT_LT(early.error(0), 1e-4f);
   EXPECT_LT(late.error(0), 1e-4f);
   EXPECT_EQ(early.replica.refused() + late.replica.refused(), 0u);
@@ -212,7 +212,7 @@ TEST(Topology, ALateJoinerGetsAKeyframeAndOnlyTheRevisionsAfterIt) {
     });
   }
   EXPECT_EQ(seen, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37}));
-  EXPECT_EQ(late.replica.soft(0)->revision(), 37u);
+  EXPECT_EQ(late.replica.bodies().soft(0)->revision(), 37u);
   EXPECT_LT(late.error(0), 1e-4f);
 }
 
@@ -239,7 +239,7 @@ TEST(Topology, PiecesAppearAsBodiesOfTheirOwn) {
     EXPECT_EQ(c->replica.scene()->bodies[2].name, "liver piece 2");
     for (const BodyId body : {0u, 1u, 2u}) EXPECT_LT(c->error(body), 1e-4f) << "body " << body;
   }
-  EXPECT_EQ(client.replica.topology_hash(), late.replica.topology_hash());
+  EXPECT_EQ(client.replica.bodies().topology_hash(), late.replica.bodies().topology_hash());
 }
 
 TEST(Topology, OrderAndRepetitionDoNotMatter) {
@@ -257,11 +257,11 @@ TEST(Topology, OrderAndRepetitionDoNotMatter) {
       revisions.push_back(r);
       return false;
     });
-    EXPECT_EQ(shuffled.replica.soft(0)->revision(), 0u) << "the old surface stays";
+    EXPECT_EQ(shuffled.replica.bodies().soft(0)->revision(), 0u) << "the old surface stays";
   }
   for (const std::size_t n : {3, 9, 0, 3, 1, 2, 5, 4, 8, 0, 7, 6}) shuffled.replica.apply(revisions[n]);
-  EXPECT_EQ(shuffled.replica.soft(0)->revision(), 10u);
-  EXPECT_EQ(shuffled.replica.topology_hash(), plain.replica.topology_hash());
+  EXPECT_EQ(shuffled.replica.bodies().soft(0)->revision(), 10u);
+  EXPECT_EQ(shuffled.replica.bodies().topology_hash(), plain.replica.bodies().topology_hash());
   EXPECT_EQ(shuffled.replica.refused(), 0u);
   server.tick({});
   shuffled.take();
@@ -290,14 +290,14 @@ TEST(Topology, WhatDoesNotProveRightIsNotShownAndAKeyframeAskedFor) {
         if (revision != nullptr && revision->revision == 3) spoils[spoil](*revision);
         return true;
       });
-      EXPECT_EQ(client.replica.soft(0)->revision(), n < 2 ? n + 1u : n == 2 ? 2u : 4u);
+      EXPECT_EQ(client.replica.bodies().soft(0)->revision(), n < 2 ? n + 1u : n == 2 ? 2u : 4u);
     }
     EXPECT_GE(client.replica.refused(), 1u);
     for (int n = 0; n < 40; ++n) {
       server.tick({});
       client.take();
     }
-    EXPECT_EQ(client.replica.soft(0)->revision(), 4u) << "spoil " << spoil;
+    EXPECT_EQ(client.replica.bodies().soft(0)->revision(), 4u) << "spoil " << spoil;
     EXPECT_LT(client.error(0), 1e-4f);
     EXPECT_EQ(server.asked, 1) << "asked once, and answered";
   }
@@ -319,13 +319,13 @@ TEST(Topology, ALostRevisionIsMissedAfterAWhile) {
     server.tick({});
     client.take();
   }
-  EXPECT_EQ(client.replica.soft(0)->revision(), 1u);
+  EXPECT_EQ(client.replica.bodies().soft(0)->revision(), 1u);
   EXPECT_EQ(server.asked, 0) << "it may still come";
   for (int n = 0; n < 60; ++n) {
     server.tick({});
     client.take();
   }
-  EXPECT_EQ(client.replica.soft(0)->revision(), 3u);
+  EXPECT_EQ(client.replica.bodies().soft(0)->revision(), 3u);
   EXPECT_EQ(server.asked, 1);
 }
 

@@ -33,7 +33,7 @@ TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
   room.click("calibrate");
   room.until([&] { return room.find("told: views 3") != nullptr; });
   room.picture("camera-guide-1x");
-  room.until([&] { return room.find("fit now") != nullptr && room.told("views ") >= views_that_do; });
+  room.until([&] { return room.find("fit now") != nullptr && room.reported("views ") >= views_that_do; });
   room.click("fit now");
   EXPECT_EQ(room.said().words, "Fitting …") << "the window goes on meanwhile";
   room.until([&] { return room.draft().changed(); });

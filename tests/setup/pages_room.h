@@ -98,7 +98,7 @@ class PagesRoom {
     tap(Key::enter);
   }
   /// Returns the number that was told after such words.
-  double told(const std::string& words) const {
+  double reported(const std::string& words) const {
     for (const PlacedControl& c : ui_.placed())
       if (c.name.starts_with("told: " + words)) return std::stod(c.name.substr(6 + words.size()));
     throw std::out_of_range(words);

@@ -315,7 +315,7 @@ TEST(Pages, LeadRoundAPhantomAndTellItsTargetsError) {
   room.picture("phantom-step");
   room.until([&] { return room.find("once more") != nullptr; });
   EXPECT_EQ(room.said().words, "Done.");
-  EXPECT_LT(room.told("expected error at 0.000, 0.000, 0.000 m: "), 0.1) << "mm";
+  EXPECT_LT(room.reported("expected error at 0.000, 0.000, 0.000 m: "), 0.1) << "mm";
   room.picture("phantom-done");
   const PhantomSettings& found = room.draft().config().phantom;
   ASSERT_TRUE(found.pose);
@@ -354,7 +354,7 @@ TEST(Pages, MeasureNoiseAndLatency) {
   room.click("head");
   room.type("seconds", "2");
   measure("noise");
-  EXPECT_NEAR(room.told("noise "), 0.866, 0.15) << "of three axes together";
+  EXPECT_NEAR(room.reported("noise "), 0.866, 0.15) << "of three axes together";
   room.click("Latency");
   room.click("role");
   room.click("right hand");
@@ -363,7 +363,8 @@ TEST(Pages, MeasureNoiseAndLatency) {
   room.type("seconds", "4");
   room.type("against", address);
   measure("latency");
-  EXPECT_LT(std::abs(room.told("the device is ")), 20) << "both were opened at the same time, ms";
+  EXPECT_LT(std::abs(room.reported("the measured device is ")), 20)
+      << "both were opened at the same time, ms";
   room.picture("measured");
 }
 

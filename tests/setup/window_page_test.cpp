@@ -30,7 +30,7 @@ struct FaceFolder : TemporaryFile {
 };
 
 /// Returns the trouble that the page tells; "?": it shows none of a camera.
-std::string trouble(const PagesRoom& room) {
+std::string shown_problem(const PagesRoom& room) {
   const std::string words = "window trouble: ";
   for (const PlacedControl& c : room.placed())
     if (c.name.starts_with(words)) return c.name.substr(words.size());
@@ -64,9 +64,9 @@ TEST(WindowPage, SaysWhatIsWrongWithTheCameraAndAsksForItFirst) {
   const std::string before = data == nullptr ? "" : data;
   setenv("PROSECTOR_DATA", empty.c_str(), 1);
   room.type("window.address", "face:/dev/no-such-camera");
-  room.until([&] { return trouble(room) != "?"; });
+  room.until([&] { return shown_problem(room) != "?"; });
   data == nullptr ? unsetenv("PROSECTOR_DATA") : setenv("PROSECTOR_DATA", before.c_str(), 1);
-  EXPECT_NE(trouble(room).find("deploy/fetch_models.sh"), std::string::npos) << trouble(room);
+  EXPECT_NE(shown_problem(room).find("deploy/fetch_models.sh"), std::string::npos) << shown_problem(room);
   EXPECT_NE(room.find("height"), nullptr);
 }
 
@@ -84,12 +84,12 @@ TEST_F(FacePage, NamesNoCameraAndNoFace) {
              "[[camera]]\nrate = 10\nrays = 1\nwidth = 320\nheight = 240\nfocal = 300\n");
   PagesRoom room("[window]\naddress = \"face:/dev/no-such-camera\"\n", 1);
   room.click("Window");
-  room.until([&] { return trouble(room).find("no-such-camera") != std::string::npos; });
-  EXPECT_NE(trouble(room).find("no-such-camera"), std::string::npos);
+  room.until([&] { return shown_problem(room).find("no-such-camera") != std::string::npos; });
+  EXPECT_NE(shown_problem(room).find("no-such-camera"), std::string::npos);
   EXPECT_FALSE(is_seen(room));
   room.type("window.address", "face:synthetic:" + (folder.path / "empty.toml").string());
-  room.until([&] { return trouble(room).find("no face detected") != std::string::npos; });
-  EXPECT_NE(trouble(room).find("no face detected"), std::string::npos) << trouble(room);
+  room.until([&] { return shown_problem(room).find("no face detected") != std::string::npos; });
+  EXPECT_NE(shown_problem(room).find("no face detected"), std::string::npos) << shown_problem(room);
   EXPECT_FALSE(is_seen(room));
 }
 
@@ -107,10 +107,10 @@ TEST_F(FacePage, TellsWhereTheEyesAreAndWritesWhatARulerSaid) {
   EXPECT_EQ(config.window.device.placement.room_device.p, Vec3(0, camera_up, 0));
   EXPECT_EQ(config.eyes.distance, 0.07);
   room.until([&] { return is_seen(room); });
-  ASSERT_TRUE(is_seen(room)) << trouble(room);
+  ASSERT_TRUE(is_seen(room)) << shown_problem(room);
   room.picture("window-1x");
   const double from_camera = 1e3 * (true_eyes - Vec3(0, camera_up, 0)).norm();
-  EXPECT_NEAR(room.told("eyes "), from_camera, 60) << "mm: one that isn't calibrated errs by a tenth";
+  EXPECT_NEAR(room.reported("eyes "), from_camera, 60) << "mm: one that isn't calibrated errs by a tenth";
   EXPECT_LT(room.control("save").bottom, room.height() - 40) << "it is seen without a wheel";
   room.click("save");
   const ClientConfig saved = load_client_config(room.draft().file());
@@ -120,8 +120,8 @@ TEST_F(FacePage, TellsWhereTheEyesAreAndWritesWhatARulerSaid) {
   EXPECT_TRUE(read_file(room.draft().file()).starts_with("# my screen\n"));
   // Eyes that are told to be half as far apart are half as far away: what is typed counts at once.
   room.type("eyes apart", "35");
-  room.until([&] { return is_seen(room) && room.told("eyes ") < 0.7 * from_camera; });
-  EXPECT_LT(room.told("eyes "), 0.7 * from_camera);
+  room.until([&] { return is_seen(room) && room.reported("eyes ") < 0.7 * from_camera; });
+  EXPECT_LT(room.reported("eyes "), 0.7 * from_camera);
 }
 
 TEST_F(FacePage, RefusesWhatNoScreenHasAndKeepsTheRest) {

@@ -96,6 +96,25 @@ TEST_P(Relaxation, OfAHeldStrainIsThePronySeries) {
   EXPECT_LT((gradient(*model, held) - 0.25 * full).norm(), 1e-12 * full.norm());
 }
 
+TEST_P(Relaxation, IsKeptByElementsThatAreFlatForAMoment) {
+  const SoftDesc soft = desc();
+  const auto model = make_elastic_model(soft, cube(soft));
+  const VecX& rest = model->rest();
+  const VecX held = mapped(some_gradient(), rest), flat = mapped(Vec3(1, 1, 0.02).asDiagonal(), rest);
+  VecX history = VecX::Zero(static_cast<Eigen::Index>(model->history_size()));
+  const auto step = [&](double h, const VecX& from, const VecX& to) {
+    model->begin_step(h, from.data(), history.data());
+    model->end_step(to.data(), history.data());
+  };
+  step(1e-9, rest, held);
+  const double unrelaxed = history.norm();
+  step(100, held, held);
+  ASSERT_LT(history.norm(), 1e-6 * unrelaxed);
+  step(1e-9, held, flat);
+  step(1e-9, flat, held);
+  EXPECT_LT(history.norm(), 1e-6 * unrelaxed) << "as relaxed as before";
+}
+
 TEST_P(Relaxation, StepsDescendOnAPotential) {
   const SoftDesc soft = desc();
   const auto model = make_elastic_model(soft, cube(soft));

@@ -17,7 +17,7 @@ VrpnServer::~VrpnServer() {
 void VrpnServer::serve(std::int64_t now_ns) {
   if (client_ < 0) client_ = listener_.accept();
   hear();
-  tell(twin_.advance(now_ns));
+  send_bytes(twin_.advance(now_ns));
 }
 
 void VrpnServer::cut() {
@@ -43,7 +43,7 @@ void VrpnServer::hear() {
 }
 
 /// Sends the unsent data, or else `bytes`. A client that reads too slowly misses whole reports.
-void VrpnServer::tell(const vrpn::Bytes& bytes) {
+void VrpnServer::send_bytes(const vrpn::Bytes& bytes) {
   if (client_ < 0) return;
   if (waiting_.empty()) waiting_ = bytes;
   if (waiting_.empty()) return;

@@ -25,7 +25,7 @@ class VrpnServer {
 
  private:
   void hear();
-  void tell(const vrpn::Bytes& bytes);
+  void send_bytes(const vrpn::Bytes& bytes);
 
   VrpnTwin& twin_;
   SocketListener listener_;

@@ -28,9 +28,9 @@ struct TwinServerOptions {
 /// clients, and again after each simulated unplugging. Throws InputError if a file or a terminal cannot be
 /// created.
 ///
-/// The log is the CSV file that `options` name. Each of its lines has time_ns (monotonic, just before the
-/// record's first byte is written), station (from 1) and record. The values follow exactly as sent, in the
-/// shortest decimal form that parses to the same float32.
+/// The log is the CSV file of `options`. A line per record: time_ns (monotonic, just before its first byte is
+/// written), station (from 1), record number (from 0), values. The values are as sent, in the shortest
+/// decimal form that parses to the same float32.
 void serve_twin(Twin& twin, const TwinServerOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string& path)>& ready);
 

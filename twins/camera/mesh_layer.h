@@ -36,8 +36,8 @@ class MeshDepthBuffer {
     Rgb light{};
     float depth = 0;  // m along z; infinite: no surface
   };
-  /// Returns the light and depth in the cell that contains the ray with direction (x/z, y/z). The depth is
-  /// infinite if no surface is there.
+  /// Returns the light and depth in the buffer's cell that contains the ray with direction (x/z, y/z). The
+  /// depth is infinite if no surface was drawn there.
   Hit at(const Eigen::Vector2f& direction) const;
 
  private:

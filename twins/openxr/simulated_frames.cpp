@@ -22,7 +22,8 @@ XrResult XRAPI_CALL swapchain_formats(XrSession, std::uint32_t capacity, std::ui
 XrResult XRAPI_CALL create_swapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.get_proc == nullptr)
-      return SimulatedRuntime::wrong("pictures without graphics", XR_ERROR_FEATURE_UNSUPPORTED);
+      return SimulatedRuntime::client_error("a swapchain was created without a graphics binding",
+                                            XR_ERROR_FEATURE_UNSUPPORTED);
     r.pictures.emplace(r.get_proc, static_cast<int>(info->width), static_cast<int>(info->height),
                        info->format);
     *out = reinterpret_cast<XrSwapchain>(1);
@@ -50,7 +51,8 @@ XrResult XRAPI_CALL swapchain_images(XrSwapchain, std::uint32_t capacity, std::u
 XrResult XRAPI_CALL acquire_image(XrSwapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.pictures->acquired())
-      return SimulatedRuntime::wrong("a second picture acquired", XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::client_error(
+          "a second swapchain image was acquired before the first was released", XR_ERROR_CALL_ORDER_INVALID);
     *out = r.pictures->acquire();
     return XR_SUCCESS;
   });
@@ -59,7 +61,7 @@ XrResult XRAPI_CALL acquire_image(XrSwapchain, const XrSwapchainImageAcquireInfo
 XrResult XRAPI_CALL wait_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     return r.pictures->acquired() ? XR_SUCCESS
-                                  : SimulatedRuntime::wrong(
+                                  : SimulatedRuntime::client_error(
                                         "xrWaitSwapchainImage was called without an acquired swapchain image",
                                         XR_ERROR_CALL_ORDER_INVALID);
   });
@@ -68,8 +70,9 @@ XrResult XRAPI_CALL wait_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
 XrResult XRAPI_CALL release_image(XrSwapchain, const XrSwapchainImageReleaseInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (!r.pictures->acquired())
-      return SimulatedRuntime::wrong("xrReleaseSwapchainImage was called without an acquired swapchain image",
-                                     XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::client_error(
+          "xrReleaseSwapchainImage was called without an acquired swapchain image",
+          XR_ERROR_CALL_ORDER_INVALID);
     r.pictures->release();
     return XR_SUCCESS;
   });
@@ -97,10 +100,11 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
   std::this_thread::sleep_for(std::chrono::nanoseconds(next - period / 2 - monotonic_ns()));
   return with_session([&](SimulatedRuntime& r) {
     if (!r.running)
-      return SimulatedRuntime::wrong("xrWaitFrame was called although the session is not running",
-                                     XR_ERROR_SESSION_NOT_RUNNING);
+      return SimulatedRuntime::client_error("xrWaitFrame was called although the session is not running",
+                                            XR_ERROR_SESSION_NOT_RUNNING);
     if (r.phase == FramePhase::waited)
-      return SimulatedRuntime::wrong("two frames waited for", XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::client_error("xrWaitFrame was called twice without xrBeginFrame",
+                                            XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::waited;
     r.shown_ns = next;
     out->predictedDisplayTime = next + period;
@@ -113,8 +117,8 @@ XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* 
 XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.phase != FramePhase::waited)
-      return SimulatedRuntime::wrong("xrBeginFrame was called without xrWaitFrame before",
-                                     XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::client_error("xrBeginFrame was called without xrWaitFrame before",
+                                            XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::begun;
     return XR_SUCCESS;
   });
@@ -122,22 +126,22 @@ XrResult XRAPI_CALL begin_frame(XrSession, const XrFrameBeginInfo*) {
 
 XrResult show(SimulatedRuntime& r, const XrCompositionLayerProjection& layer) {
   if (layer.type != XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer.viewCount != 2)
-    return SimulatedRuntime::wrong("the composition layer is not a projection layer of two views",
-                                   XR_ERROR_LAYER_INVALID);
+    return SimulatedRuntime::client_error("the composition layer is not a projection layer of two views",
+                                          XR_ERROR_LAYER_INVALID);
   if (r.pictures->acquired())
-    return SimulatedRuntime::wrong("the frame ends before its swapchain image was released",
-                                   XR_ERROR_LAYER_INVALID);
+    return SimulatedRuntime::client_error("the frame ends before its swapchain image was released",
+                                          XR_ERROR_LAYER_INVALID);
   for (std::uint32_t eye = 0; eye < 2; ++eye) {
     const XrCompositionLayerProjectionView& view = layer.views[eye];
     const auto& [x, y, z, w] = view.pose.orientation;
     if (!(std::abs(std::hypot(std::hypot(x, y), std::hypot(z, w)) - 1) < 0.01F))
-      return SimulatedRuntime::wrong("the orientation of an eye's view is not a unit quaternion",
-                                     XR_ERROR_POSE_INVALID);
+      return SimulatedRuntime::client_error("the orientation of an eye's view is not a unit quaternion",
+                                            XR_ERROR_POSE_INVALID);
     const auto& [offset, size] = view.subImage.imageRect;
     const ImageRect part{offset.x, offset.y, size.width, size.height};
     if (!r.pictures->holds(part))
-      return SimulatedRuntime::wrong("the image rectangle of a view exceeds the swapchain image",
-                                     XR_ERROR_SWAPCHAIN_RECT_INVALID);
+      return SimulatedRuntime::client_error("the image rectangle of a view exceeds the swapchain image",
+                                            XR_ERROR_SWAPCHAIN_RECT_INVALID);
     if (!r.settings.pictures.empty()) r.pictures->write(part, r.settings.pictures + "/" + picture_names[eye]);
   }
   return XR_SUCCESS;
@@ -146,11 +150,11 @@ XrResult show(SimulatedRuntime& r, const XrCompositionLayerProjection& layer) {
 XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.phase != FramePhase::begun)
-      return SimulatedRuntime::wrong("xrEndFrame was called without xrBeginFrame before",
-                                     XR_ERROR_CALL_ORDER_INVALID);
+      return SimulatedRuntime::client_error("xrEndFrame was called without xrBeginFrame before",
+                                            XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::none;
     if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
-      return SimulatedRuntime::wrong(
+      return SimulatedRuntime::client_error(
           "the frame has a blend mode that the runtime does not offer; only opaque is allowed",
           XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
     rise(r);

@@ -48,7 +48,9 @@ XrResult XRAPI_CALL suggest_bindings(XrInstance, const XrInteractionProfileSugge
 
 XrResult XRAPI_CALL attach(XrSession, const XrSessionActionSetsAttachInfo*) {
   return with_session([&](SimulatedRuntime& r) {
-    return r.bindings.empty() ? SimulatedRuntime::wrong("no bindings", XR_ERROR_VALIDATION_FAILURE)
+    return r.bindings.empty() ? SimulatedRuntime::client_error(
+                                    "xrAttachSessionActionSets was called without suggested bindings",
+                                    XR_ERROR_VALIDATION_FAILURE)
                               : XR_SUCCESS;
   });
 }

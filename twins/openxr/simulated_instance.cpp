@@ -32,12 +32,16 @@ XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, XrInstance
   SimulatedRuntime& r = simulated_runtime();
   const std::lock_guard lock(r.mutex);
   r.begin_time();
-  if (r.has_instance) return SimulatedRuntime::wrong("a second instance", XR_ERROR_LIMIT_REACHED);
+  if (r.has_instance)
+    return SimulatedRuntime::client_error("xrCreateInstance was called while an instance exists",
+                                          XR_ERROR_LIMIT_REACHED);
   if (r.settings.away.holds(r.seconds_now())) return XR_ERROR_RUNTIME_UNAVAILABLE;
   for (std::uint32_t k = 0; k < info->enabledExtensionCount; ++k) {
     bool known = false;
     for (const char* name : extensions()) known |= std::strcmp(name, info->enabledExtensionNames[k]) == 0;
-    if (!known) return SimulatedRuntime::wrong("an unknown extension", XR_ERROR_EXTENSION_NOT_PRESENT);
+    if (!known)
+      return SimulatedRuntime::client_error("xrCreateInstance was called with an unknown extension",
+                                            XR_ERROR_EXTENSION_NOT_PRESENT);
   }
   r.has_instance = true;
   r.instance_lost = false;

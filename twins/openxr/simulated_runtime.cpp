@@ -44,23 +44,23 @@ void SimulatedRuntime::begin_time() {
 void SimulatedRuntime::go_on() {
   begin_time();
   const double now = seconds_now();
-  const auto comes = [now](double& moment) {
+  const auto is_due = [now](double& moment) {
     if (now < moment) return false;
     moment = Span().begin;
     return true;
   };
   if (!has_session) return;
-  if (comes(settings.session_lost)) {
+  if (is_due(settings.session_lost)) {
     enter(XR_SESSION_STATE_LOSS_PENDING);
     session_lost = true;
   }
-  if (comes(settings.instance_lost)) {
+  if (is_due(settings.instance_lost)) {
     const auto event = typed<XrEventDataInstanceLossPending>(XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
     send(&event, sizeof event);
     instance_lost = true;
   }
-  if (comes(settings.left) && running) enter(XR_SESSION_STATE_STOPPING);
-  if (comes(settings.recentre_time)) {
+  if (is_due(settings.left) && running) enter(XR_SESSION_STATE_STOPPING);
+  if (is_due(settings.recentre_time)) {
     auto event =
         typed<XrEventDataReferenceSpaceChangePending>(XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
     event.session = reinterpret_cast<XrSession>(1);
@@ -111,15 +111,15 @@ std::optional<Pose> SimulatedRuntime::world(const SimulatedSpace& space, XrTime 
   return wearer.grip(space.hand, seconds(time)) * space.offset;
 }
 
-XrPosef SimulatedRuntime::told(const Pose& pose) const {
+XrPosef SimulatedRuntime::to_xr_pose(const Pose& pose) const {
   const Eigen::Vector3f p = pose.p.cast<float>();
   const Eigen::Quaternionf q = pose.q.cast<float>();
   const float spoilt = in_garbage() ? std::numeric_limits<float>::quiet_NaN() : 0;
   return {{q.x(), q.y(), q.z(), q.w() + spoilt}, {p.x() + spoilt, p.y(), p.z()}};
 }
 
-XrResult SimulatedRuntime::wrong(const char* what, XrResult result) {
-  std::cerr << "openxr: WRONG: " << what << std::endl;
+XrResult SimulatedRuntime::client_error(const char* what, XrResult result) {
+  std::cerr << "simulated OpenXR: error: " << what << std::endl;
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // A small simulated OpenXR runtime after the public specification: the functions that the client calls, and
 // faults. It supports one instance with one session at a time. Client errors are reported on standard error:
-// "openxr: WRONG: …".
+// "simulated OpenXR: error: …".
 
 #define EGL_NO_PLATFORM_SPECIFIC_TYPES
 #include <EGL/egl.h>
@@ -93,9 +93,9 @@ class SimulatedRuntime {
   std::optional<Pose> world(const SimulatedSpace& space, XrTime time) const;
   /// Converts a pose to the one that the client receives, with NaN numbers while the simulated fault
   /// `garbage` lasts.
-  XrPosef told(const Pose& pose) const;
+  XrPosef to_xr_pose(const Pose& pose) const;
   /// Prints the client's error `what` on standard error and returns `result`, the error code for the client.
-  static XrResult wrong(const char* what, XrResult result);
+  static XrResult client_error(const char* what, XrResult result);
   bool takes_focus() const { return state == XR_SESSION_STATE_FOCUSED; }
 
  private:

@@ -34,14 +34,14 @@ PFNEGLGETPROCADDRESSPROC proc_of_glx(const void* binding) {
 XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
   return with_runtime([&](SimulatedRuntime& r) {
     if (r.has_session)
-      return SimulatedRuntime::wrong("xrCreateSession was called while a session exists",
-                                     XR_ERROR_LIMIT_REACHED);
+      return SimulatedRuntime::client_error("xrCreateSession was called while a session exists",
+                                            XR_ERROR_LIMIT_REACHED);
     // A session without graphics has no images: XR_MND_headless.
     r.get_proc = nullptr;
     if (info->next != nullptr) {
       r.get_proc = r.settings.glx ? proc_of_glx(info->next) : proc_of_egl(info->next);
       if (r.get_proc == nullptr)
-        return SimulatedRuntime::wrong(
+        return SimulatedRuntime::client_error(
             "xrCreateSession was called without an OpenGL context that the runtime can use",
             XR_ERROR_GRAPHICS_DEVICE_INVALID);
     }
@@ -63,8 +63,8 @@ XrResult XRAPI_CALL destroy_session(XrSession) {
 XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo*) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.state != XR_SESSION_STATE_READY)
-      return SimulatedRuntime::wrong("xrBeginSession was called although the session is not ready",
-                                     XR_ERROR_SESSION_NOT_READY);
+      return SimulatedRuntime::client_error("xrBeginSession was called although the session is not ready",
+                                            XR_ERROR_SESSION_NOT_READY);
     r.running = true;
     return XR_SUCCESS;
   });
@@ -73,8 +73,8 @@ XrResult XRAPI_CALL begin_session(XrSession, const XrSessionBeginInfo*) {
 XrResult XRAPI_CALL end_session(XrSession) {
   return with_session([&](SimulatedRuntime& r) {
     if (r.state != XR_SESSION_STATE_STOPPING)
-      return SimulatedRuntime::wrong("xrEndSession was called although the session is not stopping",
-                                     XR_ERROR_SESSION_NOT_STOPPING);
+      return SimulatedRuntime::client_error("xrEndSession was called although the session is not stopping",
+                                            XR_ERROR_SESSION_NOT_STOPPING);
     r.running = false;
     r.enter(XR_SESSION_STATE_IDLE);
     r.enter(XR_SESSION_STATE_EXITING);
@@ -92,15 +92,15 @@ XrResult XRAPI_CALL reference_spaces(XrSession, std::uint32_t capacity, std::uin
   });
 }
 
-Pose pose_told(const XrPosef& pose) {
+Pose to_pose(const XrPosef& pose) {
   return {{pose.position.x, pose.position.y, pose.position.z},
           Quat(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z)};
 }
 
 XrResult add_space(SimulatedRuntime& r, const SimulatedSpace& space, XrSpace* out) {
   if (std::abs(space.offset.q.norm() - 1) > 0.01)
-    return SimulatedRuntime::wrong("the orientation of a new space is not a unit quaternion",
-                                   XR_ERROR_POSE_INVALID);
+    return SimulatedRuntime::client_error("the orientation of a new space is not a unit quaternion",
+                                          XR_ERROR_POSE_INVALID);
   *out = reinterpret_cast<XrSpace>(r.spaces.size());
   r.spaces.push_back(space);
   return XR_SUCCESS;
@@ -108,11 +108,11 @@ XrResult add_space(SimulatedRuntime& r, const SimulatedSpace& space, XrSpace* ou
 
 XrResult XRAPI_CALL create_reference_space(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
   return with_session([&](SimulatedRuntime& r) {
-    SimulatedSpace space{SimulatedSpace::Kind::stage, right_hand, pose_told(info->poseInReferenceSpace)};
+    SimulatedSpace space{SimulatedSpace::Kind::stage, right_hand, to_pose(info->poseInReferenceSpace)};
     if (info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW) space.kind = SimulatedSpace::Kind::head;
     if (info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) space.kind = SimulatedSpace::Kind::local;
     if (space.kind == SimulatedSpace::Kind::stage && r.settings.no_stage)
-      return SimulatedRuntime::wrong(
+      return SimulatedRuntime::client_error(
           "a stage reference space was requested, but the runtime does not offer one",
           XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
     return add_space(r, space, out);
@@ -122,7 +122,7 @@ XrResult XRAPI_CALL create_reference_space(XrSession, const XrReferenceSpaceCrea
 XrResult XRAPI_CALL create_action_space(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* out) {
   return with_session([&](SimulatedRuntime& r) {
     const std::size_t hand = r.paths.at(info->subactionPath).ends_with("left") ? left_hand : right_hand;
-    return add_space(r, {SimulatedSpace::Kind::grip, hand, pose_told(info->poseInActionSpace)}, out);
+    return add_space(r, {SimulatedSpace::Kind::grip, hand, to_pose(info->poseInActionSpace)}, out);
   });
 }
 
@@ -137,13 +137,14 @@ SimulatedSpace& space_of(SimulatedRuntime& r, XrSpace space) {
 XrResult XRAPI_CALL locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (time <= 0)
-      return SimulatedRuntime::wrong("xrLocateSpace was called with an invalid time", XR_ERROR_TIME_INVALID);
+      return SimulatedRuntime::client_error("xrLocateSpace was called with an invalid time",
+                                            XR_ERROR_TIME_INVALID);
     const auto what = r.world(space_of(r, space), time), in = r.world(space_of(r, base), time);
     out->locationFlags = 0;
     if (!what || !in) return XR_SUCCESS;
     out->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
                          XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    out->pose = r.told(in->inverse() * *what);
+    out->pose = r.to_xr_pose(in->inverse() * *what);
     return XR_SUCCESS;
   });
 }
@@ -152,17 +153,17 @@ XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info, XrView
                                  std::uint32_t capacity, std::uint32_t* count, XrView* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (!r.running)
-      return SimulatedRuntime::wrong("xrLocateViews was called although the session is not running",
-                                     XR_ERROR_SESSION_NOT_RUNNING);
+      return SimulatedRuntime::client_error("xrLocateViews was called although the session is not running",
+                                            XR_ERROR_SESSION_NOT_RUNNING);
     const auto in = r.world(space_of(r, info->space), info->displayTime);
     if (!in)
-      return SimulatedRuntime::wrong("xrLocateViews was called with a space that cannot be located",
-                                     XR_ERROR_HANDLE_INVALID);
+      return SimulatedRuntime::client_error("xrLocateViews was called with a space that cannot be located",
+                                            XR_ERROR_HANDLE_INVALID);
     const Pose head = in->inverse() * r.wearer.head(r.seconds(info->displayTime));
     state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     return enumerate(capacity, count, out, 2, [&](std::uint32_t eye, XrView& view) {
       const double side = eye == 0 ? -half_eye_distance : half_eye_distance;
-      view.pose = r.told(head * Pose{{side, 0, 0}, Quat::Identity()});
+      view.pose = r.to_xr_pose(head * Pose{{side, 0, 0}, Quat::Identity()});
       view.fov = eye == 0 ? left_eye : right_eye;
     });
   });
@@ -175,10 +176,10 @@ XrResult XRAPI_CALL create_tracker(XrSession, const XrHandTrackerCreateInfoEXT* 
 
 XrResult XRAPI_CALL destroy_tracker(XrHandTrackerEXT) {
   return with_runtime([&](SimulatedRuntime& r) {
-    return r.has_session
-               ? XR_SUCCESS
-               : SimulatedRuntime::wrong("xrDestroyHandTrackerEXT was called after its session was destroyed",
-                                         XR_ERROR_HANDLE_INVALID);
+    return r.has_session ? XR_SUCCESS
+                         : SimulatedRuntime::client_error(
+                               "xrDestroyHandTrackerEXT was called after its session was destroyed",
+                               XR_ERROR_HANDLE_INVALID);
   });
 }
 
@@ -186,7 +187,7 @@ XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLo
                                   XrHandJointLocationsEXT* out) {
   return with_session([&](SimulatedRuntime& r) {
     if (out->jointCount != joints_per_hand)
-      return SimulatedRuntime::wrong(
+      return SimulatedRuntime::client_error(
           "xrLocateHandJointsEXT was called with an array that does not have the number of joints of a hand",
           XR_ERROR_VALIDATION_FAILURE);
     out->isActive = !r.settings.controllers && r.takes_focus() ? XR_TRUE : XR_FALSE;
@@ -199,7 +200,7 @@ XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLo
     for (std::size_t k = 0; k < joints_per_hand; ++k) {
       out->jointLocations[k].locationFlags =
           XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
-      out->jointLocations[k].pose = r.told(wrist * joints[k]);
+      out->jointLocations[k].pose = r.to_xr_pose(wrist * joints[k]);
       out->jointLocations[k].radius = 0.01F;
     }
     return XR_SUCCESS;

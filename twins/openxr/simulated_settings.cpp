@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
+#include "common/former_option_name.h"
+
 namespace prosector {
 namespace {
 
@@ -41,8 +43,9 @@ SimulatedRuntimeSettings simulated_runtime_settings() {
   app.add_option("--session-lost", out.session_lost, "Time at which the session is lost, s");
   app.add_option("--instance-lost", out.instance_lost, "Time at which the instance is lost, s");
   app.add_option("--frame-refused", out.frame_refused, "Time at which a submitted frame is rejected, s");
-  app.add_option("--centred-anew", out.recentre_time,
-                 "Time at which the stage's origin moves by 0.1 m to the right, s");
+  CLI::Option* recentred = app.add_option("--recentred", out.recentre_time,
+                                          "Time at which the stage's origin moves by 0.1 m to the right, s");
+  accept_former_name(app, *recentred, "--centred-anew");
   app.add_option("--left", out.left,
                  "Time at which the wearer leaves the program and the session is stopped, s");
   try {

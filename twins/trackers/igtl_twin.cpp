@@ -26,7 +26,7 @@ igtl::Tool IgtlTwin::tool(std::size_t station, std::int64_t now_ns) const {
 void IgtlTwin::put(const igtl::Message& message, std::size_t station, const igtl::Tool& tool,
                    std::int64_t now_ns, std::vector<TwinOutput>& out) {
   TwinOutput& record = out.emplace_back();
-  igtl::put(record.bytes, message, clock_.lies(now_ns) ? another_version : right_version);
+  igtl::put(record.bytes, message, clock_.sends_wrong_version(now_ns) ? another_version : right_version);
   if (std::bernoulli_distribution(bad_checksum_fraction_)(random_)) record.bytes.back() ^= 1u;
   record.is_record = true;
   record.station = static_cast<std::uint32_t>(station);

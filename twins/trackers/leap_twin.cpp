@@ -45,7 +45,7 @@ void LeapTwin::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns,
   auto& said = out.emplace_back().bytes;
   said.assign(answer->begin(), answer->end());
   leap::Text greeting;
-  greeting.version = leap::known_version + (clock_.lies(now_ns) ? 1 : 0);
+  greeting.version = leap::known_version + (clock_.sends_wrong_version(now_ns) ? 1 : 0);
   put_web_socket_text(said, leap::text_of(greeting, 0));
 }
 

@@ -31,7 +31,7 @@ class TrackerClock {
         next_ns_(now_ns),
         period_ns_(std::llround(1e9 / options.rate)) {}
 
-  bool lies(std::int64_t now_ns) const {
+  bool sends_wrong_version(std::int64_t now_ns) const {
     return options_.wrong_version &&
            options_.wrong_version->contains(1e-9 * static_cast<double>(now_ns - start_ns_));
   }

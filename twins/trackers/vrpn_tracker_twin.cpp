@@ -21,7 +21,7 @@ void VrpnTrackerTwin::receive(std::span<const std::uint8_t> bytes, std::int64_t 
   if (!reader_.greeted() || std::exchange(named_, true)) return;
   vrpn::Bytes& greeting = out.emplace_back().bytes;
   greeting = vrpn::cookie();
-  if (clock_.lies(now_ns)) greeting[version_at] = '8';
+  if (clock_.sends_wrong_version(now_ns)) greeting[version_at] = '8';
   vrpn::put(greeting, vrpn::naming(vrpn::names_sender, control_number, "VRPN Control"));
   vrpn::put(greeting, vrpn::naming(vrpn::names_sender, tracker_number, name_));
   vrpn::put(greeting, vrpn::naming(vrpn::names_type, pose_type_number, vrpn::pose_type));

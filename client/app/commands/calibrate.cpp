@@ -9,6 +9,7 @@
 
 #include "client/app/commands/guided_run.h"
 #include "common/error.h"
+#include "common/former_option_name.h"
 #include "drivers/config/tracker_roles.h"
 #include "drivers/device/driver_table.h"
 #include "drivers/files/csv.h"
@@ -286,14 +287,16 @@ void add_calibrate(CLI::App& app, CalibrateOptions& o) {
   app.add_option("--seconds", o.seconds, "For noise and latency: duration of the measurement, s")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
-  app.add_option("--against", o.against,
-                 "For latency: log file of a simulated device, or DRIVER:PATH of a second device that moves "
-                 "together with the receiver");
+  CLI::Option* reference =
+      app.add_option("--reference", o.against,
+                     "For latency: log file of a simulated device, or DRIVER:PATH of a second device that "
+                     "moves together with the receiver");
+  accept_former_name(app, *reference, "--against");
   add_eyes(app, o);
-  app.add_option("--patience", o.time_limit,
-                 "Time limit, s: stop with an error if the calibration takes longer")
-      ->check(CLI::Range(1.0, 86400.0))
-      ->capture_default_str();
+  CLI::Option* timeout = app.add_option("--timeout", o.time_limit,
+                                        "Time limit, s: stop with an error if the calibration takes longer");
+  timeout->check(CLI::Range(1.0, 86400.0))->capture_default_str();
+  accept_former_name(app, *timeout, "--patience");
 }
 
 int calibrate(const CalibrateOptions& o) {

@@ -48,20 +48,20 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 class StepPrinter {
  public:
   /// Prints the progress and the instruction. `kept`: number of views so far.
-  void tell(const std::string& instruction, std::size_t kept, const std::string& progress) {
+  void print(const std::string& instruction, std::size_t kept, const std::string& progress) {
     const std::int64_t now_ns = monotonic_ns();
-    if (instruction == told_ && kept == kept_ &&
+    if (instruction == instruction_ && kept == views_ &&
         static_cast<double>(now_ns - reported_ns_) * 1e-9 < repeat_interval)
       return;
-    told_ = instruction;
-    kept_ = kept;
+    instruction_ = instruction;
+    views_ = kept;
     reported_ns_ = now_ns;
     say(fmt::format("{}: {}", progress, instruction));
   }
 
  private:
-  std::string told_;
-  std::size_t kept_ = 0;
+  std::string instruction_;
+  std::size_t views_ = 0;
   std::int64_t reported_ns_ = 0;
 };
 
@@ -207,21 +207,21 @@ int calibrate_camera(const CameraCommandOptions& options) {
       fmt::format("camera {}: show it the board \"{}\" (print it with prosector-board {} --out board.pdf) "
                   "close up, in all parts of the image and tilted in all directions",
                   options.camera, guide.board().name, options.board));
-  StepPrinter teller;
+  StepPrinter printer;
   const std::int64_t begin_ns = monotonic_ns();
   for (LensGuideStep step; !step.done;) {
     if (is_over(begin_ns, options.time_limit)) {
       if (guide.views().size() < min_views)
         throw InputError(
             fmt::format("timed out after {:.0f} s: {} of {} views of the board were taken; allow more time "
-                        "with --patience",
+                        "with --timeout",
                         options.time_limit, guide.views().size(), recommended_views));
       say("timed out: the calibration uses the views of the board taken so far");
       break;
     }
     if (const auto frame = camera->next(image_timeout)) guide.take(frame->image);
     step = guide.step();
-    teller.tell(
+    printer.print(
         step.instruction, step.views,
         fmt::format("view {}/{}, {:.0f} % of the image", step.views, recommended_views, 100 * step.covered));
   }
@@ -242,14 +242,14 @@ int calibrate_pair(const CameraCommandOptions& options) {
       fmt::format("cameras {} and {}: show the board \"{}\" to both, close up and tilted in all directions, "
                   "and hold it still each time",
                   options.camera, options.second, options.board));
-  StepPrinter teller;
+  StepPrinter printer;
   const std::int64_t begin_ns = monotonic_ns();
   for (StereoGuideStep step = watch.step(); !step.done; step = watch.step()) {
     if (is_over(begin_ns, options.time_limit)) {
       say("timed out: the calibration uses the views of the board taken so far");
       break;
     }
-    teller.tell(
+    printer.print(
         step.instruction, step.views[0] + step.views[1] + step.pairs,
         fmt::format("views of the board: {} and {} of {} by each camera, {} of {} by both", step.views[0],
                     step.views[1], recommended_views, step.pairs, recommended_stereo_pairs));
@@ -268,7 +268,7 @@ int calibrate_pair(const CameraCommandOptions& options) {
   print_lens_fit(second);
   say(fmt::format(
       "{} views by both cameras, {} of them rejected; error {:.3f} px in views not used for the "
-      "fit; expected position error between the shown boards: {:.2f} mm RMS",
+      "fit; expected error of positions where the board was held: {:.2f} mm RMS",
       guide.pairs().size(), pair.first_second.left_out.size(), pair.held_out, 1e3 * pair.expected_error));
   const std::filesystem::path second_out = second_file(options.out);
   write_file(options.out, write_calibration(first.calibration));

@@ -2,6 +2,7 @@
 
 #include "client/app/commands/camera_command.h"
 #include "client/app/commands/record_camera.h"
+#include "common/former_option_name.h"
 #include "drivers/device/driver_table.h"
 
 namespace prosector {
@@ -21,7 +22,10 @@ void add_calibration(CLI::App& command, CameraCommandOptions& o) {
 }
 
 void add_alignment(CLI::App& command, CameraCommandOptions& o) {
-  command.add_option("--tracker", o.tracker, "Tracker with the board's receiver, DRIVER:PATH")->required();
+  command
+      .add_option("--tracker", o.tracker,
+                  "Tracker whose receiver is fixed to the calibration board, DRIVER:PATH")
+      ->required();
   command
       .add_option("--tracker-config", o.tracker_config, "Client configuration file with the tracker's pose")
       ->check(CLI::ExistingFile);
@@ -45,7 +49,9 @@ void add_board(CLI::App& command, CameraCommandOptions& o) {
                   "Board to show to the camera: name of a known board (prosector-board --list), or a "
                   "board file (.toml)")
       ->capture_default_str();
-  command.add_option("--patience", o.time_limit, "Time limit of the calibration, s")->capture_default_str();
+  CLI::Option* timeout = command.add_option("--timeout", o.time_limit, "Time limit of the calibration, s");
+  timeout->capture_default_str();
+  accept_former_name(command, *timeout, "--patience");
 }
 
 }  // namespace

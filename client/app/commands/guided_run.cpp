@@ -21,16 +21,17 @@ class GuidePrinter {
     if (status.health != DeviceHealth::streaming && !status.message.empty() && status.message != message_)
       say("device: " + status.message);
     message_ = status.message;
-    if (!step.trouble.empty() && step.trouble != trouble_) say("  " + step.trouble);
-    trouble_ = step.trouble;
+    if (!step.rejection.empty() && step.rejection != rejection_) say("  " + step.rejection);
+    rejection_ = step.rejection;
     if (step.done) return;
     if (step.instruction != instruction_) {
       instruction_ = step.instruction;
-      told_ = 0;
+      printed_progress_ = 0;
       say(fmt::format("{}/{} {}", step.index + 1, step.count, step.instruction));
-    } else if (step.count <= 2 && step.progress >= told_ + progress_interval && step.progress < 1) {
-      told_ = step.progress;
-      say(fmt::format("  {:.0f} %", 100 * told_));
+    } else if (step.count <= 2 && step.progress >= printed_progress_ + progress_interval &&
+               step.progress < 1) {
+      printed_progress_ = step.progress;
+      say(fmt::format("  {:.0f} %", 100 * printed_progress_));
     }
   }
 
@@ -40,8 +41,8 @@ class GuidePrinter {
     std::fflush(stdout);
   }
 
-  std::string instruction_, trouble_, message_;
-  double told_ = 0;
+  std::string instruction_, rejection_, message_;
+  double printed_progress_ = 0;
 };
 
 }  // namespace
@@ -53,7 +54,7 @@ void run_guide(Guide& guide, Device& device, double time_limit, const std::funct
   for (GuideStep step = guide.step(); !step.done; step = guide.step()) {
     if (seconds_since(begin_ns) > time_limit)
       throw InputError(fmt::format(
-          "calibration timed out after {:.0f} s in step {} of {}, \"{}\"; allow more time with --patience",
+          "calibration timed out after {:.0f} s in step {} of {}, \"{}\"; allow more time with --timeout",
           time_limit, step.index + 1, step.count, step.instruction));
     pollfd descriptor{device.descriptor(), POLLIN, 0};
     ::poll(&descriptor, descriptor.fd >= 0 ? 1 : 0, longest_wait_ms);

@@ -46,7 +46,7 @@ int record_device(const RecordOptions& o) {
   const std::int64_t begin_ns = monotonic_ns();
   std::vector<DeviceSample> samples;
   std::uint64_t count = 0;
-  std::string told;
+  std::string last_message;
   while (!recording_ended && (o.seconds == 0 || seconds_since(begin_ns) < o.seconds)) {
     pollfd descriptor{device->descriptor(), POLLIN, 0};
     ::poll(&descriptor, descriptor.fd >= 0 ? 1 : 0, longest_wait_ms);
@@ -57,8 +57,8 @@ int record_device(const RecordOptions& o) {
           "{}: the recording can no longer be written: check that the disk has free space", o.out.string()));
     count += samples.size();
     const DeviceStatus status = device->status();
-    if (status.message != told && !status.message.empty()) fmt::print(stderr, "{}\n", status.message);
-    told = status.message;
+    if (status.message != last_message && !status.message.empty()) fmt::print(stderr, "{}\n", status.message);
+    last_message = status.message;
   }
   fmt::print("{} samples in {:.1f} s: replay them with --tracker recorded:{}\n", count,
              seconds_since(begin_ns), o.out.string());

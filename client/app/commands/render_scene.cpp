@@ -22,7 +22,7 @@ namespace {
 constexpr double turntable_rate = 25;  // frames/s
 constexpr int sheet_columns = 4, sheet_tile_width = 200;
 
-void tell(const std::string& line) {
+void print_line(const std::string& line) {
   fmt::print("{}\n", line), std::fflush(stdout);
 }
 
@@ -44,13 +44,13 @@ class Pictures {
   }
   void keep(Image image, const std::string& name, const std::string& about) {
     write_png(image, file(name + ".png"));
-    tell(fmt::format("{}: {}", file(name + ".png").string(), about));
+    print_line(fmt::format("{}: {}", file(name + ".png").string(), about));
     if (options_.sheet) all_.push_back(std::move(image));
   }
   void write_sheet() const {
     if (all_.empty()) return;
     write_png(contact_sheet(all_, sheet_columns, sheet_tile_width), file("sheet.png"));
-    tell(fmt::format("{}: contact sheet of all frames, row by row", file("sheet.png").string()));
+    print_line(fmt::format("{}: contact sheet of all frames, row by row", file("sheet.png").string()));
   }
 
  private:
@@ -96,15 +96,15 @@ void draw_turn(const RenderOptions& o, const SceneDesc& scene, DrawList list, Re
     recorder.add(draw(renderer, list));
     if (!recorder.failure().empty()) throw InputError(recorder.failure());
   }
-  tell(fmt::format("{}: one turn, {} frames", file.string(), count));
+  print_line(fmt::format("{}: one turn, {} frames", file.string(), count));
 }
 
 }  // namespace
 
 int render_scene(const RenderOptions& o) {
   const SourcePaths paths{o.scene.parent_path(), {default_data_dir()}, default_cache_dir()};
-  const SceneDesc scene = completed(load_scene(o.scene), paths, tell);
-  DrawList list = still_scene(scene, paths, tell);
+  const SceneDesc scene = completed(load_scene(o.scene), paths, print_line);
+  DrawList list = still_scene(scene, paths, print_line);
   if (o.quality.detail > 0) add_detail(list);
   std::vector<TourStop> tour = tour_of(scene, list, o.width, o.height);
   const auto is_left_out = [&](const TourStop& stop) { return !o.view.empty() && stop.name != o.view; };

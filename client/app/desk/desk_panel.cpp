@@ -3,9 +3,9 @@
 namespace prosector {
 namespace {
 
-constexpr std::chrono::seconds ask_interval{1};
+constexpr std::chrono::seconds request_interval{1};
 constexpr double farthest_drag = 4;                     // m from the eye
-constexpr std::chrono::milliseconds tell_interval{40};  // the server accepts at most 50 commands a second
+constexpr std::chrono::milliseconds send_interval{40};  // the server accepts at most 50 commands a second
 constexpr std::chrono::seconds placing_timeout{1};      // until the server reports the released pose
 constexpr double arrived = 1e-5;                        // m
 
@@ -38,7 +38,7 @@ bool DeskPanel::follow(const std::optional<Panel>& panel, const std::optional<Sh
     unsent_placing_.reset();
   } else if (place_ && !held_ && !unsent_placing_) {
     const bool is_there = (panel->pose.p - place_->p).norm() < arrived;
-    if (is_there || std::chrono::steady_clock::now() - let_go_ > placing_timeout) place_.reset();
+    if (is_there || std::chrono::steady_clock::now() - release_time_ > placing_timeout) place_.reset();
   }
   scroll_.follow(panel, hidden_lines);
   shown_ = panel;
@@ -63,7 +63,7 @@ void DeskPanel::drag(const Ray& pointer) {
 }
 
 void DeskPanel::let_go() {
-  if (held_) let_go_ = std::chrono::steady_clock::now();
+  if (held_) release_time_ = std::chrono::steady_clock::now();
   held_.reset();
 }
 
@@ -75,8 +75,8 @@ void DeskPanel::put_back() {
 
 std::optional<CommandBody> DeskPanel::take_placing() {
   const auto now = std::chrono::steady_clock::now();
-  if (!unsent_placing_ || !shown_ || now - last_told_ < tell_interval) return std::nullopt;
-  last_told_ = now;
+  if (!unsent_placing_ || !shown_ || now - last_sent_ < send_interval) return std::nullopt;
+  last_sent_ = now;
   OpenPanel out{shown_->body, *unsent_placing_};
   if (*unsent_placing_ == PanelPlacement::put) out.at = shown_->pose.p;
   unsent_placing_.reset();
@@ -85,8 +85,8 @@ std::optional<CommandBody> DeskPanel::take_placing() {
 
 bool DeskPanel::should_keep_open(const Ray& pointer) {
   const auto now = std::chrono::steady_clock::now();
-  if (now - last_asked_ < ask_interval || !covers(pointer)) return false;
-  last_asked_ = now;
+  if (now - last_request_ < request_interval || !covers(pointer)) return false;
+  last_request_ = now;
   return true;
 }
 

@@ -75,10 +75,10 @@ class DeskPanel {
   std::optional<ShownEffort> effort_;
   std::optional<Pose> place_;  // pose set by the user; nullopt: none
   std::optional<Hold> held_;
-  std::chrono::steady_clock::time_point let_go_{}, last_told_{};
+  std::chrono::steady_clock::time_point release_time_{}, last_sent_{};
   std::optional<PanelPlacement> unsent_placing_;  // change of the pose not yet sent
   PanelScroll scroll_;
-  std::chrono::steady_clock::time_point last_asked_{};
+  std::chrono::steady_clock::time_point last_request_{};
 };
 
 /// Returns whether the point is on the header of the panel, with the part's name, by which the panel is

@@ -20,8 +20,8 @@ std::vector<BodyTraits> traits_of(const Replica& replica) {
   const auto& bodies = replica.scene()->bodies;
   std::vector<BodyTraits> out(bodies.size());
   for (BodyId id = 0; id < bodies.size(); ++id) {
-    const RigidReplica* rigid = replica.rigid(id);
-    out[id] = {replica.soft(id) != nullptr, rigid != nullptr && !rigid->edges.empty(),
+    const RigidReplica* rigid = replica.bodies().rigid(id);
+    out[id] = {replica.bodies().soft(id) != nullptr, rigid != nullptr && !rigid->edges.empty(),
                is_openable(bodies[id].appearance)};
   }
   return out;
@@ -63,21 +63,21 @@ DeskSession desk_session(const Replica& replica, SceneView& view, double tick, P
     out.touched = contact->body;
   out.tip = instrument_tip(replica, hand, tick);
   out.blade = held_blade(replica, hand, tick);
-  out.pace = replica.pace();
+  out.pace = replica.time().pace();
   out.watched = shown_time(replica, tick);
   return out;
 }
 
 void show_choices(const Desk& desk, Outlook& settings) {
-  const DeskChoices& choices = desk.choices();
-  settings.pointer = desk.pointer_pixel();
-  settings.cut_guide = desk.cut_line();
-  settings.cut_depth = desk.cut_depth();
+  const DeskChoices& choices = desk.display().choices();
+  settings.pointer = desk.view().pointer_pixel();
+  settings.cut_guide = desk.hand().cut_line();
+  settings.cut_depth = desk.hand().cut_depth();
   settings.shown = choices.shown;
   settings.highlighted = desk.parts().hovered_bodies();
   settings.parts_list = desk.parts().shown();
   settings.section = choices.section;
-  settings.panel = desk.panel_look();
+  settings.panel = desk.panel().look();
 }
 
 }  // namespace prosector

@@ -43,6 +43,8 @@ class DeskView {
   /// Returns whether an animated transition to another view is in progress.
   bool is_under_way() const { return orbit_.is_under_way(); }
   const ViewPlace& place() const { return leading_ ? leading_place_ : orbit_.place(); }
+  /// Returns the pose of the view, world frame, regardless of a screen that acts as a window.
+  Pose eye() const { return place().pose(); }
   /// Returns the camera with which the frame is rendered. The ray of pointer() starts at this camera.
   DrawCamera camera() const;
   Ray pointer() const;

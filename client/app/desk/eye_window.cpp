@@ -22,8 +22,8 @@ std::string EyeWindow::take_news() {
   const DeviceStatus status = device_->status();
   std::string words = fmt::format("window {}: {}{}{}", settings_.address, health_name(status.health),
                                   status.message.empty() ? "" : ": ", status.message);
-  if (words == told_) return "";
-  told_ = words;
+  if (words == last_status_) return "";
+  last_status_ = words;
   return words;
 }
 

@@ -29,7 +29,7 @@ class EyeWindow {
   std::unique_ptr<Device> device_;
   std::vector<DeviceSample> samples_;
   EasedEyePosition eye_;
-  std::string told_;  // last reported status line
+  std::string last_status_;  // last reported status line
 };
 
 }  // namespace prosector

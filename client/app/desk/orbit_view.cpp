@@ -93,9 +93,9 @@ void OrbitView::turn(double left, double up) {
   set(next);
 }
 
-void OrbitView::rotate_gaze(double left, double up) {
+void OrbitView::rotate_gaze(double right, double down) {
   const Vec3 eye = aim().eye();
-  turn(left, up);
+  turn(right, down);  // an eye that moves to the left and upwards looks to the right and downwards
   ViewPlace next = aim();
   next.target = eye - next.distance * next.back();
   set(next);

@@ -53,9 +53,9 @@ class OrbitView {
   // During a transition each of these changes its goal. Non-finite arguments are ignored.
   /// Rotates the eye about the target by two angles, rad: to the left, and upwards.
   void turn(double left, double up);
-  /// Rotates the viewing direction about the eye, rad: to the right by `left` and downwards by `up`. The
-  /// orbit's angles change as in turn(), but the target moves instead of the eye.
-  void rotate_gaze(double left, double up);
+  /// Rotates the viewing direction about the eye by two angles, rad: to the right, and downwards. The target
+  /// moves instead of the eye.
+  void rotate_gaze(double right, double down);
   /// Multiplies the distance between eye and target by `factor`; below 1 the eye comes nearer.
   void zoom(double factor);
   /// Moves eye and target by the vector `by`, m, world frame.

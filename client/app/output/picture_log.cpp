@@ -8,7 +8,7 @@
 namespace prosector {
 
 PictureLog::PictureLog(const std::filesystem::path& file) : out_(file) {
-  if (!out_) throw InputError(fmt::format("--picture-log {}: cannot be written", file.string()));
+  if (!out_) throw InputError(fmt::format("--frame-log {}: cannot be written", file.string()));
   out_ << "drawn_ns,camera_ns,hand_ns,tick\n";
 }
 

@@ -4,10 +4,10 @@
 
 namespace prosector {
 
-Audience audience_settings(const ClientOptions& o) {
+Audience audience_settings(const DisplayOptions& o) {
   Audience out = *o.audience;
-  if (o.display == Display::openxr) out.eyes = 2;
-  if (o.display == Display::stereo) {
+  if (o.kind == Display::openxr) out.eyes = 2;
+  if (o.kind == Display::stereo) {
     out.eyes = 2;
     out.aspect = std::tan(o.stereo.fov_horizontal / 2) / std::tan(o.stereo.fov_vertical / 2);
   }

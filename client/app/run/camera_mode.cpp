@@ -28,7 +28,7 @@ CameraMode::CameraMode(ViewerContext& client, std::unique_ptr<ScreenMode> screen
   const auto phantom_board = take_phantom();
   sight_ = std::make_unique<CameraSight>(camera, devices.tracker_device.camera, tablet_board(devices),
                                          phantom_board);
-  if (!client.options.picture_log.empty()) log_.emplace(client.options.picture_log);
+  if (!client.options.logs.pictures.empty()) log_.emplace(client.options.logs.pictures);
 }
 
 /// Sets up the calibrated phantom, if any. Returns its board.
@@ -56,7 +56,7 @@ bool CameraMode::begin_frame() {
 /// Returns whether to skip this camera image to respect --fps; if not, sets the time of the next one. An
 /// image up to half an interval early is accepted, because camera and computer clocks differ.
 bool CameraMode::should_skip_frame() {
-  const auto interval_ns = static_cast<std::int64_t>(1e9 / client_.options.frames_per_second);
+  const auto interval_ns = static_cast<std::int64_t>(1e9 / client_.options.display.frames_per_second);
   const std::int64_t now_ns = monotonic_ns();
   if (now_ns + interval_ns / 2 < due_ns_) return true;
   due_ns_ = std::max(due_ns_, now_ns - interval_ns / 2) + interval_ns;
@@ -67,8 +67,8 @@ bool CameraMode::should_skip_frame() {
 void CameraMode::update_overlay() {
   CameraOverlay now;
   now.room_board = sight_->room_board();
-  now.words = sight_->trouble(client_.options.words);
-  now.phantoms = client_.options.phantoms;
+  now.words = sight_->warning(client_.options.words);
+  now.phantoms = client_.options.ar.phantoms;
   now.found = phantom_;
   now.camera.width = context().width();
   now.camera.height = context().height();
@@ -99,10 +99,10 @@ void CameraMode::wait_for_inputs(const InputPump* pump) {
 /// ms for the resulting hand poses. Hands that are absent or tracked by other devices cause no new poses.
 void CameraMode::wait_for_hands(const InputPump& pump, std::int64_t time_ns) const {
   constexpr std::chrono::milliseconds poll_period(2);
-  constexpr int most_naps = 150, naps_on_way = 10;
-  for (int naps = 0; naps < most_naps && !sight_->all_analysed(time_ns); ++naps)
+  constexpr int max_analysis_polls = 150, max_pose_polls = 10;
+  for (int polls = 0; polls < max_analysis_polls && !sight_->all_analysed(time_ns); ++polls)
     std::this_thread::sleep_for(poll_period);
-  for (int naps = 0; naps < naps_on_way && pump.latest().time_ns < time_ns; ++naps)
+  for (int polls = 0; polls < max_pose_polls && pump.latest().time_ns < time_ns; ++polls)
     std::this_thread::sleep_for(poll_period);
 }
 

@@ -9,24 +9,24 @@
 namespace prosector {
 
 DeskMode::DeskMode(ViewerContext& client, SceneView& scene, const Projection& projection)
-    : ScreenMode(client), scene_(scene), projection_(projection), follow_(client.options.follow) {
+    : ScreenMode(client), scene_(scene), projection_(projection), follow_(client.options.view.follow) {
   const ClientOptions& o = client.options;
-  window_ = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
-  desk_ =
-      std::make_unique<Desk>(*window_, DeskChoices{.shown = o.shown, .full_screen = o.monitor.has_value()});
-  if (o.audience) window_->open_audience(audience_settings(o));
+  window_ = make_window_context(o.display.width, o.display.height, "Prosector: " + o.bus.session);
+  desk_ = std::make_unique<Desk>(
+      *window_, DeskChoices{.shown = o.view.shown, .full_screen = o.display.monitor.has_value()});
+  if (o.display.audience) window_->open_audience(audience_settings(o.display));
 }
 
 Outlook DeskMode::look(InputPump* pump, LocalUser& self, const Outlook& usual) {
   Outlook out = usual;
   const DeskSession session = begin_desk_frame(self.participant);
-  desk_->follow_camera(leading_camera_);
+  desk_->view().follow_camera(leading_camera_);
   desk_->update(session);
   rumble_.follow(desk_->has_gamepad(), touch_force(self.participant), monotonic_ns());
   self.at_desk = !is_tracked(client_.options);
   out.projection = projection_;
   if (!is_led_by_head(self)) {
-    out.eye = desk_->eye();
+    out.eye = desk_->view().eye();
     out.pointed = desk_->pointed();
   }
   follow_choices(self, out);
@@ -44,7 +44,7 @@ bool DeskMode::is_led_by_head(const LocalUser& self) const {
 /// Returns the session state for this frame. Begins at the start view in the first frame.
 DeskSession DeskMode::begin_desk_frame(ParticipantId self) {
   return client_.connection.with_replica([&](Replica& replica) {
-    const double tick = replica.advance(monotonic_ns());
+    const double tick = replica.time().advance(monotonic_ns());
     const double aspect = static_cast<double>(window_->width()) / window_->height();
     if (!desk_->has_begun()) desk_->begin(start_view_of(replica, tick, self, aspect));
     DeskSession out = desk_session(replica, scene_, tick, self);
@@ -73,18 +73,18 @@ Role DeskMode::role_of(ParticipantId participant) {
 
 /// Applies what the user chose with mouse and keyboard.
 void DeskMode::follow_choices(const LocalUser& self, Outlook& out) {
-  const DeskChoices& choices = desk_->choices();
+  const DeskChoices& choices = desk_->display().choices();
   const ClientOptions& options = client_.options;
   show_choices(*desk_, out);
   out.has_pointer = true;
-  out.sought_tick = desk_->wished_tick();
-  out.wireframes = options.wireframes != choices.wireframes;
+  out.sought_tick = desk_->time().wish();
+  out.wireframes = options.view.wireframes != choices.wireframes;
   for (const PartsOrder& order : desk_->parts().take_orders()) client_.parts.obey(order);
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
-    window_->set_full_screen(full_screen_ ? options.monitor.value_or(0) : std::optional<int>());
+    window_->set_full_screen(full_screen_ ? options.display.monitor.value_or(0) : std::optional<int>());
   }
-  for (std::size_t n = desk_->take_follow_requests(); n > 0; --n) follow_next(self.participant);
+  for (std::size_t n = desk_->display().take_follow_requests(); n > 0; --n) follow_next(self.participant);
   out.follow = follow_;
   if (choices.figures) out.notes = client_.figures.text();
   if (choices.help)
@@ -95,7 +95,7 @@ void DeskMode::follow_choices(const LocalUser& self, Outlook& out) {
 void DeskMode::follow_next(ParticipantId self) {
   std::vector<std::string> names = {""};
   client_.connection.with_replica([&](Replica& replica) {
-    const double tick = replica.advance(monotonic_ns());
+    const double tick = replica.time().advance(monotonic_ns());
     for (const auto& [id, entry] : replica.roster()) {
       const auto user = replica.user(id, tick);
       if (id != self && user && user->head_tracked) names.push_back(entry.name);
@@ -113,13 +113,13 @@ void DeskMode::drive_hand(InputPump& pump, LocalUser& self, bool has_panel) {
   self.input = desk_->input();
   pump.set_desk_input(self.input);
   for (const CommandBody& command : desk_->take_commands()) client_.connection.command(command);
-  if (const auto ray = desk_->take_panel_request()) request_panel(*ray, has_panel);
+  if (const auto ray = desk_->panel_opening().take_request()) request_panel(*ray, has_panel);
 }
 
 /// Asks the server to open the panel of the part that the ray meets; without a part, to close the open one.
 void DeskMode::request_panel(const Ray& ray, bool has_panel) {
   if (const auto part = scene_.part_at(ray)) {
-    desk_->expect_panel();
+    desk_->panel_opening().expect();
     return client_.connection.command(OpenPanel{*part});
   }
   if (has_panel) return client_.connection.command(ClosePanel{});

@@ -25,12 +25,12 @@ class DeskMode : public ScreenMode {
   void show_loading(Renderer& renderer, const LoadingState& state) override;
   std::vector<ControlDevice> controls() const override;
   std::optional<BodyId> pointed() const override { return desk_->pointed(); }
-  std::optional<Pose> eye() const override { return desk_->eye(); }
-  int take_picture_request() override { return desk_->take_picture_request(); }
+  std::optional<Pose> eye() const override { return desk_->view().eye(); }
+  int take_picture_request() override { return desk_->display().take_picture_request(); }
 
   bool is_led_by_head(const LocalUser& self) const override;
-  void set_window_look(const WindowLook& look) override { desk_->set_window_look(look); }
-  DrawCamera window_camera() const override { return desk_->camera(); }
+  void set_window_look(const WindowLook& look) override { desk_->view().set_window_look(look); }
+  DrawCamera window_camera() const override { return desk_->view().camera(); }
   void follow_camera(const std::optional<DrawCamera>& camera) override { leading_camera_ = camera; }
 
  protected:

@@ -17,17 +17,17 @@ Image left_half(const Image& image) {
 
 }  // namespace
 
-FrameOutput::FrameOutput(const ClientOptions& options)
+FrameOutput::FrameOutput(const OutputOptions& options, const DisplayOptions& display)
     : pending_(options.screenshots),
-      frames_per_second_(options.frames_per_second),
-      left_eye_recorded_(options.display == Display::openxr),
+      frames_per_second_(display.frames_per_second),
+      left_eye_recorded_(display.kind == Display::openxr),
       sheet_file_(options.sheet) {
   if (!sheet_file_.empty()) sheet_.emplace(options.sheet_interval);
-  if (options.record.empty()) return;
+  if (options.video.empty()) return;
   if (left_eye_recorded_)
-    recorder_ = std::make_unique<Recorder>(options.record, 0, 0, frames_per_second_);
+    recorder_ = std::make_unique<Recorder>(options.video, 0, 0, frames_per_second_);
   else
-    recorder_ = std::make_unique<Recorder>(options.record, options.width, options.height, frames_per_second_);
+    recorder_ = std::make_unique<Recorder>(options.video, display.width, display.height, frames_per_second_);
 }
 
 bool FrameOutput::wants(double seconds) const {
@@ -53,7 +53,7 @@ void FrameOutput::take(const Image& image, double seconds) {
   if (left_eye_recorded_) left = left_half(image);
   const Image& recorded = left ? *left : image;
   while (recorder_->frames() < due && recorder_->failure().empty()) recorder_->add(recorded);
-  if (!recorder_->failure().empty() && !std::exchange(failure_told_, true)) fail(recorder_->failure());
+  if (!recorder_->failure().empty() && !std::exchange(failure_reported_, true)) fail(recorder_->failure());
 }
 
 void FrameOutput::finish(const Image& image) {

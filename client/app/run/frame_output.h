@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "client/app/output/recorder.h"
-#include "client/app/run/options.h"
+#include "client/app/run/display_options.h"
+#include "client/app/run/output_options.h"
 #include "client/render/timed_sheet.h"
 
 namespace prosector {
 
 class FrameOutput {
  public:
-  explicit FrameOutput(const ClientOptions& options);
+  /// Prepares to store frames of this display.
+  FrameOutput(const OutputOptions& options, const DisplayOptions& display);
 
   /// Returns whether a frame at `seconds` after joining would be stored: in a video, in the contact sheet, or
   /// as a screenshot that is due.
@@ -43,7 +45,7 @@ class FrameOutput {
   std::optional<double> recording_since_;
   std::filesystem::path sheet_file_;
   std::optional<TimedSheet> sheet_;
-  bool failure_told_ = false, failed_ = false;
+  bool failure_reported_ = false, failed_ = false;
   std::vector<std::string> failures_;
 
   void write(const Image& image, const std::filesystem::path& file);

@@ -19,20 +19,20 @@ HeadsetMode::HeadsetMode(ViewerContext& client, HeadsetUser& user) : ViewMode(cl
 void HeadsetMode::make_context() {
   const ClientOptions& o = client_.options;
   const bool by_egl = headset_takes_egl();
-  if (by_egl && !o.audience) {
-    context_ = make_egl_context(o.width, o.height);
+  if (by_egl && !o.display.audience) {
+    context_ = make_egl_context(o.display.width, o.display.height);
     return;
   }
-  const auto audience = o.audience ? std::optional(audience_settings(o)) : std::nullopt;
+  const auto audience = o.display.audience ? std::optional(audience_settings(o.display)) : std::nullopt;
   try {
-    auto mirror =
-        make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.width, o.height, audience);
+    auto mirror = make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.display.width,
+                                      o.display.height, audience);
     mirror_ = mirror.get();
     context_ = std::move(mirror);
   } catch (const InputError& error) {
     throw InputError(fmt::format("--display openxr: {}: {}",
                                  by_egl
-                                     ? "--audience needs a window"
+                                     ? "--spectator-window needs a window"
                                      : "the OpenXR runtime accepts images by GLX only, which needs a window",
                                  error.what()));
   }
@@ -41,7 +41,7 @@ void HeadsetMode::make_context() {
 bool HeadsetMode::begin_frame() {
   auto frame = headset_->next_frame();
   for (const HeadsetNews& news : headset_->take_news())
-    news.for_wearer ? client_.inform(client_.options.words.tr(news.line)) : client_.tell(news.line);
+    news.for_wearer ? client_.inform(client_.options.words.tr(news.line)) : client_.print_line(news.line);
   if (!frame) {
     if (mirror_ != nullptr) mirror_->wait();
     return false;

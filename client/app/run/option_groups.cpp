@@ -1,6 +1,7 @@
 #include "client/app/run/option_groups.h"
 
 #include "client/app/run/option_values.h"
+#include "common/former_option_name.h"
 
 namespace prosector {
 namespace {
@@ -23,9 +24,10 @@ void add_display(CLI::App& app, RawOptions& raw) {
                  "camera image); offscreen; osmesa; none")
       ->capture_default_str()
       ->group("Pictures");
-  app.add_option("--camera", raw.camera,
-                 "Camera for --display ar or --offer-camera: /dev/video0, a number, a video file, a stream, "
-                 "synthetic:SCENE.toml, or igtl://HOST/DEVICE (default: the tracker's camera)")
+  app.add_option(
+         "--camera", raw.camera,
+         "Camera for --display ar or --publish-camera: /dev/video0, a number, a video file, a stream, "
+         "synthetic:SCENE.toml, or igtl://HOST/DEVICE (default: the tracker's camera)")
       ->group("Pictures");
   app.add_option("--window", raw.window,
                  "Show the scene as through a window, from the viewer's eye position, which this device "
@@ -37,7 +39,7 @@ void add_display(CLI::App& app, RawOptions& raw) {
       ->group("Pictures");
 }
 
-void add_quality(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+void add_quality(CLI::App& app, RenderingOptions& o, RawOptions& raw) {
   app.add_option("--quality", raw.quality, "Rendering quality: low, medium, high")
       ->capture_default_str()
       ->group("Pictures");
@@ -53,7 +55,7 @@ void add_quality(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   add_detail_option(app, raw)->group("Pictures");
 }
 
-void add_size(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+void add_size(CLI::App& app, DisplayOptions& o, RawOptions& raw) {
   app.add_option("--size", raw.size, "Frame size, WIDTHxHEIGHT (default 800x600; stereo: from the profile)")
       ->group("Pictures");
   app.add_option("--monitor", o.monitor,
@@ -61,18 +63,20 @@ void add_size(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->check(CLI::NonNegativeNumber)
       ->group("Pictures");
   // As text: CLI11 would convert a missing number to 0.
-  app.add_option_function<std::string>(
-         "--audience",
-         [&o](const std::string& monitor) {
-           o.audience.emplace();
-           if (!monitor.empty()) o.audience->monitor = std::stoi(monitor);
-         },
-         "Open a second window for spectators with the same view (stereo: one eye); with a number, full "
-         "screen on that monitor, counted from 0")
-      ->expected(0, 1)
-      ->type_name("[MONITOR]")
-      ->check(CLI::Range(0, 99))
-      ->group("Pictures");
+  CLI::Option* spectators =
+      app.add_option_function<std::string>(
+             "--spectator-window",
+             [&o](const std::string& monitor) {
+               o.audience.emplace();
+               if (!monitor.empty()) o.audience->monitor = std::stoi(monitor);
+             },
+             "Open a second window for spectators with the same view (stereo: one eye); with a number, full "
+             "screen on that monitor, counted from 0")
+          ->expected(0, 1)
+          ->type_name("[MONITOR]")
+          ->check(CLI::Range(0, 99))
+          ->group("Pictures");
+  accept_former_name(app, *spectators, "--audience");
   app.add_option("--scale", o.scale,
                  "Scale factor of texts and overlays, 1 = normal size (default: the desktop's, or suited to "
                  "the headset)")
@@ -82,52 +86,59 @@ void add_size(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->capture_default_str()
       ->check(CLI::Range(0.1, 240.0))
       ->group("Pictures");
+}
+
+void add_views(CLI::App& app, ViewOptions& o) {
   app.add_option("--follow", o.follow, "Show the view of the participant with this name")->group("Pictures");
   app.add_option("--inset", o.insets,
                  "Show the view of the participant with this name as an inset (repeatable)")
       ->group("Pictures");
 }
 
-void add_recording(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+void add_recording(CLI::App& app, OutputOptions& o, RawOptions& raw) {
   app.add_option(
          "--screenshot", raw.screenshots,
          "Write a screenshot (PNG) at the end, or with FILE@SECONDS at that time after joining (repeatable)")
       ->group("Pictures");
-  app.add_option("--record", o.record,
+  app.add_option("--record", o.video,
                  "Record the display to this video file, .avi or .mp4 (headset: the left eye's frames)")
       ->group("Pictures");
   const auto sheet =
       app.add_option("--sheet", o.sheet,
                      "Write a contact sheet (one PNG with small frames of the whole session) at the end")
           ->group("Pictures");
-  app.add_option("--every", o.sheet_interval, "Seconds between two frames of the contact sheet")
-      ->capture_default_str()
-      ->check(CLI::Range(0.1, 86400.0))
-      ->needs(sheet)
-      ->group("Pictures");
+  CLI::Option* interval =
+      app.add_option("--sheet-interval", o.sheet_interval, "Seconds between two frames of the contact sheet");
+  interval->capture_default_str()->check(CLI::Range(0.1, 86400.0))->needs(sheet)->group("Pictures");
+  accept_former_name(app, *interval, "--every");
 }
 
-void add_overlays(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+void add_shaders(CLI::App& app, RenderingOptions& o) {
   app.add_option("--shaders", o.shaders, shaders_help)->group("Pictures");
   app.add_flag("--watch-shaders", o.watch_shaders, "Reload the shaders when a file in their folder changes")
       ->group("Pictures");
+}
+
+void add_overlays(CLI::App& app, ViewOptions& o, RawOptions& raw) {
   app.add_flag("!--no-overlay", o.overlay, "Hide figures and axes")->group("Pictures");
   app.add_flag("--wireframes", o.wireframes, "Draw collision shapes as white wireframes")->group("Pictures");
-  app.add_option(
-         "--show", raw.show,
-         "Colour soft bodies by a quantity: strain, residual (of the solver), error (estimated) or none")
-      ->capture_default_str()
-      ->group("Pictures");
+  CLI::Option* color_by = app.add_option(
+      "--color-by", raw.show,
+      "Colour soft bodies by a quantity: strain, residual (of the solver), error (estimated) or none");
+  color_by->capture_default_str()->group("Pictures");
+  accept_former_name(app, *color_by, "--show");
 }
 
 }  // namespace
 
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   add_display(app, raw);
-  add_quality(app, o, raw);
-  add_size(app, o, raw);
-  add_recording(app, o, raw);
-  add_overlays(app, o, raw);
+  add_quality(app, o.rendering, raw);
+  add_size(app, o.display, raw);
+  add_views(app, o.view);
+  add_recording(app, o.output, raw);
+  add_shaders(app, o.rendering);
+  add_overlays(app, o.view, raw);
 }
 
 void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
@@ -152,24 +163,27 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--profile", o.bus.profile,
                  "Network profile: loopback, lan, wan or a DDS profile file (docs/do/network.md)")
       ->group("Network");
-  app.add_option_function<double>(
-         "--patience",
-         [&o](double s) { o.join.time_limit = std::chrono::milliseconds(static_cast<int>(1e3 * s)); },
-         "Seconds to look for the session before giving up (default 5)")
-      ->check(CLI::Range(0.1, 600.0))
-      ->group("Network");
+  CLI::Option* timeout = app.add_option_function<double>(
+      "--timeout",
+      [&o](double s) { o.join.time_limit = std::chrono::milliseconds(static_cast<int>(1e3 * s)); },
+      "Seconds to look for the session before giving up (default 5)");
+  timeout->check(CLI::Range(0.1, 600.0))->group("Network");
+  accept_former_name(app, *timeout, "--patience");
 }
 
 void add_offers(CLI::App& app, RawOptions& raw) {
-  app.add_option("--offer", raw.offers,
-                 "Publish the poses of hands, heads and held tools to other software (repeatable): vrpn or "
-                 "igtl (OpenIGTLink) for this machine only, or vrpn:ADDRESS:PORT")
-      ->group("Network");
-  app.add_flag("--offer-camera", raw.offers_camera,
-               "With --offer igtl: also publish the images of --camera (default: the tracker's camera) as "
-               "IMAGE messages")
-      ->needs("--offer")
-      ->group("Network");
+  CLI::Option* poses = app.add_option(
+      "--publish", raw.offers,
+      "Publish the poses of hands, heads and held tools to other software (repeatable): vrpn or igtl "
+      "(OpenIGTLink) for this machine only, or vrpn:ADDRESS:PORT");
+  poses->group("Network");
+  accept_former_name(app, *poses, "--offer");
+  CLI::Option* images = app.add_flag(
+      "--publish-camera", raw.offers_camera,
+      "With --publish igtl: also publish the images of --camera (default: the tracker's camera) as IMAGE "
+      "messages");
+  images->needs(poses)->group("Network");
+  accept_former_name(app, *images, "--offer-camera");
 }
 
 void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
@@ -179,19 +193,21 @@ void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--seconds", o.seconds,
                  "Leave the session after this many seconds (default: stay until you leave)")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--summary", o.summary, "Write a summary of this run to this JSON file")
+  app.add_option("--summary", o.logs.summary, "Write a summary of this run to this JSON file")
       ->group("Measurement");
   app.add_option(
-         "--session-log", o.session_log,
+         "--session-log", o.logs.session,
          "Write session events (grasps, parts, panels, hand forces) to this file, one JSON object per line")
       ->group("Measurement");
-  app.add_option("--latency-log", o.latency_log,
+  app.add_option("--latency-log", o.logs.latency,
                  "Write the times of sent inputs (join) or received snapshots (observe) to this CSV file")
       ->group("Measurement");
-  app.add_option("--picture-log", o.picture_log,
-                 "With --display ar: write to this CSV file when each frame was drawn, and its camera image, "
-                 "hand pose and tick")
-      ->group("Measurement");
+  CLI::Option* frame_log = app.add_option(
+      "--frame-log", o.logs.pictures,
+      "With --display ar: write to this CSV file when each frame was drawn, and its camera image, hand pose "
+      "and tick");
+  frame_log->group("Measurement");
+  accept_former_name(app, *frame_log, "--picture-log");
 }
 
 void add_devices(CLI::App& app, RawOptions& raw) {

@@ -56,10 +56,10 @@ void parse_size(const std::string& text, int& width, int& height) {
         fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, each 16 to 8192, e.g. 800x600", text));
 }
 
-bool parse_display(const std::string& text, ClientOptions& o) {
+bool parse_display(const std::string& text, DisplayOptions& o) {
   const auto colon = text.find(':');
   if (text == "ar" || text == "ar:offscreen") {
-    o.display = text == "ar" ? Display::window : Display::offscreen;
+    o.kind = text == "ar" ? Display::window : Display::offscreen;
     return true;
   }
   const auto found = displays.find(text.substr(0, colon));
@@ -68,8 +68,8 @@ bool parse_display(const std::string& text, ClientOptions& o) {
         fmt::format("--display {}: must be window, stereo, stereo:PROFILE, openxr, ar, ar:offscreen, "
                     "offscreen, osmesa or none",
                     text));
-  o.display = found->second;
-  if (o.display != Display::stereo) return false;
+  o.kind = found->second;
+  if (o.kind != Display::stereo) return false;
   if (colon != std::string::npos) o.stereo = load_stereo_profile(text.substr(colon + 1));
   o.width = o.stereo.picture_width();
   o.height = o.stereo.picture_height();
@@ -90,7 +90,7 @@ QualityLevel parse_quality(const RawOptions& raw) {
 Shown parse_shown(const std::string& text) {
   for (std::size_t k = 0; k < value_scales.size(); ++k)
     if (value_scales[k].name == text) return static_cast<Shown>(k);
-  throw InputError(fmt::format("--show {}: must be strain, residual, error or none", text));
+  throw InputError(fmt::format("--color-by {}: must be strain, residual, error or none", text));
 }
 
 Screenshot parse_screenshot(const std::string& text) {

@@ -16,14 +16,14 @@ std::string effect_names(std::string_view between);
 /// Parses the value of --size, WIDTHxHEIGHT in pixels, into `width` and `height`.
 void parse_size(const std::string& text, int& width, int& height);
 
-/// Parses the value of --display into `o`: the display and, for stereo, the profile and its frame size.
-/// Returns whether the display shows the scene over a camera's images.
-bool parse_display(const std::string& text, ClientOptions& o);
+/// Parses the value of --display into `o`: the kind of display and, for stereo, the profile and its frame
+/// size. Returns whether the display shows the scene over a camera's images.
+bool parse_display(const std::string& text, DisplayOptions& o);
 
 /// Returns the quality level chosen by --quality, --effect and --detail.
 QualityLevel parse_quality(const RawOptions& raw);
 
-/// Parses the value of --show: the quantity that colours soft bodies.
+/// Parses the value of --color-by: the quantity that colours soft bodies.
 Shown parse_shown(const std::string& text);
 
 /// Parses the value of --screenshot: FILE or FILE@SECONDS.

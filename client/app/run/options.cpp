@@ -52,9 +52,9 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
 
 /// Throws InputError if a window into the room is requested with a display that can't be one.
 void check_window(const ClientOptions& o) {
-  const bool fits =
-      o.display == Display::window || o.display == Display::offscreen || o.display == Display::osmesa;
-  if (!o.devices.window.address.empty() && (!fits || !o.camera.empty()))
+  const bool fits = o.display.kind == Display::window || o.display.kind == Display::offscreen ||
+                    o.display.kind == Display::osmesa;
+  if (!o.devices.window.address.empty() && (!fits || !o.ar.camera.empty()))
     throw InputError(
         "--window (or [window] of the configuration) works only with --display window, offscreen or osmesa, "
         "not with ar");
@@ -71,50 +71,50 @@ std::string resolve_camera(const RawOptions& raw, const ClientOptions& o, const 
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
-  const bool through_camera = parse_display(raw.display, o);
-  if (o.monitor && o.display != Display::window && o.display != Display::stereo)
+  const bool through_camera = parse_display(raw.display, o.display);
+  if (o.display.monitor && o.display.kind != Display::window && o.display.kind != Display::stereo)
     throw InputError("--monitor is allowed only with --display window or stereo");
-  if (o.audience && o.display != Display::window && o.display != Display::stereo &&
-      o.display != Display::openxr)
-    throw InputError("--audience is allowed only with --display window, stereo or openxr");
-  if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
-  o.quality = parse_quality(raw);
-  o.shown = parse_shown(raw.show);
-  for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
-  for (const std::string& text : raw.offers) o.offers.push_back(parse_offer(text));
+  if (o.display.audience && o.display.kind != Display::window && o.display.kind != Display::stereo &&
+      o.display.kind != Display::openxr)
+    throw InputError("--spectator-window is allowed only with --display window, stereo or openxr");
+  if (!raw.size.empty()) parse_size(raw.size, o.display.width, o.display.height);
+  o.rendering.quality = parse_quality(raw);
+  o.view.shown = parse_shown(raw.show);
+  for (const std::string& text : raw.screenshots) o.output.screenshots.push_back(parse_screenshot(text));
+  for (const std::string& text : raw.offers) o.offers.poses.push_back(parse_offer(text));
   o.source = {raw.config, raw.tracker, raw.glove_left, raw.glove, raw.arm};
   o.devices = o.source.read();
   if (!raw.window.empty()) o.devices.window.address = raw.window;
   if (!o.devices.window.address.empty()) (void)parse_device_address(o.devices.window.address);
   if (through_camera) {
-    o.camera = resolve_camera(raw, o, "--display ar");
-    if (!o.follow.empty() || !o.insets.empty())
+    o.ar.camera = resolve_camera(raw, o, "--display ar");
+    if (!o.view.follow.empty() || !o.view.insets.empty())
       throw InputError("--display ar: cannot be combined with --follow or --inset");
   }
-  if (raw.offers_camera) o.offered_camera = resolve_camera(raw, o, "--offer-camera");
+  if (raw.offers_camera) o.offers.camera = resolve_camera(raw, o, "--publish-camera");
   if (!through_camera && !raw.offers_camera && !raw.camera.empty())
-    throw InputError("--camera is allowed only with --display ar or --offer-camera");
+    throw InputError("--camera is allowed only with --display ar or --publish-camera");
   check_window(o);
   if (!through_camera && !raw.phantoms.empty())
     throw InputError("--phantom is allowed only with --display ar");
-  if (!through_camera && !o.picture_log.empty())
-    throw InputError("--picture-log is allowed only with --display ar");
-  o.phantoms = raw.phantoms;
+  if (!through_camera && !o.logs.pictures.empty())
+    throw InputError("--frame-log is allowed only with --display ar");
+  o.ar.phantoms = raw.phantoms;
   const PhantomSettings& phantom = o.devices.phantom;
   if (through_camera && !phantom.mesh.empty() && !phantom.has_place())
     throw InputError(
         "phantom.mesh: the shape's pose is missing: set phantom.board in the configuration, or run "
         "`prosector-client calibrate phantom`");
-  if (!phantom.body.empty() && !phantom.has_place()) o.phantoms.push_back(phantom.body);
-  take_eyes(o.devices.eyes, o.stereo);
+  if (!phantom.body.empty() && !phantom.has_place()) o.ar.phantoms.push_back(phantom.body);
+  take_eyes(o.devices.eyes, o.display.stereo);
   o.join.language = parse_language(raw.language);
   o.words = catalogue_for(o.join.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
   resolve_network(raw, o.bus);
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
   o.bus.arm = o.bus.end == BusEnd::dissector && !o.devices.arm.address.empty();
-  if (o.shaders.empty()) o.shaders = default_shader_dir();
-  if (o.watch_shaders && o.shaders.empty())
+  if (o.rendering.shaders.empty()) o.rendering.shaders = default_shader_dir();
+  if (o.rendering.watch_shaders && o.rendering.shaders.empty())
     throw InputError("--watch-shaders: give the folder to watch with --shaders");
 }
 
@@ -151,7 +151,7 @@ void add_device_commands(CLI::App& app, DeviceCommands& o, Task& task) {
 }  // namespace
 
 std::string used_camera(const ClientOptions& options) {
-  return options.camera.empty() ? first_camera(options.devices.window.address) : options.camera;
+  return options.ar.camera.empty() ? first_camera(options.devices.window.address) : options.ar.camera;
 }
 
 ClientCommand parse_command_line(int argc, char** argv) {

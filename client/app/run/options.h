@@ -5,60 +5,40 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
+#include <variant>
 
 #include "client/app/commands/camera_command.h"
 #include "client/app/commands/render_scene.h"
 #include "client/app/commands/self_test.h"
+#include "client/app/run/ar_options.h"
+#include "client/app/run/display_options.h"
+#include "client/app/run/log_options.h"
+#include "client/app/run/offer_options.h"
+#include "client/app/run/output_options.h"
+#include "client/app/run/rendering_options.h"
+#include "client/app/run/view_options.h"
 #include "client/app/session/connection.h"
 #include "client/app/user/config_watch.h"
 #include "client/app/user/device_rig.h"
 #include "client/language/catalogue.h"
-#include "client/offer/offer_protocol.h"
-#include "client/render/renderer.h"
-#include "client/render/window_context.h"
-#include "client/view/stereo_profile.h"
-#include "client/view/value_paint.h"
 #include "drivers/config/client_config.h"
 
 namespace prosector {
-
-enum class Display : std::uint8_t { window, stereo, openxr, offscreen, osmesa, none };
-
-struct Screenshot {
-  std::filesystem::path file;
-  std::optional<double> at;  // s after joining; nullopt: at the end
-};
 
 struct ClientOptions {
   BusConfig bus;
   Catalogue words;  // messages in the language of join.language
   JoinRequest join;
+  double seconds = 0;   // duration of the session; 0: until ended by the user
   ConfigSource source;  // source of `devices`
   ClientConfig devices;
-  Display display = Display::window;
-  StereoProfile stereo;               // used with Display::stereo
-  std::string camera;                 // address of the camera for augmented reality; empty: none
-  std::vector<std::string> phantoms;  // names of bodies that are physically present in front of that camera
-  QualityLevel quality = quality_levels[1];
-  int width = 800, height = 600;
-  std::optional<double> frame_time;  // target frame time for automatic quality, s; nullopt: fixed quality
-  std::optional<int> monitor;        // index of the monitor for full screen, from 0; nullopt: a window
-  std::optional<Audience> audience;  // second window for an audience; nullopt: none
-  std::optional<double> scale;       // scale of overlays; nullopt: the desktop's, else 1
-  double frames_per_second = 30;
-  double seconds = 0;               // duration of the session; 0: until ended by the user
-  std::string follow;               // name of the participant whose eyes give the view; empty: own camera
-  std::vector<std::string> insets;  // names of participants whose views are shown as insets
-  std::vector<Screenshot> screenshots;
-  double sheet_interval = 10;  // s between two images of `sheet`
-  std::filesystem::path record, sheet, latency_log, picture_log, session_log, summary, shaders;
-  std::vector<Offer> offers;   // servers of poses for other software
-  std::string offered_camera;  // address of a camera whose images are also offered; empty: none
-  bool overlay = true;         // statistics and axes
-  bool watch_shaders = false;  // reload shaders when a file changes
-  bool wireframes = false;     // of the bodies' collision shapes; a desk user's C key toggles them
-  Shown shown = Shown::none;   // quantity shown by soft bodies' colours; a desk user's V key changes it
+  DisplayOptions display;
+  RenderingOptions rendering;
+  ArOptions ar;
+  ViewOptions view;
+  OutputOptions output;
+  LogOptions logs;
+  OfferOptions offers;
 };
 
 /// Returns the address of the camera that is used for augmented reality or, without it, for eye tracking;
@@ -68,7 +48,8 @@ std::string used_camera(const ClientOptions& options);
 /// Returns whether the user's hands are tracked rather than driven by the mouse. This is so with tracking
 /// devices, with a headset, and in augmented reality over a camera's images.
 inline bool is_tracked(const ClientOptions& options) {
-  return has_devices(options.devices) || options.display == Display::openxr || !options.camera.empty();
+  return has_devices(options.devices) || options.display.kind == Display::openxr ||
+         !options.ar.camera.empty();
 }
 
 /// Parsed command that joins no session, such as a calibration. Calling it runs the command and returns the

@@ -16,6 +16,7 @@
 #include "client/app/terminal/cut_list.h"
 #include "client/app/terminal/panel_call.h"
 #include "client/app/terminal/parts_commands.h"
+#include "client/app/user/handled_bodies.h"
 #include "client/app/user/input_pump.h"
 #include "client/offer/offer_server.h"
 #include "client/offer/offered_camera.h"
@@ -47,22 +48,22 @@ class Client {
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
                      options.bus.session, options.join.name));
-    if (!options.latency_log.empty() && options.join.role == Role::observer)
-      arrivals_.emplace(options.latency_log);
+    if (!options.logs.latency.empty() && options.join.role == Role::observer)
+      arrivals_.emplace(options.logs.latency);
     if (has_arm(options)) arm_ = std::make_unique<ArmHand>(options.devices.arm);
     if (arrivals_ || arm_) connection_.on_received([this](const Received& r) { received(r); });
-    if (!options.session_log.empty()) log_.emplace(options.session_log);
+    if (!options.logs.session.empty()) log_.emplace(options.logs.session);
     connection_.start();
     if (const std::string camera = used_camera(options); !camera.empty())
       camera_ = std::make_shared<SharedCamera>(camera);
-    if (!options.offered_camera.empty())
-      offered_camera_.emplace(shared_camera(camera_, options.offered_camera));
-    for (const Offer& offer : options.offers) {
+    if (!options.offers.camera.empty())
+      offered_camera_.emplace(shared_camera(camera_, options.offers.camera));
+    for (const Offer& offer : options.offers.poses) {
       offers_.push_back(std::make_unique<OfferServer>(
           offer,
           [this] {
             return connection_.with_replica(
-                [](Replica& replica) { return offered(replica, replica.advance(monotonic_ns())); });
+                [](Replica& replica) { return offered(replica, replica.time().advance(monotonic_ns())); });
           },
           offered_camera_ ? OfferServer::Picture([this] { return offered_camera_->newest(); })
                           : OfferServer::Picture()));
@@ -77,7 +78,7 @@ class Client {
 
   int run() {
     const auto interval = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(1 / options_.frames_per_second));
+        std::chrono::duration<double>(1 / options_.display.frames_per_second));
     auto next = std::chrono::steady_clock::now();
     while (!done()) {
       note_progress();
@@ -99,7 +100,7 @@ class Client {
       tell(servo_line());
       tell(energy_line());
     }
-    if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
+    if (!options_.logs.summary.empty()) write_report(report_, connection_, options_.logs.summary);
     return report_.complete_ns && !viewer_->lost_pictures() ? 0 : 1;
   }
 
@@ -122,12 +123,13 @@ class Client {
   Role role_ = Role::observer;
   Console console_;
   SessionEvents session_events_;
+  HandledBodies handled_bodies_;  // for the gesture that resets a body
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
     if (out.role != Role::observer) {
       out.devices = describe_devices(o.devices);
-      if (o.display == Display::openxr) out.devices += out.devices.empty() ? "openxr" : ", openxr";
+      if (o.display.kind == Display::openxr) out.devices += out.devices.empty() ? "openxr" : ", openxr";
     }
     if (has_arm(o)) out.arms = static_cast<std::uint8_t>(1u << o.devices.arm.hand);
     return out;
@@ -171,8 +173,8 @@ class Client {
         report_.complete_ns = monotonic_ns();
         report_.bytes_at_complete = connection_.counters().bytes_in;
         const PhantomSettings& found = options_.devices.phantom;
-        if (!options_.camera.empty())
-          check_phantoms(*replica.scene(), options_.phantoms, found.has_place() ? found.body : "");
+        if (!options_.ar.camera.empty())
+          check_phantoms(*replica.scene(), options_.ar.phantoms, found.has_place() ? found.body : "");
       }
       missing = replica.missing();
       return replica.server_gone();
@@ -193,7 +195,7 @@ class Client {
            return session_events_.look(replica, seconds_since(report_.joined_ns));
          }))
       inform(happening.text, happening.kind);
-    viewer_->tell_failures();
+    viewer_->print_failures();
   }
 
   /// Prints a line in the terminal and shows it in the window.
@@ -239,12 +241,12 @@ class Client {
 
   /// Returns the latency log of inputs; empty for an observer, whose log has arrivals instead.
   std::filesystem::path latency_log_of_hands() const {
-    return options_.join.role == Role::observer ? std::filesystem::path() : options_.latency_log;
+    return options_.join.role == Role::observer ? std::filesystem::path() : options_.logs.latency;
   }
 
   Vec3 middle_of(Replica& replica, BodyId body) const {
-    const SoftReplica* soft = replica.soft(body);
-    if (soft == nullptr) return replica.rigid_pose(body, replica.advance(monotonic_ns())).p;
+    const SoftReplica* soft = replica.bodies().soft(body);
+    if (soft == nullptr) return replica.rigid_pose(body, replica.time().advance(monotonic_ns())).p;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (const Eigen::Vector3f& x : soft->surface()) sum += x;
     return (sum / static_cast<float>(soft->surface().size())).cast<double>();
@@ -270,7 +272,7 @@ class Client {
         return parse_console_line(
             line, replica.scene() ? *replica.scene() : SceneInfo{}, replica.roster(),
             [&](BodyId body) { return middle_of(replica, body); },
-            shown_time(replica, replica.advance(monotonic_ns())));
+            shown_time(replica, replica.time().advance(monotonic_ns())));
       });
       if (const CommandBody* command = std::get_if<CommandBody>(&parsed))
         connection_.command(*command);
@@ -284,8 +286,8 @@ class Client {
         tell("at the pointer: " + viewer_->pointed());
       else if (std::holds_alternative<ListCuts>(parsed))
         tell(connection_.with_replica([](const Replica& r) {
-          return cut_list_text(r.scene() ? *r.scene() : SceneInfo{}, r.roster(), r.tick_seconds(),
-                               [&](BodyId body) { return r.topology(body); });
+          return cut_list_text(r.scene() ? *r.scene() : SceneInfo{}, r.roster(), r.time().tick_seconds(),
+                               [&](BodyId body) { return r.bodies().topology(body); });
         }));
       else
         answer(std::get<std::string>(parsed));
@@ -306,14 +308,27 @@ class Client {
   }
 
   void run_gesture_commands() {
-    for (const std::size_t hand : pump_->take_panel_calls()) {
+    for (const std::size_t hand : pump_->take_calls(GestureEvent::panel)) {
       const auto pointed_at = viewer_->part_at(along_index(hand));
       const auto command = connection_.with_replica([&](const Replica& replica) {
         return call_panel(replica, connection_.participant(), hand, pointed_at);
       });
       if (command) connection_.command(*command);
     }
-    for (const std::size_t hand : pump_->take_parts_calls()) viewer_->call_parts(pump_->latest(), hand);
+    for (const std::size_t hand : pump_->take_calls(GestureEvent::parts))
+      viewer_->call_parts(pump_->latest(), hand);
+    reset_bodies(pump_->take_calls(GestureEvent::reset));
+  }
+
+  /// Resets for each of these hands the body that it holds, otherwise the body that it held or touched last.
+  void reset_bodies(const std::vector<std::size_t>& hands) {
+    connection_.with_replica(
+        [&](const Replica& replica) { handled_bodies_.update(replica, connection_.participant()); });
+    for (const std::size_t hand : hands)
+      if (const auto body = handled_bodies_.last(hand))
+        connection_.command(ResetBody{.body = *body, .hand = static_cast<std::uint8_t>(hand)});
+      else
+        inform(options_.words.tr("nothing to reset: hold or touch a body first"), MessageKind::own);
   }
 
   Ray along_index(std::size_t hand) const {
@@ -324,7 +339,7 @@ class Client {
 
   void write_log() {
     connection_.with_replica([&](Replica& replica) {
-      log_->write(replica, replica.advance(monotonic_ns()), seconds_since(report_.joined_ns));
+      log_->write(replica, replica.time().advance(monotonic_ns()), seconds_since(report_.joined_ns));
     });
   }
 };

@@ -16,11 +16,12 @@ void lower_render_priority() {
 std::unique_ptr<Stage> make_stage(ViewerContext& client, HeadsetUser& user,
                                   const std::shared_ptr<SharedCamera>& camera) {
   const ClientOptions& o = client.options;
-  if (o.display == Display::none) return nullptr;
+  if (o.display.kind == Display::none) return nullptr;
   lower_render_priority();
   auto stage = std::make_unique<Stage>();
   stage->mode = make_view_mode({client, stage->scene, user, camera});
-  stage->renderer = std::make_unique<Renderer>(stage->mode->context(), o.shaders, o.quality.settings);
+  stage->renderer =
+      std::make_unique<Renderer>(stage->mode->context(), o.rendering.shaders, o.rendering.quality.settings);
   return stage;
 }
 

@@ -76,7 +76,7 @@ class ViewMode {
   virtual void report(ClientReport& /*report*/) const {}
   /// Returns the number of pixels per point, the unit of texts and overlays: that of the client's option,
   /// else the display's.
-  double scale() const { return client_.options.scale.value_or(display_scale()); }
+  double scale() const { return client_.options.display.scale.value_or(display_scale()); }
 
  protected:
   ViewerContext& client_;

@@ -15,13 +15,15 @@ namespace {
 /// Creates the screen, which shows its own view or is guided by a device.
 std::unique_ptr<ScreenMode> make_screen(const ViewModeParts& parts) {
   const ClientOptions& o = parts.client.options;
-  switch (o.display) {
+  switch (o.display.kind) {
     case Display::offscreen:
-      return std::make_unique<OffscreenMode>(parts.client, make_offscreen_context(o.width, o.height));
+      return std::make_unique<OffscreenMode>(parts.client,
+                                             make_offscreen_context(o.display.width, o.display.height));
     case Display::osmesa:
-      return std::make_unique<OffscreenMode>(parts.client, make_osmesa_context(o.width, o.height));
+      return std::make_unique<OffscreenMode>(parts.client,
+                                             make_osmesa_context(o.display.width, o.display.height));
     case Display::stereo:
-      return std::make_unique<DeskMode>(parts.client, parts.scene, o.stereo);
+      return std::make_unique<DeskMode>(parts.client, parts.scene, o.display.stereo);
     default:
       return std::make_unique<DeskMode>(parts.client, parts.scene, Mono{});
   }
@@ -49,8 +51,8 @@ struct ViewModeRow {
 
 // The first row that fits counts.
 constexpr std::array view_mode_rows{
-    ViewModeRow{[](const ClientOptions& o) { return o.display == Display::openxr; }, make_headset},
-    ViewModeRow{[](const ClientOptions& o) { return !o.camera.empty(); }, make_camera},
+    ViewModeRow{[](const ClientOptions& o) { return o.display.kind == Display::openxr; }, make_headset},
+    ViewModeRow{[](const ClientOptions& o) { return !o.ar.camera.empty(); }, make_camera},
     ViewModeRow{[](const ClientOptions& o) { return !o.devices.window.address.empty(); }, make_eye_window},
     ViewModeRow{[](const ClientOptions&) { return true; },
                 [](const ViewModeParts& parts) -> std::unique_ptr<ViewMode> { return make_screen(parts); }},

@@ -13,12 +13,12 @@ namespace prosector {
 
 Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
                HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
-               std::function<void(const std::string&)> tell)
-    : client_(options, connection, report, std::move(tell)),
+               std::function<void(const std::string&)> print_line)
+    : client_(options, connection, report, std::move(print_line)),
       report_(report),
-      sink_(options),
+      sink_(options.output, options.display),
       stage_(make_stage(client_, headset_user, camera)) {
-  if (options.frame_time) governor_.emplace(*options.frame_time);
+  if (options.rendering.frame_time) governor_.emplace(*options.rendering.frame_time);
   if (stage_) report_.renderer = stage_->mode->context().description();
 }
 
@@ -52,15 +52,15 @@ void Viewer::finish(InputPump* pump) {
   if (stage_) stage_->mode->report(report_);
   if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(pump, true));
   sink_.finish_sheet();
-  tell_failures();
+  print_failures();
 }
 
 void Viewer::reload_changed_shaders() {
-  if (!client_.options.watch_shaders || !stage_) return;
+  if (!client_.options.rendering.watch_shaders || !stage_) return;
   if (const auto news = stage_->renderer->reload_changed_shaders()) client_.inform(*news);
 }
 
-void Viewer::tell_failures() {
+void Viewer::print_failures() {
   for (const std::string& failure : sink_.take_failures()) client_.inform(failure);
 }
 
@@ -122,9 +122,9 @@ void Viewer::show_playback_time(const Replica& replica, double tick, ViewSetting
 /// Returns the outlook by the client's options, which the view mode may change.
 Outlook Viewer::usual_outlook() const {
   Outlook out;
-  out.wireframes = client_.options.wireframes;
-  out.shown = client_.options.shown;
-  out.follow = client_.options.follow;
+  out.wireframes = client_.options.view.wireframes;
+  out.shown = client_.options.view.shown;
+  out.follow = client_.options.view.follow;
   if (const auto& from = client_.looks_from) out.eye = look_at(from->eye, from->target);
   return out;
 }
@@ -134,9 +134,9 @@ ViewSettings Viewer::view_settings(InputPump* pump, LocalUser& self) {
   const ClientOptions& options = client_.options;
   ViewSettings out;
   out.words = options.words;
-  out.overlay = options.overlay;
-  out.insets = options.insets;
-  out.detail = governor_ ? governor_->level().detail : options.quality.detail;
+  out.overlay = options.view.overlay;
+  out.insets = options.view.insets;
+  out.detail = governor_ ? governor_->level().detail : options.rendering.quality.detail;
   out.messages = client_.messages.shown(seconds_since(report_.joined_ns));
   if (pump != nullptr) self.input = pump->latest();
   static_cast<Outlook&>(out) = stage_->mode->look(pump, self, usual_outlook());
@@ -161,8 +161,8 @@ Image Viewer::draw(InputPump* pump, bool keep) {
 
 const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings) {
   return client_.connection.with_replica([&](Replica& replica) -> const DrawList& {
-    const double tick = replica.advance(monotonic_ns());
-    times_.tick = replica.shown_tick(tick);
+    const double tick = replica.time().advance(monotonic_ns());
+    times_.tick = replica.time().shown_tick(tick);
     times_.hand_ns = self.present ? self.input.time_ns : 0;
     show_playback_time(replica, tick, settings);
     if (is_tracked(client_.options)) read_panel(replica, self, settings);
@@ -179,8 +179,9 @@ const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings
 
 /// Writes the current view to a new file, at `times` the window's size.
 void Viewer::keep_picture(int times, const LocalUser& self, ViewSettings settings) {
-  const auto tick = client_.connection.with_replica(
-      [](Replica& r) { return static_cast<std::uint64_t>(r.shown_tick(r.advance(monotonic_ns()))); });
+  const auto tick = client_.connection.with_replica([](Replica& r) {
+    return static_cast<std::uint64_t>(r.time().shown_tick(r.time().advance(monotonic_ns())));
+  });
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string(value != nullptr ? value : "");

@@ -20,11 +20,11 @@ namespace prosector {
 class Viewer {
  public:
   /// Creates the viewer, which renders the session's frames; the arguments must outlive it. `headset_user`
-  /// receives a headset user's poses; `tell` prints a line in the terminal. `camera`: for augmented reality
-  /// or eye tracking; null: none.
+  /// receives a headset user's poses; `print_line` prints a line in the terminal. `camera`: for augmented
+  /// reality or eye tracking; null: none.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
          HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
-         std::function<void(const std::string&)> tell);
+         std::function<void(const std::string&)> print_line);
 
   bool closed() const { return stage_ && stage_->mode->closed(); }
   /// Returns whether the last draw_if_seen() waited for a headset or a camera. If false, the caller must
@@ -70,7 +70,7 @@ class Viewer {
   /// Returns whether a requested screenshot, video or contact sheet could not be written.
   bool lost_pictures() const { return sink_.failed(); }
   void reload_changed_shaders();
-  void tell_failures();
+  void print_failures();
 
  private:
   ViewerContext client_;

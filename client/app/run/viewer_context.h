@@ -25,7 +25,7 @@ struct ViewerContext {
       : options(client_options),
         connection(session_connection),
         report(client_report),
-        tell(std::move(print)),
+        print_line(std::move(print)),
         figures(client_options.words),
         messages(client_options.words) {}
   ViewerContext(const ViewerContext&) = delete;
@@ -37,14 +37,14 @@ struct ViewerContext {
   }
   /// Prints a line in the terminal, and shows it as a message in the frames.
   void inform(const std::string& line) {
-    tell(line);
+    print_line(line);
     say(line, MessageKind::news);
   }
 
   const ClientOptions& options;
   Connection& connection;
   const ClientReport& report;
-  std::function<void(const std::string&)> tell;
+  std::function<void(const std::string&)> print_line;
   Figures figures;
   MessageLines messages;
   PartsChoice parts;

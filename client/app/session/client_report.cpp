@@ -53,8 +53,8 @@ void write_report(const ClientReport& report, Connection& connection, const std:
         {"missed", report.pacing->missed()},           {"period_ms", report.pacing->period_ms()},
         {"interval_ms", report.pacing->interval_ms()}, {"longest_interval_ms", report.pacing->longest_ms()}};
   connection.with_replica([&](Replica& replica) {
-    out["playout_delay_ms"] = replica.playout_delay_ms();
-    out["topology_hash"] = to_hex(replica.topology_hash());
+    out["playout_delay_ms"] = replica.time().playout_delay_ms();
+    out["topology_hash"] = to_hex(replica.bodies().topology_hash());
     out["contradictions"] = replica.refused();
   });
   std::ofstream stream(file);

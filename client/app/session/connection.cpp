@@ -179,7 +179,7 @@ void Connection::rejoin_if_missing() {
 bool Connection::inputs_ignored(const std::vector<Received>& received) {
   const bool takes_part = with_replica([&](const Replica& r) {
     const auto own = r.roster().find(participant_);
-    return own != r.roster().end() && own->second.role != Role::observer && r.pace() > 0;
+    return own != r.roster().end() && own->second.role != Role::observer && r.time().pace() > 0;
   });
   bool unheard = false;
   for (const Received& r : received) {
@@ -220,7 +220,7 @@ void Connection::reconnect() {
 // Requests keyframes of the bodies whose replica does not match the server's topology.
 void Connection::ask_for_keyframes() {
   const std::vector<BodyId> bodies =
-      with_replica([](Replica& replica) { return replica.take_keyframe_requests(monotonic_ns()); });
+      with_replica([](Replica& replica) { return replica.bodies().take_keyframe_requests(monotonic_ns()); });
   for (const BodyId body : bodies) command(RequestKeyframe{body});
 }
 

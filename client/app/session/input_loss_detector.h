@@ -17,19 +17,19 @@ class InputLossDetector {
   /// Records the last of this client's inputs that the server reports as consumed, by its
   /// HandInput::sequence.
   void take_consumed(std::uint64_t sequence);
-  /// Processes a status message of the server that was received at `now_ns` (monotonic clock). `time_goes`:
-  /// simulated time advances, so the server should consume inputs. Returns whether inputs were sent but none
-  /// was consumed for the timeout. After that it measures again with a longer timeout.
-  bool take_status(std::int64_t now_ns, bool time_goes);
+  /// Processes a status message of the server that was received at `now_ns` (monotonic clock).
+  /// `time_advances`: simulated time advances, so the server should consume inputs. Returns whether inputs
+  /// were sent but none was consumed for the timeout. After that it measures again with a longer timeout.
+  bool take_status(std::int64_t now_ns, bool time_advances);
 
-  static constexpr std::int64_t patience_ns = 5'000'000'000, longest_patience_ns = 300'000'000'000;
+  static constexpr std::int64_t initial_timeout_ns = 5'000'000'000, max_timeout_ns = 300'000'000'000;
   static constexpr std::int64_t pause_ns = 2'000'000'000;  // longer gaps between statuses restart the count
 
  private:
   std::atomic<std::uint64_t> sent_ = 0;
   std::uint64_t sent_before_ = 0, consumed_ = 0;
   std::int64_t since_ns_ = 0, status_ns_ = 0;
-  std::int64_t patience_ = patience_ns;
+  std::int64_t timeout_ns_ = initial_timeout_ns;
   bool has_consumed_ = true;
 };
 

@@ -28,7 +28,7 @@ std::string session_not_found_text(const BusConfig& config, std::chrono::millise
   if (is_among(config, found))
     return fmt::format(
         "session '{}' is running but did not answer within {:g} s: its server or the network is busy. Wait "
-        "longer with --patience {:g}",
+        "longer with --timeout {:g}",
         config.session, seconds, std::max(20., 4 * seconds));
   std::string others;
   for (const SessionInfo& s : found)

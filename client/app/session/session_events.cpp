@@ -42,10 +42,10 @@ std::vector<std::string> entries_of(const std::string& list) {
 constexpr std::string_view slowed = "simulated time slowed to ", of_real_time = " of real time";
 
 /// Returns the translation of a server's problem message, or the message itself if there is none.
-std::string translated_problem(const Catalogue& words, const std::string& trouble) {
-  if (!trouble.starts_with(slowed) || !trouble.ends_with(of_real_time)) return words.tr(trouble);
-  const std::size_t digits = trouble.size() - slowed.size() - of_real_time.size();
-  return words.tr("simulated time slowed to {} of real time", trouble.substr(slowed.size(), digits));
+std::string translated_problem(const Catalogue& words, const std::string& problem) {
+  if (!problem.starts_with(slowed) || !problem.ends_with(of_real_time)) return words.tr(problem);
+  const std::size_t digits = problem.size() - slowed.size() - of_real_time.size();
+  return words.tr("simulated time slowed to {} of real time", problem.substr(slowed.size(), digits));
 }
 
 /// Reports whether a problem is common during contact and shown in the statistics only: a solve that did not
@@ -97,8 +97,8 @@ void SessionEvents::report_participants(const Replica& replica, std::vector<Sess
 }
 
 void SessionEvents::report_pace(const Replica& replica, std::vector<SessionMessage>& out) {
-  if (replica.pace() == pace_) return;
-  pace_ = replica.pace();
+  if (replica.time().pace() == pace_) return;
+  pace_ = replica.time().pace();
   if (replica.recording()) return;  // the playback bar shows it
   if (pace_ == 0)
     out.push_back({words_.tr("the host stopped time")});
@@ -125,7 +125,7 @@ void SessionEvents::report_topology(const Replica& replica, double now, std::vec
   if (!replica.scene()) return;
   const auto& bodies = replica.scene()->bodies;
   for (BodyId body = 0; body < bodies.size(); ++body) {
-    const TopologyRevision* newest = replica.topology(body);
+    const TopologyRevision* newest = replica.bodies().topology(body);
     if (newest == nullptr) continue;
     const auto [entry, is_new] = topologies_.try_emplace(body);
     Seen& seen = entry->second;
@@ -158,21 +158,21 @@ void SessionEvents::report_strokes(const Replica& replica, double now, std::vect
 void SessionEvents::report_problems(const Replica& replica, double now, std::vector<SessionMessage>& out) {
   if (!replica.status()) return;
   for (const std::string& entry : entries_of(replica.status()->degraded)) {
-    const std::string trouble = uncommon_problems(entry);
-    if (trouble.empty()) continue;
-    const auto [known, is_new] = troubles_.try_emplace(line_kind(trouble), Trouble{now, now});
-    Trouble& t = known->second;
+    const std::string problem = uncommon_problems(entry);
+    if (problem.empty()) continue;
+    const auto [known, is_new] = problems_.try_emplace(line_kind(problem), Problem{now, now});
+    Problem& t = known->second;
     const bool is_back = now - t.last > problem_absence && now - t.reported > problem_repeat_interval;
     if (is_new || is_back) {
-      out.push_back({translated_problem(words_, trouble)});
+      out.push_back({translated_problem(words_, problem)});
       t.reported = now;
       problem_reported_ = true;
     }
     t.last = now;
   }
-  std::erase_if(troubles_, [&](const auto& t) { return now - t.second.last > problem_memory; });
+  std::erase_if(problems_, [&](const auto& t) { return now - t.second.last > problem_memory; });
   const bool recent =
-      std::ranges::any_of(troubles_, [&](const auto& t) { return now - t.second.last < problem_end_delay; });
+      std::ranges::any_of(problems_, [&](const auto& t) { return now - t.second.last < problem_end_delay; });
   if (!problem_reported_ || recent) return;
   out.push_back({words_.tr("the simulation has recovered")});
   problem_reported_ = false;

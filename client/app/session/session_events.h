@@ -53,11 +53,11 @@ class SessionEvents {
   std::map<ParticipantId, RosterEntry> people_;
   std::map<BodyId, Seen> topologies_;
   StrokeTracker strokes_;
-  struct Trouble {
+  struct Problem {
     double reported = 0,
            last = 0;  // s: time of the last message about it; time when the server last reported it
   };
-  std::map<std::string, Trouble> troubles_;  // key: kind of problem
+  std::map<std::string, Problem> problems_;  // key: kind of problem
   bool problem_reported_ = false;            // a problem was reported, and its end not yet
   std::set<BodyId> held_;                    // bodies that this user holds
   double pace_ = 1;

@@ -68,10 +68,10 @@ json parts(Replica& replica, const SceneInfo& scene, double tick) {
   for (BodyId body = 0; body < scene.bodies.size(); ++body) {
     json said = json::object();
     if (const PartState* part = replica.part(body)) said = part_of(replica, *part);
-    if (const SoftReplica* soft = replica.soft(body); soft != nullptr && soft->complete()) {
+    if (const SoftReplica* soft = replica.bodies().soft(body); soft != nullptr && soft->complete()) {
       SoftReplica here =
           *soft;  // a copy, because sample() reports motion only once and the view needs that report
-      here.sample(tick, replica.tick_seconds());
+      here.sample(tick, replica.time().tick_seconds());
       const Whereabouts where = whereabouts(here);
       said["at"] = vector(where.at, 3);
       said["shift"] = vector(where.shift, 5);
@@ -142,9 +142,10 @@ SessionLog::SessionLog(const std::filesystem::path& file) : out_(file) {
 void SessionLog::write(Replica& replica, double tick, double seconds) {
   if (!replica.scene()) return;
   const SceneInfo& scene = *replica.scene();
-  json line = {{"parts", parts(replica, scene, tick)}, {"panels", panels(replica, scene)},
-               {"touches", touches(replica, scene)},   {"people", people(replica, tick)},
-               {"room_lights", replica.room_lights()}, {"topology", to_hex(replica.topology_hash())}};
+  json line = {
+      {"parts", parts(replica, scene, tick)}, {"panels", panels(replica, scene)},
+      {"touches", touches(replica, scene)},   {"people", people(replica, tick)},
+      {"room_lights", replica.room_lights()}, {"topology", to_hex(replica.bodies().topology_hash())}};
   if (std::string said = line.dump(); said == last_)
     return;
   else

@@ -190,8 +190,8 @@ ConsoleLine look(const std::string& rest) {
                       target.cwiseAbs().maxCoeff() <= max_coordinate;
   if (!inside || eye == target)
     return fmt::format(
-        "look X Y Z X Y Z: positions of the eye and of its target, two different points within {} m of the "
-        "centre; look alone restores the view",
+        "look X Y Z X Y Z: positions of the eye and of its target, two different points with room "
+        "coordinates up to ±{} m; look alone restores the view",
         max_coordinate);
   return LookFrom{eye, target};
 }

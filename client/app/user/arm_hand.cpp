@@ -87,10 +87,10 @@ std::vector<CommandBody> ArmHand::take_wishes() {
 }
 
 std::vector<std::string> ArmHand::take_news() {
-  if (view_.status.health == told_ && view_.status.message == reported_message_) return {};
-  told_ = view_.status.health;
+  if (view_.status.health == reported_health_ && view_.status.message == reported_message_) return {};
+  reported_health_ = view_.status.health;
   reported_message_ = view_.status.message;
-  return {fmt::format("arm {}: {}{}{}", settings_.address, words_of(told_),
+  return {fmt::format("arm {}: {}{}{}", settings_.address, words_of(reported_health_),
                       reported_message_.empty() ? "" : ": ", reported_message_)};
 }
 

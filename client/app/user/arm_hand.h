@@ -45,7 +45,7 @@ class ArmHand {
   std::uint32_t buttons_ = 0;
   bool holds_ = false;
   std::vector<CommandBody> wishes_;
-  DeviceHealth told_ = DeviceHealth::connecting;
+  DeviceHealth reported_health_ = DeviceHealth::connecting;
   std::string reported_message_;
   ServoView view_;
   std::atomic<std::uint64_t> felt_tick_ = 0;           // tick of the newest message

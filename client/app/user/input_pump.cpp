@@ -90,23 +90,17 @@ void InputPump::obey(const GestureTrigger& trigger) {
     case GestureEvent::release:
       return connection_.command(Release{hand});
     case GestureEvent::reset:
-      return connection_.command(ResetBody{.body = 0, .hand = hand});
     case GestureEvent::panel:
     case GestureEvent::parts: {
       std::lock_guard lock(mutex_);
-      (trigger.event == GestureEvent::panel ? panel_calls_ : parts_calls_).push_back(trigger.hand);
+      calls_[trigger.event].push_back(trigger.hand);
     }
   }
 }
 
-std::vector<std::size_t> InputPump::take_panel_calls() {
+std::vector<std::size_t> InputPump::take_calls(GestureEvent event) {
   std::lock_guard lock(mutex_);
-  return std::exchange(panel_calls_, {});
-}
-
-std::vector<std::size_t> InputPump::take_parts_calls() {
-  std::lock_guard lock(mutex_);
-  return std::exchange(parts_calls_, {});
+  return std::exchange(calls_[event], {});
 }
 
 bool InputPump::desk_driven() const {

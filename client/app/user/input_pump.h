@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -36,12 +37,9 @@ class InputPump {
   /// Sets the input that a user without devices makes with mouse and keyboard. It is sent at a constant rate,
   /// so that a slow frame doesn't look like a lost hand.
   void set_desk_input(const HandInput& input);
-  /// Returns and removes the hands (left_hand, right_hand) whose gestures have requested a panel since the
-  /// last call. The render thread determines which part's panel.
-  std::vector<std::size_t> take_panel_calls();
-  /// Returns and removes the hands (left_hand, right_hand) whose gestures have requested the list of parts
-  /// since the last call.
-  std::vector<std::size_t> take_parts_calls();
+  /// Returns and removes the hands (left_hand, right_hand) whose gestures have requested `event` since the
+  /// last call: reset, panel or parts. The render thread determines the body concerned.
+  std::vector<std::size_t> take_calls(GestureEvent event);
 
  private:
   Connection& connection_;
@@ -57,7 +55,7 @@ class InputPump {
   mutable std::mutex mutex_;
   HandInput latest_;
   std::optional<HandInput> desk_input_;
-  std::vector<std::size_t> panel_calls_, parts_calls_;
+  std::map<GestureEvent, std::vector<std::size_t>> calls_;  // hands, by requested event
   std::jthread thread_;
 
   void run(std::stop_token stop);

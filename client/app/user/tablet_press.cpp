@@ -87,9 +87,9 @@ HandPose TabletPress::follow(std::size_t hand, const HandPose& seen, const Pose&
   const Vec3 from = into * eye, tip = into * index_tip(hand, seen), along = tip - from;
   // Returns the ray's point at height `z` above the board.
   const auto at_height = [&](double z) -> Vec3 { return from + (z - from.z()) / along.z() * along; };
-  const bool comes_down = from.z() > hover && along.z() < -0.2 * along.norm();
-  const Vec3 at = comes_down ? at_height(radius) : Vec3(Vec3::Zero());
-  const bool before = comes_down && (at - tip).dot(along.normalized()) < farthest && is_at_board(at);
+  const bool descends = from.z() > hover && along.z() < -0.2 * along.norm();
+  const Vec3 at = descends ? at_height(radius) : Vec3(Vec3::Zero());
+  const bool before = descends && (at - tip).dot(along.normalized()) < farthest && is_at_board(at);
   HandPose out = seen;
   if (!before || !points(seen)) {
     finger = {};

@@ -19,7 +19,7 @@ class TabletPress {
  public:
   /// Returns the hand's pose corrected so that it operates the tablet, although a single camera measures its
   /// depth inaccurately. A pointing hand is moved along the ray from the camera at `eye` (m, room) through
-  /// its index fingertip. A hand in front of the board that doesn't point is kept off it. Other hands are
+  /// its index fingertip. A hand in front of the tablet that doesn't point is kept off it. Other hands are
   /// returned unchanged.
   HandPose follow(std::size_t hand, const HandPose& seen, const Pose& tablet, const Vec3& eye,
                   std::int64_t time_ns);

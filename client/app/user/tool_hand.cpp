@@ -66,11 +66,11 @@ Vec3 brought(const Vec3& from, const Vec3& to, double way) {
 
 std::optional<ToolState> tool_state(const Replica& replica, const HandRef& hand, const std::string& name) {
   if (!replica.complete()) return std::nullopt;
-  const double now = replica.shown_tick(std::numeric_limits<double>::infinity());
+  const double now = replica.time().shown_tick(std::numeric_limits<double>::infinity());
   std::vector<std::string> blades;
   for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
     const SceneBody& body = replica.scene()->bodies[id];
-    const RigidReplica* rigid = replica.rigid(id);
+    const RigidReplica* rigid = replica.bodies().rigid(id);
     const auto blade = rigid != nullptr && body.moves ? blade_frame(*rigid) : std::nullopt;
     if (!blade) continue;
     blades.push_back(body.name);

@@ -99,7 +99,8 @@ ImportReply read_surface(const char* file) {
       reply.notes.push_back(fmt::format("{} points and lines of the file are not used", other));
   } catch (const std::bad_alloc&) {
     return {{},
-            fmt::format("its reader needs more than {} GB of memory, which is the limit", max_memory >> 30)};
+            fmt::format("reading this surface file needs more than {} GB of memory, which is the limit",
+                        max_memory >> 30)};
   } catch (const InputError& error) {
     return {{}, error.what()};
   } catch (const std::exception& error) {

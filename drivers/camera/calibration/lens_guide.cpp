@@ -89,7 +89,7 @@ void LensGuide::take(const Image& picture) {
   resting_.reset();
   if (!views_.empty() &&
       (views_.front().picture.width != picture.width || views_.front().picture.height != picture.height)) {
-    trouble_ = "the camera's image size has changed: start the calibration again";
+    problem_ = "the camera's image size has changed: start the calibration again";
     return;
   }
   LensView view{grey_of(picture), {}};
@@ -97,16 +97,16 @@ void LensGuide::take(const Image& picture) {
   std::erase_if(view.tags, [&](const DetectedTag& tag) { return board_.find(tag.code) == nullptr; });
   const std::vector<DetectedTag> before = std::exchange(last_, view.tags);
   if (static_cast<double>(view.tags.size()) < least_share * static_cast<double>(board_.tags.size())) {
-    trouble_ = view.tags.empty() ? "show the camera the board" : "show more of the board";
+    problem_ = view.tags.empty() ? "show the camera the board" : "show more of the board";
     return;
   }
   const BoardAppearance look = look_of(view.tags, picture.width);
   if (look.size < least_size) {
-    trouble_ = "hold the board nearer";
+    problem_ = "hold the board nearer";
   } else if (!is_at_rest(before, view.tags)) {
-    trouble_ = "hold it still";
+    problem_ = "hold it still";
   } else {
-    trouble_.clear();
+    problem_.clear();
     if (std::none_of(looks_.begin(), looks_.end(),
                      [&](const BoardAppearance& old) { return !differs(look, old); })) {
       looks_.push_back(look);
@@ -124,8 +124,8 @@ LensGuideStep LensGuide::step() const {
   step.done = step.views >= recommended_views && step.covered >= enough_covered;
   if (step.done)
     step.instruction = "that is enough";
-  else if (!trouble_.empty())
-    step.instruction = trouble_;
+  else if (!problem_.empty())
+    step.instruction = problem_;
   else
     // Every other view asks for a tilt, because untilted views don't determine the focal length.
     step.instruction = step.views % 2 == 1

@@ -52,7 +52,7 @@ class LensGuide {
   std::vector<BoardAppearance> looks_;
   std::vector<DetectedTag> last_;
   std::optional<LensView> resting_;
-  std::string trouble_;
+  std::string problem_;
 };
 
 }  // namespace prosector

@@ -27,7 +27,7 @@ CameraState CameraThread::state() const {
   return state_;
 }
 
-void CameraThread::tell(const std::string& problem) {
+void CameraThread::report(const std::string& problem) {
   const std::lock_guard lock(mutex_);
   state_.problem = problem;
 }
@@ -66,9 +66,9 @@ void CameraThread::look(Camera& camera) {
   }
   try {
     see_(*frame);
-    tell("");
+    report("");
   } catch (const std::exception& error) {
-    tell(error.what());
+    report(error.what());
   }
 }
 

@@ -38,7 +38,7 @@ class CameraThread {
  private:
   void run();
   void look(Camera& camera);
-  void tell(const std::string& problem);
+  void report(const std::string& problem);
 
   const std::int64_t begun_ns_ = monotonic_ns();
   const std::string address_;

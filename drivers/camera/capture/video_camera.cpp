@@ -69,8 +69,8 @@ class LiveVideo final : public Camera {
 class VideoFile final : public Camera {
  public:
   VideoFile(std::string file, VideoReader video) : file_(std::move(file)), video_(std::move(video)) {
-    const double told = video_.stated_rate();
-    rate_ = told > 0.1 && told < 1000 ? told : default_rate;
+    const double file_rate = video_.stated_rate();
+    rate_ = file_rate > 0.1 && file_rate < 1000 ? file_rate : default_rate;
     start_ns_ = monotonic_ns();
   }
 

@@ -69,19 +69,19 @@ void TagsDevice::see(const Frame& frame) {
     if (place_->room_camera()) camera_->set_room_camera(*place_->room_camera());
   }
   std::vector<DeviceSample> found;
-  std::string trouble;
+  std::string warning;
   for (Station& station : stations_) {
     const auto seen = station.tracker.update(picture, reader_->optics());
     if (seen) found.push_back(sample_of(station, *seen, frame.time_ns));
     int twice = 0;
     (void)corners_seen(station.tracker.board(), picture.tags, &twice);
     if (twice > 0)
-      trouble =
+      warning =
           fmt::format("board {} is detected twice: remove the other copy", station.tracker.board().name);
   }
   if (place_ && !room_camera()) {
     found.clear();
-    trouble = unknown_camera_pose;
+    warning = unknown_camera_pose;
   }
   const std::lock_guard lock(mutex_);
   for (const DeviceSample& sample : found) {
@@ -89,7 +89,7 @@ void TagsDevice::see(const Frame& frame) {
     found_.push_back(sample);
   }
   if (!found.empty()) seen_ns_ = frame.time_ns;
-  trouble_ = std::move(trouble);
+  warning_ = std::move(warning);
 }
 
 /// Returns the camera pose: the one shared with other devices on the camera, otherwise the one from the
@@ -141,8 +141,8 @@ DeviceStatus TagsDevice::status() const {
     out.message = camera.problem;
   else if (out.health == DeviceHealth::silent)
     out.message = "the camera is open but delivers no images: unplug it and plug it in again";
-  else if (!trouble_.empty())
-    out.message = trouble_;
+  else if (!warning_.empty())
+    out.message = warning_;
   else if (out.health == DeviceHealth::streaming && monotonic_ns() - seen_ns_ > no_detection_timeout_ns)
     out.message = "no board detected: provide light, and show the board whole and flat in the image";
   else if (is_guessed_)

@@ -78,7 +78,7 @@ class TagsDevice final : public Device {
   std::deque<DeviceSample> found_;
   std::vector<std::int64_t> frames_ns_;  // capture times of images since the last poll
   std::int64_t seen_ns_ = 0;             // capture time of the last image with a station's board
-  std::string trouble_;                  // warning about the detections, for the user
+  std::string warning_;                  // warning about the detections, for the user
   bool is_guessed_ = false;              // the lens parameters are guessed
 
   HealthMonitor health_;  // used by the polling thread only, as is opened_

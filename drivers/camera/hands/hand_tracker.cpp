@@ -80,12 +80,12 @@ std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand
   HandTrack& way = tracks_[hand];
   if (now_ns - way.time_ns > track_timeout_ns) {
     way.before.reset();
-    way.doubt.forget();
+    way.jump_filter.forget();
   }
   const auto fitted = fit_hand(views, {hand, user_.size}, way.before);
   if (!fitted || !fitted->sure) return std::nullopt;
   const Vec3 palm = fitted->wrist * Vec3(user_.size * hand_palm(hand).center);
-  if (!way.doubt.accepts_pose({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
+  if (!way.jump_filter.accepts_pose({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
   smooth(way, fitted->flexion, 1e-9 * static_cast<double>(now_ns - way.time_ns));
   way.before = fitted;
   way.time_ns = now_ns;

@@ -65,7 +65,7 @@ class HandTracker {
   struct HandTrack {
     std::optional<HandFit> before;
     std::int64_t time_ns = 0;
-    JumpFilter doubt;
+    JumpFilter jump_filter;
     PoseFilter filter;
     std::array<double, fingers> bends{}, speeds{};  // smoothed bends, 0 to 1; their speeds, 1/s
   };

@@ -154,15 +154,16 @@ class GraphReader {
     const bool how = layer.kind == LayerKind::pad || layer.kind == LayerKind::mean ||
                      layer.kind == LayerKind::reshape || layer.kind == LayerKind::resize_bilinear;
     if (!how) return;
-    const std::vector<std::int32_t> none, &told = layer.inputs.size() > 1 ? integers_[layer.inputs[1]] : none;
+    const std::vector<std::int32_t> none,
+        &parameters = layer.inputs.size() > 1 ? integers_[layer.inputs[1]] : none;
     if (layer.inputs.size() > 1) layer.inputs.erase(layer.inputs.begin() + 1, layer.inputs.end());
-    if (layer.kind == LayerKind::mean && told != std::vector<std::int32_t>{1, 2})
+    if (layer.kind == LayerKind::mean && parameters != std::vector<std::int32_t>{1, 2})
       throw InputError(
           "the network has a mean over dimensions other than height and width, which is not supported");
     if (layer.kind != LayerKind::pad) return;
-    for (std::size_t k = 0; k < told.size(); ++k) {
-      if (told[k] < 0) throw InputError(fmt::format("pads by {}", told[k]));
-      (k % 2 == 0 ? layer.before : layer.after).push_back(static_cast<std::size_t>(told[k]));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      if (parameters[k] < 0) throw InputError(fmt::format("pads by {}", parameters[k]));
+      (k % 2 == 0 ? layer.before : layer.after).push_back(static_cast<std::size_t>(parameters[k]));
     }
   }
 

@@ -31,10 +31,10 @@ class LayerCheck {
                                 layer_.window_y, layer_.window_x})
       ask(n <= most_of_dimension, "the layer's stride, dilation or window is too large");
     const Shape made = output_shape();
-    const Shape& told = plan_.tensors[layer_.output].shape;
-    ask(made == told,
+    const Shape& declared = plan_.tensors[layer_.output].shape;
+    ask(made == declared,
         fmt::format("the layer produces a tensor of shape [{}], but its output tensor has shape [{}]",
-                    fmt::join(made, ", "), fmt::join(told, ", ")));
+                    fmt::join(made, ", "), fmt::join(declared, ", ")));
   }
 
  private:
@@ -105,9 +105,9 @@ class LayerCheck {
     return x;
   }
   Shape resized() const {
-    const Shape &x = picture(), &told = plan_.tensors[layer_.output].shape;
-    ask(told.size() == 4, "the layer's output must be one image (4 dimensions)");
-    return {1, told[1], told[2], x[3]};
+    const Shape &x = picture(), &declared = plan_.tensors[layer_.output].shape;
+    ask(declared.size() == 4, "the layer's output must be one image (4 dimensions)");
+    return {1, declared[1], declared[2], x[3]};
   }
   Shape joined() const {
     ask(!layer_.inputs.empty(), "it concatenates nothing");

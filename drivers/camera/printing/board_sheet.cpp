@@ -101,7 +101,7 @@ Eigen::AlignedBox2d box_of(const Board& board) {
 
 /// Returns the text about a board's size that is printed on its sheet.
 std::string words_of(const Board& board) {
-  if (board.picture) return fmt::format("the image is {:.1f} mm wide", 1e3 * board.picture->width);
+  if (board.picture) return fmt::format("printed width of this image: {:.1f} mm", 1e3 * board.picture->width);
   return fmt::format("black squares of {:.1f} mm, codes {} to {}", 1e3 * board.tags.front().size,
                      board.tags.front().code, board.tags.back().code);
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "common/error.h"
+#include "common/former_option_name.h"
 #include "common/version.h"
 #include "drivers/camera/printing/board_sheet.h"
 #include "drivers/camera/tags/standard_boards.h"
@@ -27,9 +28,9 @@ int run(int argc, char** argv) {
   app.add_option("board", board, "board to print: name of a known board (see --list), or board file (.toml)");
   app.add_option("--out", file, "file to write: .pdf, .svg or .png");
   app.add_option("--paper", paper, "a3, a4 or letter")->capture_default_str();
-  app.add_option("--dots", settings.dots_per_inch, "resolution of a PNG")
-      ->check(CLI::Range(50, 2400))
-      ->capture_default_str();
+  CLI::Option* dpi = app.add_option("--dpi", settings.dots_per_inch, "resolution of a PNG, dots per inch");
+  dpi->check(CLI::Range(50, 2400))->capture_default_str();
+  accept_former_name(app, *dpi, "--dots");
   app.add_flag("--list", lists, "list the known boards");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -95,10 +95,10 @@ std::vector<DetectedCorner> corners_seen(const Board& board, std::span<const Det
   for (const DetectedTag& seen : tags) {
     const BoardTag* tag = board.find(seen.code);
     if (tag == nullptr) continue;
-    const auto alike =
-        std::count_if(tags.begin(), tags.end(), [&](const DetectedTag& t) { return t.code == seen.code; });
-    if (alike > 1) {
-      if (twice != nullptr) ++*twice;
+    const auto alike = [&](const DetectedTag& t) { return t.code == seen.code; };
+    if (std::ranges::count_if(tags, alike) > 1) {
+      const bool is_first = &*std::ranges::find_if(tags, alike) == &seen;
+      if (twice != nullptr && is_first) ++*twice;
       continue;
     }
     const auto corners = tag->corners();

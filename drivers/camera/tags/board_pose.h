@@ -27,7 +27,7 @@ struct DetectedCorner {
 };
 
 /// Returns the corners of those detected tags that belong to the board. Tags whose code was detected more
-/// than once are left out; `twice`, if not null, is increased by the number of these detections.
+/// than once are left out; `twice`, if not null, is increased by the number of these tags.
 std::vector<DetectedCorner> corners_seen(const Board& board, std::span<const DetectedTag> tags,
                                          int* twice = nullptr);
 

@@ -1,6 +1,7 @@
 #include "drivers/camera/tags/board_tracker.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/camera/tags/flow.h"
@@ -11,10 +12,10 @@ namespace {
 constexpr double alike_ratio = 3;  // ratio of the two poses' errors; below it they are ambiguous, and the
                                    // pose nearer to the last one is chosen
 constexpr double alike_px = 0.3;   // pixels; the poses are also ambiguous if the second error is below this
-constexpr double corner_deviation = 2e-3;  // m, assumed deviation of a pose from corners only
-constexpr double unfitted_px = 0.5;        // pixels, least error assumed for a pose from corners only
-constexpr double doubt_kept = 0.95;        // decay factor of the log likelihood ratio per image
-constexpr double enough_doubt = 6;         // log likelihood ratio at which the other pose is chosen
+constexpr double corner_deviation = 2e-3;   // m, assumed deviation of a pose from corners only
+constexpr double unfitted_px = 0.5;         // pixels, least error assumed for a pose from corners only
+constexpr double likelihood_decay = 0.95;   // decay factor of the log likelihood ratio per image
+constexpr double likelihood_threshold = 6;  // log likelihood ratio at which the other pose is chosen
 
 /// Returns the standard deviation of the position along its worst direction, m.
 double worst_deviation(const MotionCovariance& spread) {
@@ -63,9 +64,9 @@ std::optional<BoardTracker::Fitted> BoardTracker::choose(const TagImage& picture
   };
   if (turned(second) < turned(first)) std::swap(first, second);
   // Accumulates the log likelihood ratio over images, because a single image isn't conclusive.
-  log_likelihood_ratio_ = doubt_kept * log_likelihood_ratio_ +
+  log_likelihood_ratio_ = likelihood_decay * log_likelihood_ratio_ +
                           std::min(first.samples, second.samples) * std::log(first.rms / second.rms);
-  if (log_likelihood_ratio_ < enough_doubt) return first;
+  if (log_likelihood_ratio_ < likelihood_threshold) return first;
   log_likelihood_ratio_ = 0;
   return second;
 }
@@ -94,7 +95,8 @@ BoardTracker::Seen BoardTracker::look_for_tags(const TagImage& picture, const Ta
   seen.corners = corners_seen(board_, picture.tags, &seen.twice);
   if (!seen.corners.empty()) {
     for (const DetectedTag& tag : picture.tags)
-      if (board_.find(tag.code) != nullptr) seen.codes.push_back(tag.code);
+      if (board_.find(tag.code) != nullptr && std::ranges::find(seen.codes, tag.code) == seen.codes.end())
+        seen.codes.push_back(tag.code);
     return seen;
   }
   seen.followed = true;

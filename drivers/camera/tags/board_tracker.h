@@ -58,12 +58,12 @@ class BoardTracker {
     Pose camera_board;
     std::int64_t read_ns = 0;  // time of the last image in which tags were read
     GreyImage straight;
-    std::vector<int> codes;  // tags that were detected
+    std::vector<int> codes;  // tags that were detected, each once
   };
   /// Points and tags of the board found in one image, by tag detection or by optical flow.
   struct Seen {
     std::vector<DetectedCorner> corners;
-    std::vector<int> codes;  // tags whose edges to fit
+    std::vector<int> codes;  // tags whose edges to fit, each once
     bool followed = false;
     int twice = 0;
   };

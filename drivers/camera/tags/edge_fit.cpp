@@ -60,7 +60,7 @@ double light_at(const GreyImage& image, const LightTable& light, const Vec2& at)
          b * ((1 - a) * pixel(x, y + 1) + a * pixel(x + 1, y + 1));
 }
 
-bool lies_within(const GreyImage& image, const Vec2& at, double margin) {
+bool is_inside(const GreyImage& image, const Vec2& at, double margin) {
   return at.x() >= margin && at.y() >= margin && at.x() < image.width - 1 - margin &&
          at.y() < image.height - 1 - margin;
 }
@@ -112,7 +112,7 @@ class EdgeReader {
       const Vec2 along = (slope * (to - from)).normalized(), outward(-along.y(), along.x());
       EdgeProfile crossing{outward.transpose() * slope * point_jacobian(point), {}};
       const Vec2 at = lens_.project(point);
-      if (lies_within(image_, at, half + 1))
+      if (is_inside(image_, at, half + 1))
         for (int i = 0; i <= steps; ++i)
           crossing.bright.push_back(light_at(image_, light_, at + half * (2.0 * i / steps - 1) * outward));
       out.push_back(std::move(crossing));

@@ -6,14 +6,14 @@
 namespace prosector {
 
 bool apply_cut_events(State& state, std::span<const CutEvent> events, StepReport& report) {
-  bool went_back = false;
+  bool rewound = false;
   for (const CutEvent& event : events) {
     const bool rewinds = event.kind == CutEvent::Kind::rewind;
     const Refusal& answer = report.cut_answers.emplace_back(
         rewinds ? rewind(state, event, report) : undo_last_cut(state, event.participant, report));
-    went_back |= rewinds && !answer;
+    rewound |= rewinds && !answer;
   }
-  return went_back;
+  return rewound;
 }
 
 }  // namespace prosector

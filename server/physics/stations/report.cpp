@@ -82,20 +82,20 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
     sample.local_point = bodies.model.rigid[met.body].center * (colliders[met.body].pose.inverse() * c.point);
 }
 
-/// Adds all contacts to the samples of their hands. `told` is parallel to the state's hands.
+/// Adds all contacts to the samples of their hands. `hand_states` is parallel to the state's hands.
 void add_hand_contacts(const State& state, std::span<const Island> islands,
-                       std::span<const Collider> colliders, std::vector<HandState>& told, double h) {
-  // By slot; `told.size()` for slots without a hand.
-  std::vector<std::size_t> hand_at(state.bodies.rigid.slots(), told.size());
-  for (std::size_t i = 0; i < told.size(); ++i) hand_at[state.hands[i].slot] = i;
-  std::vector<double> strongest(told.size(), 0);  // N
+                       std::span<const Collider> colliders, std::vector<HandState>& hand_states, double h) {
+  // By slot; `hand_states.size()` for slots without a hand.
+  std::vector<std::size_t> hand_at(state.bodies.rigid.slots(), hand_states.size());
+  for (std::size_t i = 0; i < hand_states.size(); ++i) hand_at[state.hands[i].slot] = i;
+  std::vector<double> strongest(hand_states.size(), 0);  // N
   for (const Island& island : islands)
     for (const Contact& c : island.contacts)
       for (const bool hand_is_b : {false, true}) {
         const ContactSide& side = hand_is_b ? c.b : c.a;
-        if (side.kind != ContactSide::Kind::rigid || hand_at[side.body] == told.size()) continue;
+        if (side.kind != ContactSide::Kind::rigid || hand_at[side.body] == hand_states.size()) continue;
         const std::size_t i = hand_at[side.body];
-        add_contact(state.bodies, colliders, told[i].contact, c, hand_is_b, strongest[i], h);
+        add_contact(state.bodies, colliders, hand_states[i].contact, c, hand_is_b, strongest[i], h);
       }
 }
 
@@ -148,13 +148,13 @@ std::vector<HandState> describe_hands(const State& state, std::span<const Island
   const Bodies& bodies = state.bodies;
   std::vector<HandState> out;
   for (const Hand& hand : state.hands) {
-    HandState& told = out.emplace_back();
-    told.participant = hand.participant;
-    told.hand = hand.side;
-    told.pose = bodies.rigid.motion(hand.slot).pose * bodies.model.hands[hand.side].center.inverse();
-    told.flexion = hand.flexion;
-    if (hand.hold) told.holding = hand.hold->body;
-    ContactSample& sample = told.contact;
+    HandState& reported = out.emplace_back();
+    reported.participant = hand.participant;
+    reported.hand = hand.side;
+    reported.pose = bodies.rigid.motion(hand.slot).pose * bodies.model.hands[hand.side].center.inverse();
+    reported.flexion = hand.flexion;
+    if (hand.hold) reported.holding = hand.hold->body;
+    ContactSample& sample = reported.contact;
     sample.participant = hand.participant;
     sample.hand = static_cast<std::uint8_t>(hand.side);
     sample.time = state.time;

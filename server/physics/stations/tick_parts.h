@@ -20,8 +20,8 @@ namespace prosector {
 class TickParts {
  public:
   /// Determines the number of parts of the tick, such that no kinematic body moves farther in a part than the
-  /// tissue in its path can follow. The number is 1 if no kinematic body moves as far as a surface cell.
-  /// Updates `colliders` if needed.
+  /// tissue in its path can follow. The number is 1 if no such body moves farther in the whole tick than a
+  /// cell of that tissue's surface is wide. Updates `colliders` if needed.
   TickParts(State& state, Colliders& colliders);
 
   int count() const { return count_; }
@@ -29,8 +29,8 @@ class TickParts {
   /// Sets the targets of kinematic bodies and hands to their poses at the end of the tick's part k (from 0),
   /// interpolated over the whole tick.
   void aim(int k);
-  /// Restores the targets of the whole tick, and merges the report's entries of each body, one per part of
-  /// the tick.
+  /// Resets the hands' targets, which aim() replaced, to those of the whole tick. Merges the entries that
+  /// each body has in `report`, one per part of the tick, into one.
   void finish(StepReport& report);
 
  private:

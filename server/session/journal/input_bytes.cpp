@@ -200,7 +200,7 @@ auto kinds(Consumed& consumed) {
         "journal: inputs that drive bodies along a trajectory cannot be recorded; sessions do not use them");
   const auto all = std::tie(keys, efforts, events, parts, targets, heads, panels, held, cuts);
   static_assert(size_of(all) + sizeof kinematic_targets == sizeof consumed,
-                "each kind of input of a tick must be in this list, so that the journal records it");
+                "each kind of input of a tick must be in the list `all`, so that the journal records it");
   return all;
 }
 

@@ -65,7 +65,7 @@ Journal::~Journal() {
 void Journal::append(JournalTick tick, std::vector<std::uint8_t> checkpoint) {
   {
     const std::lock_guard lock(mutex_);
-    if (!trouble_.empty()) return;
+    if (!error_.empty()) return;
     queued_bytes_ += weight(tick) + checkpoint.size();
     if (queued_bytes_ > limits_.queue_bytes)
       return fail("the disk is too slow to write the journal", tick.tick);
@@ -85,14 +85,14 @@ bool Journal::settle() {
   return !late_;
 }
 
-std::string Journal::trouble() const {
+std::string Journal::error() const {
   const std::lock_guard lock(mutex_);
-  return trouble_;
+  return error_;
 }
 
 void Journal::run() {
   std::unique_lock lock(mutex_);
-  while (trouble_.empty()) {
+  while (error_.empty()) {
     const auto busy = [this] {
       return !queue_.empty() || !checkpoints_.empty() || !under_way_.state.empty();
     };
@@ -145,7 +145,7 @@ void Journal::write_checkpoint_part(std::unique_lock<std::mutex>& lock) {
 }
 
 void Journal::fail(const std::string& why, std::uint64_t tick) {
-  trouble_ = fmt::format("journal stopped at tick {}: {}", tick, why);
+  error_ = fmt::format("journal stopped at tick {}: {}", tick, why);
   queue_.clear();
   checkpoints_.clear();
 }

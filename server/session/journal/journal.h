@@ -49,7 +49,7 @@ class Journal {
   /// they are not. After a timeout, calls return false without waiting until the disk has caught up.
   bool settle();
   /// Returns why writing of the journal stopped, and at which tick. Empty while the journal works.
-  std::string trouble() const;
+  std::string error() const;
   const std::filesystem::path& file() const { return path_; }
   std::uint32_t reign() const { return file_->reign(); }
 
@@ -70,7 +70,7 @@ class Journal {
   std::uint64_t queued_bytes_ = 0;
   bool writing_ = false;  // ticks were taken from the queue and are not in the file yet
   bool late_ = false;     // a wait timed out, and the queue has not been empty since
-  std::string trouble_;
+  std::string error_;
   bool stop_ = false;
   WaitingCheckpoint under_way_;  // used by the thread only; an empty state: none
   std::thread thread_;

@@ -19,9 +19,9 @@ JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
     SqliteStatement check(*database_, "PRAGMA quick_check('tick')");
     if (!check.step() || check.text(0) != "ok") refuse(fmt::format("is damaged ({})", check.text(0)));
     if (no_log || damaged_log)
-      trouble_ = fmt::format("journal {}: its write-ahead log {} {}: data after tick {} is lost",
-                             file.string(), file.filename().string() + "-wal",
-                             no_log ? "is not in the same folder as the journal" : "is damaged", last_tick());
+      error_ = fmt::format("journal {}: its write-ahead log {} {}: data after tick {} is lost", file.string(),
+                           file.filename().string() + "-wal",
+                           no_log ? "is not in the same folder as the journal" : "is damaged", last_tick());
   } catch (const SqliteError& e) {
     refuse(fmt::format("is not a journal ({})", e.what()));
   }

@@ -29,7 +29,7 @@ class JournalReader {
   std::uint64_t last_tick() const;                                   // 0: none
   /// Returns a message about missing or damaged data of the journal that was skipped. Empty if there was
   /// none.
-  const std::string& trouble() const { return trouble_; }
+  const std::string& error() const { return error_; }
   /// Returns the ticks of the journal's checkpoints, newest first. Their data may be damaged; checkpoint()
   /// verifies it.
   std::vector<std::uint64_t> checkpoint_ticks() const;
@@ -52,7 +52,7 @@ class JournalReader {
   std::filesystem::path file_;
   std::unique_ptr<SqliteDatabase> database_;
   JournalHeader header_;
-  std::string content_hash_, trouble_;
+  std::string content_hash_, error_;
   std::uint64_t seal_ = 0;
 
   void read_description();

@@ -14,8 +14,8 @@ namespace prosector {
 struct ReplayResult {
   std::uint64_t ticks = 0;  // run again and equal
   std::optional<std::uint64_t> first_difference;
-  /// The first value of the simulation's state that differs from the recorded state at the first checkpoint
-  /// after a difference. None if the journal has no such checkpoint or the states are equal there.
+  /// The first value of the replayed state that differs from the journal's first checkpoint after the tick
+  /// `first_difference`. None without such a checkpoint, or if the replayed state equals it.
   struct Value {
     std::uint64_t tick = 0;
     std::string name;  // "liver, positions"

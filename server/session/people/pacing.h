@@ -21,17 +21,17 @@ class Pacing {
   /// the number is out of bounds.
   Refusal obey(const StepTicks& command);
   /// Makes the next tick run even if simulated time is stopped.
-  void run_one_tick() { steps_ += stands() ? 1 : 0; }
+  void run_one_tick() { steps_ += is_stopped() ? 1 : 0; }
 
-  /// Sets the pace, in simulated seconds per real second, and drops the host's earlier requests. 0 stops
-  /// simulated time.
+  /// Sets the pace, in simulated seconds per real second, and drops the host's requests for single
+  /// ticks. 0 stops simulated time.
   void set(double pace) { pace_ = pace, steps_ = 0; }
 
   /// Returns the pace, in simulated seconds per real second. 0 means that simulated time is stopped, except
   /// for single ticks that the host requests.
   double pace() const { return pace_; }
   /// Returns whether simulated time is stopped and no further tick has been requested.
-  bool stands() const { return pace_ == 0 && steps_ == 0; }
+  bool is_stopped() const { return pace_ == 0 && steps_ == 0; }
   /// Counts a tick that was run: while time is stopped, reduces the number of requested ticks by one.
   void finish_tick() { steps_ -= pace_ == 0 && steps_ > 0 ? 1 : 0; }
 

@@ -64,14 +64,14 @@ void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands)
     moved_.push_back({who, thing, true, input.held[k].pose});
     held_[{who, thing}] = 0;
   }
-  if (!has_hands) told_.erase(who);  // the simulation forgets the head, too
+  if (!has_hands) known_heads_.erase(who);  // the simulation forgets the head, too
   if (!input.head_tracked || !has_hands) return;
   const HeadPlace head{who, input.head.p, direction_ahead(input.head)};
-  const auto [told, is_new] = told_.try_emplace(who, head);
-  const HeadPlace& last = told->second;
+  const auto [known, is_new] = known_heads_.try_emplace(who, head);
+  const HeadPlace& last = known->second;
   if (!is_new && (head.at - last.at).norm() < head_step && (head.ahead - last.ahead).norm() < head_turn)
     return;
-  told->second = head;
+  known->second = head;
   heads_.push_back(head);
 }
 

@@ -52,7 +52,7 @@ class PanelInputs {
   std::vector<bool> parts_;
   std::vector<ParticipantId> open_;
   std::vector<PanelEvent> asked_;
-  std::map<ParticipantId, HeadPlace> told_;  // head places that the simulation has
+  std::map<ParticipantId, HeadPlace> known_heads_;  // head places that the simulation has
   std::vector<HeadPlace> heads_;
   std::uint64_t held_timeout_;
   std::map<std::pair<ParticipantId, HeldObject>, std::uint64_t> held_;  // ticks since the last update of each

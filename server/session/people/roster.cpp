@@ -24,6 +24,10 @@ bool has_control_character(const std::string& text) {
 
 }  // namespace
 
+std::string SessionRules::name_of(BodyId body) const {
+  return body < names.size() ? names[body] : fmt::format("body {}", body);
+}
+
 Refusal Roster::refusal(const Presence& p) const {
   if (p.version != protocol_version)
     return fmt::format(

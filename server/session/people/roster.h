@@ -30,6 +30,9 @@ struct SessionRules {
   std::size_t rigid_bodies = 0;          // ids below this are rigid bodies
   bool recording = false;                // a recorded session is played: nobody participates
   bool remodels = false;                 // models of bodies can be changed while it runs
+
+  /// Returns the name of a body for messages to users; a body without a name: its number.
+  std::string name_of(BodyId body) const;
 };
 
 struct Participant {

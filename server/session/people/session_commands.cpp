@@ -57,17 +57,17 @@ struct CommandRule {
 /// A member's command and the state that it reads and changes.
 class MemberCommand {
  public:
-  MemberCommand(Session& session, const Command& command, const Participant& member, Session::Seat& seat)
+  MemberCommand(Session& session, const Command& command, const Participant& member, Seat& seat)
       : session_(session), command_(command), member_(member), seat_(seat) {}
 
  protected:
   Session& session_;
   const Command& command_;
   const Participant& member_;
-  Session::Seat& seat_;
+  Seat& seat_;
 
   ParticipantId sender() const { return command_.participant; }
-  void answer(const Refusal& refusal) { session_.answer(command_, refusal); }
+  void answer(const Refusal& refusal) { session_.output_.answer(command_, refusal); }
   void log(SessionEvent::Kind kind, std::string detail);
   Refusal guard(const CommandRule& rule);
   Refusal missing_body(BodyId body) const;
@@ -116,6 +116,9 @@ class CommandHandler : MemberCommand {
 };
 
 namespace {
+
+// More commands in a tick than a user can give; any more are dropped.
+constexpr std::uint32_t max_commands_per_tick = 16;
 
 constexpr HostOnly roles{"only the host can assign roles",
                          "Command: refused, because only the host can assign roles"};
@@ -205,8 +208,14 @@ Refusal effort_refusal(std::uint32_t steps_down) {
 
 }  // namespace
 
-void Session::obey(const Command& command, const Participant& member, Seat& seat) {
-  CommandHandler(*this, command, member, seat).run();
+void Session::take(const Command& command, std::uint64_t writer) {
+  const Participant* member = roster_.find(command.participant);
+  if (member == nullptr) return take_of_visitor(command, writer);
+  if (member->writer != writer) return output_.drop("Command: another process's participant");
+  Seat& seat = seats_[command.participant];
+  if (++seat.commands > max_commands_per_tick)
+    return output_.drop("Command: discarded, because its participant sent too many commands in one tick");
+  CommandHandler(*this, command, *member, seat).run();
 }
 
 void CommandHandler::run() {
@@ -217,8 +226,7 @@ void CommandHandler::run() {
 }
 
 void MemberCommand::log(SessionEvent::Kind kind, std::string detail) {
-  if (session_.events_.size() < Session::max_events)
-    session_.events_.push_back({kind, sender(), member_.presence.name, std::move(detail)});
+  session_.output_.log_if_room({kind, sender(), member_.presence.name, std::move(detail)});
 }
 
 /// Returns why the command may not be given now. The first guard that refuses it states the reason:
@@ -232,14 +240,14 @@ Refusal MemberCommand::guard(const CommandRule& rule) {
   if (!recording && rule.target == On::recording)
     return "this session is live: seeking is possible only in the playback of a recording";
   if (rule.target == On::scene && member_.role == Role::observer) {
-    session_.drop("Command: from an observer");
+    session_.output_.drop("Command: from an observer");
     return "observers cannot change anything: join as a dissector";
   }
   const bool runs_a_tick = rule.stopped == Stop::runs_a_tick && acts_as_host(rule);
-  if (session_.pacing_.stands() && rule.stopped != Stop::runs && !runs_a_tick)
+  if (session_.pacing_.is_stopped() && rule.stopped != Stop::runs && !runs_a_tick)
     return "time is stopped by the host: wait until the host lets it run";
   if (!rule.is_reserved() || acts_as_host(rule)) return {};
-  if (rule.host_only.counted != nullptr) session_.drop(rule.host_only.counted);
+  if (rule.host_only.counted != nullptr) session_.output_.drop(rule.host_only.counted);
   return rule.host_only.refusal;
 }
 
@@ -259,7 +267,7 @@ Refusal MemberCommand::missing_body(BodyId body) const {
 /// Forgets the body that the hand lost: a user that opens the hand or grasps something else no longer wants
 /// it. Returns whether the hand is in the room.
 bool MemberCommand::use_hand(std::uint8_t hand) {
-  session_.lost_holds_.forget({sender(), hand});
+  session_.hands_.forget_hold({sender(), hand});
   return seat_.hands[hand].present;
 }
 
@@ -331,7 +339,7 @@ void CommandHandler::obey(const ResetAll&) {
 }
 
 void CommandHandler::obey(const RequestKeyframe& request) {
-  session_.keyframes_.insert(request.body);
+  session_.requests_.send_keyframe(request.body);
   answer({});
 }
 
@@ -342,7 +350,7 @@ void CommandHandler::set_time(const Time& command) {
   const double before = pacing.pace();
   const Refusal refusal = pacing.obey(command);
   answer(refusal);
-  if (refusal) return session_.drop(time_control.counted);
+  if (refusal) return session_.output_.drop(time_control.counted);
   if (pacing.pace() == before) return;
   log(SessionEvent::Kind::pace, pacing.pace() == 0
                                     ? "stopped time"
@@ -350,7 +358,7 @@ void CommandHandler::set_time(const Time& command) {
 }
 
 void CommandHandler::obey(const Seek& seek) {
-  session_.seek_ = seek.tick;
+  session_.requests_.seek(seek.tick);
   answer({});
 }
 
@@ -373,7 +381,7 @@ void CommandHandler::set_efforts(std::size_t first, std::size_t end, std::uint32
                                  const std::string& what) {
   const int steps = static_cast<int>(steps_down);
   for (std::size_t body = first; body < end; ++body)
-    session_.efforts_.push_back({static_cast<BodyId>(body), steps});
+    session_.requests_.change_effort({static_cast<BodyId>(body), steps});
   answer({});
   log(SessionEvent::Kind::effort,
       fmt::format("has {} solved {}", what,
@@ -392,7 +400,7 @@ void CommandHandler::obey(const SetAccuracy& accuracy) {
     return answer(fmt::format(
         "accuracy: {:g} % was requested; allowed: {:g} to {:g} %, or 0 to list the available accuracies",
         percent, min_accuracy, max_accuracy));
-  session_.accuracy_wishes_.push_back({sender(), accuracy});
+  session_.requests_.change_accuracy({sender(), accuracy});
   answer({});
   if (percent == 0) return;
   log(SessionEvent::Kind::accuracy, fmt::format("wants body {} within {:g} %", body, percent));

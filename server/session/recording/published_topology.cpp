@@ -28,14 +28,14 @@ PublishedTopology::PublishedTopology(const SceneContent& content, const Simulati
                                      const RecordingIndex& index)
     : simulation_(simulation), index_(index), log_(content, simulation.scene().tick_rate) {
   for (BodyId body = 0; body < simulation.body_count(); ++body)
-    if (simulation.kind(body) == BodyKind::soft) told_[body] = now(body);
+    if (simulation.kind(body) == BodyKind::soft) published_[body] = now(body);
 }
 
 void PublishedTopology::follow(std::span<const TopologyChange> changes, SimTime time, const Roster& people,
                                std::vector<Outgoing>& out) {
   const ShapesAtThatTime shapes(simulation_);
   for (TopologyChange change : changes) {
-    told_[change.body] = {change.revision, change.content_hash};
+    published_[change.body] = {change.revision, change.content_hash};
     if (log_.knows(change.body)) change.revision = log_.revision(change.body) + 1;
     log_.follow(shapes, {&change, 1}, time, people, out);
   }
@@ -48,23 +48,23 @@ void PublishedTopology::jump(SimTime time, const Roster& people, std::vector<Out
     if (simulation_.kind(body) == BodyKind::soft && !log_.knows(body)) {
       const TopologyChange piece = beginning_of(body);
       log_.follow(shapes, {&piece, 1}, time, people, out);
-      told_[body] = now(body);
+      published_[body] = now(body);
     }
-  for (auto& [body, told] : told_) {
-    const Told at_that_time = now(body);
-    if (told == at_that_time) continue;
-    told = at_that_time;
+  for (auto& [body, published] : published_) {
+    const Published at_that_time = now(body);
+    if (published == at_that_time) continue;
+    published = at_that_time;
     TopologyChange change;
     change.body = body;
     change.revision = log_.revision(body) + 1;
-    change.content_hash = told.content_hash;
+    change.content_hash = published.content_hash;
     change.cause = TopologyCause::rewind;
     log_.follow(shapes, {&change, 1}, time, people, out);
   }
   log_.take_records();
 }
 
-PublishedTopology::Told PublishedTopology::now(BodyId body) const {
+PublishedTopology::Published PublishedTopology::now(BodyId body) const {
   if (body >= simulation_.body_count()) return {};
   return {simulation_.revision(body), simulation_.topology_hash(body)};
 }

@@ -30,17 +30,18 @@ class PublishedTopology {
   const TopologyLog& log() const { return log_; }
 
  private:
-  struct Told {
+  struct Published {
     std::uint32_t revision = 0;  // revision in the recording
     std::uint64_t content_hash = 0;
-    bool operator==(const Told&) const = default;
+    bool operator==(const Published&) const = default;
   };
   const Simulation& simulation_;
   const RecordingIndex& index_;
   TopologyLog log_;
-  std::map<BodyId, Told> told_;  // of soft bodies that clients know; a piece that does not exist: `Told{}`
+  std::map<BodyId, Published>
+      published_;  // of soft bodies that clients know; a piece that does not exist: `Published{}`
 
-  Told now(BodyId body) const;
+  Published now(BodyId body) const;
   TopologyChange beginning_of(BodyId piece) const;
 };
 

@@ -75,11 +75,11 @@ void RecordingPlayer::keep(State state) {
   if (!is_new) return;
   kept_bytes_ += at->second.size();
   if (kept_bytes_ <= kept_budget) return;
-  bool goes = false;
+  bool drop = false;
   std::erase_if(kept_, [&](const auto& entry) {
-    goes = !goes;
-    if (goes) kept_bytes_ -= entry.second.size();
-    return goes;
+    drop = !drop;
+    if (drop) kept_bytes_ -= entry.second.size();
+    return drop;
   });
 }
 

@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-constexpr double telling_rate = 2;  // Hz: rate of reports
+constexpr double report_rate = 2;  // Hz: rate of reports
 
 /// Returns how many substeps the body's method needs now for a tick of h s; 0: it is solved in one step.
 std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double h) {
@@ -30,7 +30,7 @@ std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choic
 BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected)
     : tick_seconds_(1 / simulation.scene().tick_rate),
       period_(std::max<std::uint64_t>(
-          1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))),
+          1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / report_rate)))),
       estimates_(simulation) {
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (simulation.kind(b) != BodyKind::soft) continue;
@@ -53,7 +53,7 @@ void BodyMeter::set_prices(BodyId body, std::vector<Price> prices) {
   const auto it = sums_.find(body);
   if (it == sums_.end()) return;
   it->second.status.prices = std::move(prices);
-  it->second.told = false;
+  it->second.reported = false;
 }
 
 void BodyMeter::add(const Simulation& simulation, const StepReport& report) {
@@ -85,7 +85,7 @@ std::vector<BodyStatus> BodyMeter::take(const Simulation& simulation) {
   const bool due = simulation.time().tick % period_ == 0;
   for (auto& [body, sum] : sums_) {
     const bool fell_asleep = simulation.asleep(body) && !sum.was_asleep;
-    if (sum.told && !fell_asleep && !(due && (sum.ticks > 0 || news_of_rest(body, sum)))) continue;
+    if (sum.reported && !fell_asleep && !(due && (sum.ticks > 0 || news_of_rest(body, sum)))) continue;
     out.push_back(close(sum, simulation));
     newest_[body] = out.back();
   }
@@ -126,7 +126,7 @@ BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
   sum.ticks = 0;
   sum.newton_iterations = sum.solver_iterations = 0;
   sum.was_asleep = out.asleep;
-  sum.told = true;
+  sum.reported = true;
   return out;
 }
 

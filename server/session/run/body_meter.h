@@ -58,7 +58,7 @@ class BodyMeter {
     std::uint32_t ticks = 0;
     double newton_iterations = 0, solver_iterations = 0;
     bool was_asleep = false;
-    bool told = false;
+    bool reported = false;
     std::uint64_t reported_estimate = 0;  // tick of the estimate that was reported last
   };
   double tick_seconds_;

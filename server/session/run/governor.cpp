@@ -28,7 +28,7 @@ std::optional<EffortChange> Governor::tick(double seconds, const std::map<BodyId
   const bool overload = ++judged_ >= ticks(overload_seconds) && 2 * late_ > judged_;
   if (judged_ >= ticks(overload_seconds)) late_ = judged_ = 0;
   if (overload) return step_down(work);
-  if (room_ >= ticks(patience_)) return step_up();
+  if (room_ >= ticks(step_up_delay_)) return step_up();
   return std::nullopt;
 }
 
@@ -45,7 +45,7 @@ std::optional<EffortChange> Governor::step_down(const std::map<BodyId, double>& 
   if (!costliest) return std::nullopt;
   const bool in_vain =
       stepped_up_at_ && tick_ - *stepped_up_at_ < static_cast<std::uint64_t>(ticks(vain_seconds));
-  patience_ = in_vain ? std::min(2 * patience_, longest_patience) : room_seconds;
+  step_up_delay_ = in_vain ? std::min(2 * step_up_delay_, max_step_up_delay) : room_seconds;
   order_.push_back(*costliest);
   return change(*costliest, 1);
 }

@@ -23,8 +23,8 @@ class Governor {
   static constexpr double overload_seconds = 0.5;  // s: window of ticks that are judged together
   static constexpr double room_seconds = 2;        // s: ticks with room before a step up
   static constexpr double room_share = 0.6;
-  static constexpr double vain_seconds = 5;       // s: overload this soon after a step up: it was in vain
-  static constexpr double longest_patience = 60;  // s: most ticks with room before a step up
+  static constexpr double vain_seconds = 5;        // s: overload this soon after a step up: it was in vain
+  static constexpr double max_step_up_delay = 60;  // s: most ticks with room before a step up
 
   /// Starts with the bodies whose solver effort the scene allows to reduce. `may` has, by body, the number of
   /// steps by which it is reduced already.
@@ -38,7 +38,7 @@ class Governor {
   const std::map<BodyId, int>& steps_down() const { return steps_; }
 
  private:
-  double period_, patience_ = room_seconds;
+  double period_, step_up_delay_ = room_seconds;
   std::map<BodyId, int> steps_;
   std::vector<BodyId> order_;  // bodies that stepped down, one entry per step
   int late_ = 0, judged_ = 0, room_ = 0;

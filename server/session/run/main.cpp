@@ -94,14 +94,14 @@ void describe(const Simulation& simulation) {
   for (const std::string& hint : scene_hints(scene)) say("  " + hint);
 }
 
-void tell_trouble(const JournalReader& journal) {
-  if (!journal.trouble().empty()) say(journal.trouble());
+void print_error(const JournalReader& journal) {
+  if (!journal.error().empty()) say(journal.error());
 }
 
 /// Writes a whole journal as one file, and verifies that file tick by tick.
 void export_journal(const std::vector<std::filesystem::path>& from_to) {
   const JournalReader from(from_to[0]);
-  tell_trouble(from);
+  print_error(from);
   from.export_to(from_to[1]);
   const JournalReader exported(from_to[1]);
   std::uint64_t ticks = 0;
@@ -121,7 +121,7 @@ void begin_as_recorded(const JournalReader& journal, Simulation& simulation) {
 
 /// Compiles the scene that a journal recorded, in the state that it begins with.
 std::unique_ptr<Simulation> compile_recorded(const JournalReader& journal, const ServerOptions& options) {
-  tell_trouble(journal);
+  print_error(journal);
   const JournalHeader& header = journal.header();
   SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
   adopt(header.choices, scene);
@@ -188,7 +188,7 @@ std::filesystem::path next_journal(const std::filesystem::path& first) {
 }
 
 void resume_journal(const JournalReader& journal, Simulation& simulation) {
-  tell_trouble(journal);
+  print_error(journal);
   const ReplayResult result = resume(journal, simulation, say);
   if (!result)
     throw InputError(
@@ -207,17 +207,17 @@ struct Hosting {
 
 /// Opens the journal that a run writes to, if any. A run that continues a remodelled session starts another
 /// file, with the state that was taken over.
-std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& scene, bool goes_on) {
+std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& scene, bool continues) {
   const ServerOptions& options = hosting.options;
   Simulation& simulation = *scene.simulation;
   JournalLimits limits;
   limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
-  if (!goes_on && !options.resume.empty()) return Journal::append_to(options.resume, limits);
+  if (!continues && !options.resume.empty()) return Journal::append_to(options.resume, limits);
   const std::filesystem::path first = options.resume.empty() ? options.journal : options.resume;
   if (first.empty()) return nullptr;
   JournalHeader header{simulation.scene().file, hosting.scene_text, hosting.session,
                        simulation.content_hash(), scene.choices};
-  if (!goes_on) return Journal::create(first, header, limits);
+  if (!continues) return Journal::create(first, header, limits);
   header.begins_at = simulation.time().tick;
   try {
     header.beginning = simulation.checkpoint();  // this run and a restored one begin alike
@@ -247,15 +247,15 @@ void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulati
     throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
 }
 
-/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0. `goes_on`:
+/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0. `continues`:
 /// continues with the state that was taken over from another model of the scene.
-void serve(const Hosting& hosting, ReadyScene& scene, bool goes_on, Remodeller& remodeller,
+void serve(const Hosting& hosting, ReadyScene& scene, bool continues, Remodeller& remodeller,
            std::unique_ptr<HostConflictMonitor> watch, double seconds) {
   const ServerOptions& options = hosting.options;
   Simulation& simulation = *scene.simulation;
   BusConfig place;
   const std::unique_ptr<Bus> bus = open_bus(options, hosting.session, *watch, place);
-  const std::unique_ptr<Journal> journal = open_journal(hosting, scene, goes_on);
+  const std::unique_ptr<Journal> journal = open_journal(hosting, scene, continues);
   remodeller.begin(scene.choices);
   ServerLoop loop(simulation, *bus, hosting.session, journal.get(), say,
                   {.choices = scene.choices,
@@ -309,16 +309,16 @@ void serve_while_it_changes(const Hosting& hosting, ReadyScene scene,
   const auto started = std::chrono::steady_clock::now();
   const std::unique_ptr<SceneReloader> reloader = reload_on_change(options, scene.simulation->scene());
   const std::unique_ptr<Remodeller> remodeller = remodel_on_wish(hosting, scene.simulation->scene().file);
-  bool goes_on = false;
+  bool continues = false;
   for (double left = options.seconds;;) {
     if (!watch) watch = watch_for_others(options, hosting.session);
-    serve(hosting, scene, goes_on, *remodeller, std::move(watch), left);
+    serve(hosting, scene, continues, *remodeller, std::move(watch), left);
     over = false;
     const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     left = options.seconds - so_far;
     if (interrupted || (options.seconds > 0 && left <= 0)) return;
     left = std::max(left, 0.);
-    goes_on = true;
+    continues = true;
     if (std::optional<ReadyScene> next = remodeller->take()) {
       if (const Refusal why = next->simulation->take_over(*scene.simulation))
         say(fmt::format("{}; the session continues unchanged", why.why()));

@@ -30,9 +30,9 @@ SessionRules rules_for(const Simulation& simulation, const std::string& session)
 
 std::function<void(std::uint64_t)> progress(const JournalReader& journal,
                                             const std::function<void(const std::string&)>& say) {
-  constexpr std::uint64_t told_each = 36000;
+  constexpr std::uint64_t report_interval = 36000;
   return [&say, last = journal.last_tick()](std::uint64_t tick) {
-    if (tick % told_each == 0) say(fmt::format("  read tick {} of {}", tick, last));
+    if (tick % report_interval == 0) say(fmt::format("  read tick {} of {}", tick, last));
   };
 }
 
@@ -69,11 +69,11 @@ void Playback::turn() {
   std::vector<Outgoing> messages;
   if (seek_)
     messages = go_on_the_way();
-  else if (!session_.pacing().stands() && !player_.at_end())
+  else if (!session_.pacing().is_stopped() && !player_.at_end())
     messages = play_tick();
   news |= !messages.empty();
   topology_.log().send_keyframes(displayed_time(), messages);
-  append(messages, session_.take_outgoing());
+  append(messages, session_.output().take_outgoing());
   feed_.say(std::move(messages));
   news |= stand_at_the_end();
   if (!seek_) offer_snapshot(news);
@@ -83,10 +83,10 @@ void Playback::turn() {
 bool Playback::hear() {
   bus_.take(received_);
   (void)session_.consume(received_, ++turns_);
-  for (const BodyId body : session_.take_keyframe_requests()) topology_.log().ask_keyframe(body);
+  for (const BodyId body : session_.requests().take_keyframes()) topology_.log().ask_keyframe(body);
   begin_with_the_first();
   take_wishes();
-  const std::vector<SessionEvent> events = session_.take_events();
+  const std::vector<SessionEvent> events = session_.output().take_events();
   for (const SessionEvent& event : events) say_(line_of(event));
   return !events.empty();
 }
@@ -100,7 +100,7 @@ void Playback::begin_with_the_first() {
 /// Begins a seek that a viewer requested. If time is started again at the end, playback seeks to the
 /// beginning.
 void Playback::take_wishes() {
-  std::optional<std::uint64_t> wish = session_.take_seek();
+  std::optional<std::uint64_t> wish = session_.requests().take_seek();
   if (!wish && !seek_ && begun_ && session_.pacing().pace() > 0 && player_.tick() >= player_.last_tick())
     wish = 0;
   if (!wish) return;

@@ -14,10 +14,10 @@ RemodelRequests::RemodelRequests(const Simulation& simulation, Remodeller* remod
 
 void RemodelRequests::pass_on(Session& session, BodyReports& bodies) {
   if (remodeller_ == nullptr) return;
-  for (const auto& [participant, wanted] : session.take_accuracy_wishes()) {
+  for (const auto& [participant, wanted] : session.requests().take_accuracies()) {
     const std::string& name = simulation_.name(wanted.body);
     if (wanted.percent > 0 && simulation_.revision(wanted.body) > 0)
-      session.tell(participant, cut_stays(name).why());
+      session.output().tell(participant, cut_stays(name).why());
     else
       remodeller_->ask({participant, wanted.body, name, wanted.percent});
   }
@@ -27,7 +27,7 @@ void RemodelRequests::pass_on(Session& session, BodyReports& bodies) {
   std::erase_if(unheard_, [&](const AccuracyAnswer& answer) {
     if (!session.roster().members().contains(answer.wish.asker)) return false;
     say_(answer.words);
-    session.tell(answer.wish.asker, answer.words);
+    session.output().tell(answer.wish.asker, answer.words);
     return true;
   });
 }

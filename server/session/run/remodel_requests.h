@@ -20,8 +20,8 @@ class RemodelRequests {
   RemodelRequests(const Simulation& simulation, Remodeller* remodeller,
                   std::function<void(const std::string&)> say);
 
-  /// Passes the host's requests for accuracy to the remodeller. Passes the results of earlier requests to the
-  /// participants that made them, once these are in the session.
+  /// Passes the host's requests for bodies' accuracy to the remodeller, which changes bodies' models. Sends
+  /// the results of earlier requests to the participants that made them, as soon as they are in the session.
   void pass_on(Session& session, BodyReports& bodies);
   /// Sets the errors and costs that are available for bodies, so that the host learns them.
   void set_prices(BodyReports& bodies) const;

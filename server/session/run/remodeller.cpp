@@ -29,10 +29,10 @@ std::vector<Choice> with(std::vector<Choice> choices, const Choice& choice) {
 struct PutOff {};
 
 /// Returns whether a verification changed the choice, or its expected error by more than a tenth.
-bool differ(const Choice& told, const Choice& proved) {
+bool differ(const Choice& chosen, const Choice& proved) {
   constexpr double alike = 0.1;  // of the error: smaller changes don't count
-  return !(told.rung == proved.rung) || told.cell != proved.cell || told.grade != proved.grade ||
-         std::abs(proved.expected.error - told.expected.error) > alike * told.expected.error;
+  return !(chosen.rung == proved.rung) || chosen.cell != proved.cell || chosen.grade != proved.grade ||
+         std::abs(proved.expected.error - chosen.expected.error) > alike * chosen.expected.error;
 }
 
 std::string in_words(const Choice& choice) {
@@ -114,13 +114,13 @@ void Remodeller::prove(const std::stop_token& stop) {
   };
   try {
     const SceneDesc scene = hooks_.describe();
-    SceneDesc told_of = scene, proved_of = scene;
-    const std::vector<Choice> told = choose_rungs(told_of, options);
+    SceneDesc chosen_scene = scene, proved_scene = scene;
+    const std::vector<Choice> chosen = choose_rungs(chosen_scene, options);
     options.prove = true;
-    const std::vector<Choice> proved = choose_rungs(proved_of, options);
+    const std::vector<Choice> proved = choose_rungs(proved_scene, options);
     if (!hooks_.say) return;
     for (std::size_t i = 0; i < proved.size(); ++i) {
-      if (!differ(told[i], proved[i])) continue;
+      if (!differ(chosen[i], proved[i])) continue;
       const auto body = std::find_if(scene.soft.begin(), scene.soft.end(),
                                      [&](const SoftDesc& desc) { return desc.name == proved[i].body; });
       hooks_.say(

@@ -96,7 +96,7 @@ void ServerLoop::tick() {
   overload_.judge(report, 1e-9 * static_cast<double>(ended - begun));
 
   requests_.pass_on(session_, bodies_);
-  append(messages, session_.take_outgoing());
+  append(messages, session_.output().take_outgoing());
   bodies_.add(report);
   append(messages, bodies_.take());
   journal_.settle(meter_.last_end());
@@ -109,11 +109,11 @@ void ServerLoop::listen() {
   meter_.pass(now);
   bus_.take(received_);
   session_.listen(received_);
-  std::vector<SessionEvent> events = session_.take_events();
+  std::vector<SessionEvent> events = session_.output().take_events();
   log_.write(events, meter_.last_end());
   std::move(events.begin(), events.end(), std::back_inserter(heard_));
   requests_.pass_on(session_, bodies_);
-  std::vector<Outgoing> messages = session_.take_outgoing();
+  std::vector<Outgoing> messages = session_.output().take_outgoing();
   send_keyframes(messages);
   const bool news = !messages.empty();
   feed_.say(std::move(messages));
@@ -123,7 +123,7 @@ void ServerLoop::listen() {
 /// Writes the events of a tick to the log. Returns them for the tick's record, after those of the time before
 /// it in which simulated time was stopped.
 std::vector<SessionEvent> ServerLoop::events_of(const StepReport& report) {
-  std::vector<SessionEvent> events = session_.take_events();
+  std::vector<SessionEvent> events = session_.output().take_events();
   for (const Broken& b : report.broken)
     events.push_back(
         {SessionEvent::Kind::broke, 0, simulation_.name(b.body), fmt::format("at {:.0f} N", b.force)});
@@ -144,7 +144,7 @@ void ServerLoop::journal(ConsumedInput input, TickJournal::State checkpoint,
 }
 
 void ServerLoop::send_keyframes(std::vector<Outgoing>& out) {
-  for (const BodyId body : session_.take_keyframe_requests()) topology_.ask_keyframe(body);
+  for (const BodyId body : session_.requests().take_keyframes()) topology_.ask_keyframe(body);
   topology_.send_keyframes(simulation_.time(), out);
 }
 
@@ -192,10 +192,10 @@ void ServerLoop::finish() {
 
 RunFigures ServerLoop::figures() const {
   RunFigures out = meter_.figures();
-  out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
+  out.invalid_dropped = bus_.counters().dropped_total + session_.output().dropped_total();
   out.hand_timeouts = session_.hand_timeouts();
   out.refused_checkpoints = journal_.refused_checkpoints();
-  out.commands = session_.commands();
+  out.commands = session_.output().commands();
   out.state_hash = state_hash_;
   return out;
 }

@@ -47,7 +47,7 @@ class ServerLoop {
              std::function<void(const std::string&)> say, LoopOptions options = {});
 
   /// Runs one tick immediately. While simulated time is stopped, only processes messages.
-  void turn() { session_.pacing().stands() ? listen() : tick(); }
+  void turn() { session_.pacing().is_stopped() ? listen() : tick(); }
   /// Runs one tick of the session immediately: receives, steps, journals and publishes.
   void tick();
   /// Processes and answers received messages without running a tick.

@@ -16,7 +16,7 @@ ServerStatus status_of(const StepMeter& meter, const Session& session, const Bus
   out.observers = session.roster().observers();
   out.awake_bodies = step.awake;
   out.asleep_bodies = step.asleep;
-  out.invalid_dropped = bus.counters().dropped_total + session.dropped_total();
+  out.invalid_dropped = bus.counters().dropped_total + session.output().dropped_total();
   return out;
 }
 

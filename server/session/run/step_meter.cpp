@@ -15,7 +15,7 @@ constexpr double smallest_ms = 1e-4;  // lower bound of bin 0
 constexpr double ratio = 1.01;        // of the bounds of successive bins
 constexpr std::size_t max_degraded_length = 400;
 
-const char* trouble(const BodyReport& body) {
+const char* problem_of(const BodyReport& body) {
   return body.reset ? "reset" : body.converged ? nullptr : "not converged";
 }
 
@@ -43,7 +43,7 @@ void StepMeter::add(const StepReport& report, bool tissue_awake, std::int64_t be
   for (std::size_t p = 0; p < step_phases; ++p) tick.phase_ms[p] = report.seconds[p] * 1e3;
   for (const BodyReport& body : report.bodies) {
     tick.residual = std::max(tick.residual, body.residual);
-    if (const char* what = trouble(body)) {
+    if (const char* what = problem_of(body)) {
       ++troubles_[body.body];
       tick.degraded.push_back(body.body + " " + what + (body.note.empty() ? "" : ": " + body.note));
     }

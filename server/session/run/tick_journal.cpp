@@ -47,18 +47,18 @@ void TickJournal::append(JournalTick tick, State checkpoint) {
 }
 
 void TickJournal::settle(double now) {
-  if (journal_ == nullptr || !trouble_.empty()) return;
+  if (journal_ == nullptr || !error_.empty()) return;
   late_ = !journal_->settle();
   if (const auto late = lateness_.look(late_, now))
     hooks_.say(*late ? fmt::format("{}; the session continues", journal_is_late)
                      : "the journal has caught up with the session");
-  trouble_ = journal_->trouble();
-  if (!trouble_.empty()) hooks_.say(trouble_ + "; the session continues without a journal");
+  error_ = journal_->error();
+  if (!error_.empty()) hooks_.say(error_ + "; the session continues without a journal");
 }
 
 std::string TickJournal::complaint() const {
   std::string out = late_ ? journal_is_late : "";
-  if (!trouble_.empty()) out += (out.empty() ? "" : "; ") + trouble_;
+  if (!error_.empty()) out += (out.empty() ? "" : "; ") + error_;
   return out;
 }
 

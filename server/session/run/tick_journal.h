@@ -53,7 +53,7 @@ class TickJournal {
   Hooks hooks_;
   std::int64_t since_checkpoint_ns_ = 0;
   std::uint64_t refused_checkpoints_ = 0;
-  std::string trouble_;
+  std::string error_;
   bool late_ = false;
   RateLimitedFlag lateness_;
 };

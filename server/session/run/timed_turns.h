@@ -15,9 +15,9 @@ struct TimedTurns {
   std::function<void()> each_second;  // called each second, after a turn
 };
 
-/// Runs turns (ticks of the session, or only message processing) until `stop` is true, or until the time is
-/// over. While simulated time is stopped, turns continue at the scene's rate. Returns how often a turn was
-/// too late to be caught up.
+/// Runs turns (ticks of the session, or only message processing) until `stop` is true, or `seconds` of wall
+/// time have passed. While simulated time is stopped, turns continue at the scene's rate. Returns how often a
+/// turn was too late to be caught up.
 std::uint64_t take(const TimedTurns& turns, const std::atomic<bool>& stop);
 
 }  // namespace prosector

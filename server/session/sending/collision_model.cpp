@@ -28,12 +28,12 @@ TriangleMesh outline(const BoxShape& box) {
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface) {
   if (surface.positions.empty()) return std::nullopt;
   const Cloud cloud{surface.positions};
-  switch (body.collision) {
+  switch (body.contact.collision) {
     case Fidelity::none:
     case Fidelity::mesh:
       return std::nullopt;
     case Fidelity::hull:
-      if (!body.parts.empty()) return std::nullopt;  // each part is convex
+      if (!body.geometry.parts.empty()) return std::nullopt;  // each part is convex
       return convex_hull(surface.positions);
     case Fidelity::sphere:
       return outline(enclosing_sphere({&cloud, 1}));

@@ -15,12 +15,12 @@ class PartSender {
   std::vector<Outgoing> take(const Simulation& simulation);
 
  private:
-  struct Told {
+  struct PublishedPart {
     Part part;
     std::vector<HandRef> holders;
-    bool operator==(const Told&) const = default;
+    bool operator==(const PublishedPart&) const = default;
   };
-  std::vector<Told> told_;  // by body; clients without a PartState assume `Told{}`
+  std::vector<PublishedPart> published_;  // by body; clients without a PartState assume `PublishedPart{}`
 };
 
 }  // namespace prosector

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "common/fidelity.h"
-#include "common/scene/body_groups.h"
 #include "common/server_run.h"
 #include "server/physics/mechanics/soft/rungs.h"
 #include "server/physics/mechanics/soft/soft_body.h"
@@ -33,7 +32,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.pose = kind == BodyKind::rigid ? desc.pose : Pose{};
   body.appearance = desc.appearance;
   body.part = desc.part;
-  body.fidelity = contact_of(desc).collision;
+  body.fidelity = desc.contact.collision;
   body.names = desc.names;
   body.term = desc.term;
   return body;

@@ -27,6 +27,7 @@ Vec3 normal(const TriangleMesh& surface, const std::array<std::uint32_t, 3>& t) 
 }  // namespace
 
 double mean_edge(const TriangleMesh& surface) {
+  if (surface.triangles.empty()) return 0;
   double sum = 0;
   for (const auto& t : surface.triangles)
     for (std::size_t k = 0; k < 3; ++k)

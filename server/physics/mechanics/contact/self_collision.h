@@ -20,9 +20,9 @@ class SelfCollision {
   /// Prepares the search for a solid with a closed surface. Keeps a pointer to `anatomy`, which must outlive
   /// this object. `cell`: mean edge length of the surface, m (see mean_edge()).
   SelfCollision(const Anatomy& anatomy, double cell);
-  /// Updates after an edit of the surface, such as a cut, that `anatomy` and `vertices` already contain. From
-  /// then on find() returns what a newly constructed object would. Unchanged pairs of the list are only
-  /// renumbered.
+  /// Updates the search after an edit of the surface, such as a cut, that the constructor's `anatomy` and
+  /// `vertices` already contain. From then on find() returns what a newly constructed object would. Only
+  /// renumbers stored pairs of a vertex and a near triangle that the edit left unchanged.
   void follow(const SurfaceEdit& edit, const SurfaceDetector& vertices);
 
   /// Appends, ascending, the vertices whose gap to another part of the surface is at most `margin` (m), with
@@ -66,7 +66,8 @@ class SelfCollision {
   std::vector<std::uint32_t> new_vertices_, changed_vertices_, changed_faces_;
 };
 
-/// Returns the mean edge length (m) of a surface at rest, taken over the edges of all triangles.
+/// Returns the mean edge length (m) of a surface at rest, taken over the edges of all triangles. Returns 0
+/// for a surface without triangles, such as that of a rope.
 double mean_edge(const TriangleMesh& surface);
 
 }  // namespace prosector

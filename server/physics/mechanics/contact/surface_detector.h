@@ -35,7 +35,7 @@ struct Collider {
   double pull = 0;                            // m: bound of its displacement by other bodies within the tick
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  // m, bounding box
   double friction = 0;
-  double rolling_resistance = 0;  // as RigidDesc::rolling_resistance
+  double rolling_resistance = 0;  // as RigidContactDesc::rolling_resistance
   bool fixed = false;
   std::optional<Pose> driven_to;  // fixed: pose at the tick's end
   CollisionMask mask;

@@ -217,7 +217,7 @@ bool IslandJoints::unsettled(const VecX& q) {
   return false;
 }
 
-void IslandJoints::tell_joints(const VecX& q, bool all_held) const {
+void IslandJoints::write_joint_forces(const VecX& q, bool all_held) const {
   PROSECTOR_ASSERT(q.size() == layout_->size && island_->contacts.size() == contacts_.size() &&
                    island_->ties.size() == ties_.size());
   const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;

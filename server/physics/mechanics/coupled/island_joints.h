@@ -53,7 +53,7 @@ class IslandJoints {
   /// the forces exchanged over the tick. `all_held`: every rigid body is pulled by a hand, so momentum need
   /// not be conserved. The exchanged forces are then scaled up to make up for the part of the Newton steps
   /// that was not taken.
-  void tell_joints(const VecX& q, bool all_held) const;
+  void write_joint_forces(const VecX& q, bool all_held) const;
 
  private:
   /// Sums over the contacts of one body, N: normal forces, friction limits, and the absolute errors of the

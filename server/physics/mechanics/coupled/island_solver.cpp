@@ -333,7 +333,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)
       island.rigid[m].twist = q_.segment<6>(system_.layout().rigid(m));
-    system_.joints().tell_joints(q_, limits.held);
+    system_.joints().write_joint_forces(q_, limits.held);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
       body.stepper().finish_stage(stage, h, q_.segment(system_.layout().soft[m], 3 * body.nodes()),

@@ -192,7 +192,7 @@ class Tick {
         const std::size_t joins = substepped_[a] ? a : b;
         substepped_[joins] = 0;
         say(island_.soft[joins],
-            "stepped with implicit_euler instead of substeps, because the body that it touches is");
+            "stepped with implicit_euler instead of substeps, because it touches a body stepped implicitly");
         island_.soft[joins].degraded = true;
         again = true;
       }

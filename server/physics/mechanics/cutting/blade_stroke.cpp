@@ -112,13 +112,13 @@ void go_on(std::vector<EdgePoint>& line, bool from_is_held, EdgePoint to, const 
   };
   double reached = 0;
   for (const Stretch& s : way) {
-    bool goes_on = s.begin <= reached + rounding;
-    if (goes_on && line.back().tet == TetComplex::none) put(line.back(), s, s.begin);
-    if (goes_on) {
+    bool continues = s.begin <= reached + rounding;
+    if (continues && line.back().tet == TetComplex::none) put(line.back(), s, s.begin);
+    if (continues) {
       const TetId last = line.back().tet;
-      goes_on = (reached == 0 && from_is_held) || last == s.tet || are_neighbors(complex, last, s.tet);
+      continues = (reached == 0 && from_is_held) || last == s.tet || are_neighbors(complex, last, s.tet);
     }
-    if (!goes_on) add(s, s.begin);
+    if (!continues) add(s, s.begin);
     if (s.end < 1 - rounding)
       add(s, s.end);
     else if (to.tet == TetComplex::none)
@@ -187,10 +187,10 @@ MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std:
   std::vector<std::size_t> bends;  // points at which the moved line may bend; it is straight between them
   for (std::size_t i = 0; i < line.size(); ++i) {
     const Vec3 goal = point_at(edge, line[i].at);
-    const bool stands = (goal - from[i]).norm() < least_motion;
-    out.to.push_back(stands ? from[i] : goal);
-    out.stands.push_back(stands ? 1 : 0);
-    if (stands || line[i].is_corner()) bends.push_back(i);
+    const bool stays = (goal - from[i]).norm() < least_motion;
+    out.to.push_back(stays ? from[i] : goal);
+    out.stays.push_back(stays ? 1 : 0);
+    if (stays || line[i].is_corner()) bends.push_back(i);
   }
   for (std::size_t b = 0; b + 1 < bends.size(); ++b) {
     const EdgePoint &first = line[bends[b]], &last = line[bends[b + 1]];
@@ -203,7 +203,7 @@ MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std:
 
 void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& complex, const TetTree& tree,
                std::span<const Vec3> positions) {
-  PROSECTOR_ASSERT(moved.to.size() == stroke.edge.size() && moved.stands.size() == stroke.edge.size());
+  PROSECTOR_ASSERT(moved.to.size() == stroke.edge.size() && moved.stays.size() == stroke.edge.size());
   PROSECTOR_ASSERT(positions.size() >= complex.node_end());
   std::vector<EdgePoint> line;
   std::vector<TetId> near;
@@ -211,9 +211,9 @@ void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& co
   bool from_is_held = false;
   for (std::size_t i = 0; i < stroke.edge.size(); ++i) {
     EdgePoint point = stroke.edge[i];
-    const bool stands = moved.stands[i] != 0, is_twin = !line.empty() && line.back().at == point.at;
-    if (!stands && (is_twin || !point.is_corner())) continue;
-    const bool is_held = stands && complex.has_tet(point.tet);
+    const bool stays = moved.stays[i] != 0, is_twin = !line.empty() && line.back().at == point.at;
+    if (!stays && (is_twin || !point.is_corner())) continue;
+    const bool is_held = stays && complex.has_tet(point.tet);
     if (!is_held) point.tet = TetComplex::none;
     point.room = moved.to[i];
     if (line.empty()) {

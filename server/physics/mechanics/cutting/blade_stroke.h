@@ -49,8 +49,8 @@ struct BladeStroke {
 /// m, world frame. Throws InputError for fewer points and for numbers that are not finite.
 BladeStroke begin_stroke(std::span<const Vec3> edge);
 
-/// Returns the current positions, m, of the points of the stroke's line after it moved with the tissue.
-/// `positions`: node positions, m, by node id.
+/// Returns the current positions, m, of the points of the stroke's line: the blade's edge as last stored in
+/// the stroke, moved with the tissue since. `positions`: node positions, m, by node id.
 ///
 /// Points in tissue follow it. Points outside tissue are moved farther behind the blade's current `edge`, by
 /// the motion of the nearest point of the line that is in tissue. So they sweep again, from outside, through
@@ -62,7 +62,7 @@ std::vector<Vec3> carried_edge(const BladeStroke& stroke, std::span<const Vec3> 
 /// `least_motion`, m, stay where they are, since the direction of such a small motion is noise.
 struct MovedEdge {
   std::vector<Vec3> to;
-  std::vector<std::uint8_t> stands;  // by point: 1 if the point stays
+  std::vector<std::uint8_t> stays;  // by point: 1 if the point stays
 };
 MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std::span<const Vec3> edge,
                      double least_motion);

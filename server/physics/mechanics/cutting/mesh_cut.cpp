@@ -248,10 +248,10 @@ Vec3 way_of(const BladeStroke& stroke, const TetComplex& complex, std::span<cons
   return count > 0 ? Vec3(sum / count) : sum;
 }
 
-/// Completes the cut after the line has left the body. If the line went all the way across (`went_across`)
+/// Completes the cut after the line has left the body. If the line went all the way across (`crossed`)
 /// instead of back, the nodes that the sweeps missed count as lying on the blade.
-void end_line(TetComplex& complex, bool went_across, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
-  if (went_across)
+void end_line(TetComplex& complex, bool crossed, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  if (crossed)
     for (const NodeId node : missing_nodes(complex, marks, most_missing(complex, marks))) {
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
@@ -315,12 +315,12 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   const bool ended_inside = stroke.ended_inside || passage.end_came_through;
   // Tissue that was dragged along may slip off the blade on its far side without a cut in this tick.
   const Vec3 way = way_of(stroke, complex, from, to);
-  const bool goes_on = !result.ops.empty() || way.dot(stroke.way) > same_way * way.norm() * stroke.way.norm();
+  const bool forward = !result.ops.empty() || way.dot(stroke.way) > same_way * way.norm() * stroke.way.norm();
   if (!result.ops.empty()) stroke.way = way;
   hold_edge(stroke, moved, complex, tree, x);
   if (complex.is_sheet()) stroke.ended_inside = passage.is_in && ended_inside;
   if (was_in_tissue && !is_in_tissue(stroke) && !passage.is_in)
-    end_line(complex, goes_on && !ended_inside, x, marks, result);
+    end_line(complex, forward && !ended_inside, x, marks, result);
   stroke.marks = marks.by_node();
   return result;
 }

@@ -11,7 +11,7 @@ namespace prosector {
 namespace {
 
 using Vertex = std::uint32_t;
-constexpr Vertex nobody = UINT32_MAX;
+constexpr Vertex no_vertex = UINT32_MAX;
 // Sine of the elevation angle over a mark's plane below which a node is on neither side of the mark.
 constexpr double flat = 0.2;
 
@@ -21,7 +21,7 @@ constexpr double flat = 0.2;
 class Surroundings {
  public:
   Surroundings(const TetComplex& complex, const Marks& marks)
-      : complex_(complex), of_(complex.node_end(), nobody), is_met_(complex.tet_end(), 0) {
+      : complex_(complex), of_(complex.node_end(), no_vertex), is_met_(complex.tet_end(), 0) {
     for (const BladeStroke::Mark& mark : marks.all())
       if (complex.has_node(mark.node)) of_[mark.node] = marked;
     find_units(marks);
@@ -42,7 +42,7 @@ class Surroundings {
 
  private:
   static constexpr std::uint8_t from_above = 1, from_below = 2;
-  static constexpr Vertex marked = nobody - 1;
+  static constexpr Vertex marked = no_vertex - 1;
 
   /// Visits the unmarked nodes adjacent to a node, possibly repeatedly, and the node itself.
   template <class Visit>
@@ -54,7 +54,7 @@ class Surroundings {
   bool sees(std::uint8_t side) const { return std::find(seen_.begin(), seen_.end(), side) != seen_.end(); }
 
   void find_units(const Marks& marks) {
-    std::vector<NodeId> seen_by(complex_.node_end(), nobody);
+    std::vector<NodeId> seen_by(complex_.node_end(), no_vertex);
     std::vector<std::uint8_t> seen(complex_.node_end(), 0);
     for (const BladeStroke::Mark& mark : marks.all()) {
       if (!complex_.has_node(mark.node)) continue;
@@ -66,7 +66,7 @@ class Surroundings {
       });
     }
     for (NodeId node = 0; node < seen_by.size(); ++node) {
-      if (seen_by[node] == nobody) continue;
+      if (seen_by[node] == no_vertex) continue;
       of_[node] = static_cast<Vertex>(nodes_.size());
       nodes_.push_back(node);
       seen_.push_back(seen[node]);
@@ -74,13 +74,13 @@ class Surroundings {
   }
 
   void join_units() {
-    std::vector<Vertex> met_by(nodes_.size(), nobody);
+    std::vector<Vertex> met_by(nodes_.size(), no_vertex);
     for (Vertex unit = 0; unit < nodes_.size(); ++unit) {
       begin_.push_back(beside_.size());
       for_unmarked_beside(nodes_[unit], [&](NodeId node) {
-        if (of_[node] == nobody) {
+        if (of_[node] == no_vertex) {
           fill(node);
-          met_by.push_back(nobody);
+          met_by.push_back(no_vertex);
         }
         const Vertex other = of_[node];
         if (other == unit || std::exchange(met_by[other], unit) == unit) return;
@@ -93,7 +93,7 @@ class Surroundings {
 
   /// Creates one vertex for all nodes that are connected with `first` without passing through units.
   void fill(NodeId first) {
-    PROSECTOR_ASSERT(of_[first] == nobody);
+    PROSECTOR_ASSERT(of_[first] == no_vertex);
     const auto vertex = static_cast<Vertex>(size());
     others_.emplace_back();
     open_.assign(1, first);
@@ -104,7 +104,7 @@ class Surroundings {
       for (const TetId t : complex_.star(from)) {
         if (std::exchange(is_met_[t], 1) != 0) continue;  // all its corners have been visited
         for (const NodeId node : complex_.corners(t))
-          if (of_[node] == nobody) {
+          if (of_[node] == no_vertex) {
             of_[node] = vertex;
             open_.push_back(node);
           }
@@ -133,8 +133,8 @@ class Paths {
       : around_(around),
         sides_hold_(sides_hold),
         used_(around.size(), 0),
-        before_(around.size(), nobody),
-        after_(around.size(), nobody) {
+        before_(around.size(), no_vertex),
+        after_(around.size(), no_vertex) {
     for (Vertex v = 0; v < around.size(); ++v) {
       const auto beside = around.neighbors(v);
       const auto is_below = [&](Vertex other) { return around.is_below(other); };
@@ -173,7 +173,7 @@ class Paths {
   /// Returns the only next place after the entry of a unit; `unseen` if the unit's own path begins there.
   Place way_on(Vertex v) const {
     if (!used_[v]) return out(v);
-    return before_[v] != nobody ? out(before_[v]) : unseen;
+    return before_[v] != no_vertex ? out(before_[v]) : unseen;
   }
   /// Returns the residual arcs from the exit of `v` to a neighbour: to its entry, and back along a path that
   /// leads from the neighbour to `v`.
@@ -251,14 +251,14 @@ class Paths {
     PROSECTOR_ASSERT(!way_.empty());
     for (std::size_t n = 0; n < way_.size(); ++n) {
       const Place place = way_[n];
-      const Vertex v = place / 2, from = n > 0 ? way_[n - 1] / 2 : nobody;
+      const Vertex v = place / 2, from = n > 0 ? way_[n - 1] / 2 : no_vertex;
       if (is_in(place) && from != v) before_[v] = from;
       if (!is_in(place) && from == v) used_[v] = 1;
       if (is_in(place) && from == v) used_[v] = 0;
       if (!is_in(place) && n + 1 < way_.size()) after_[v] = way_[n + 1] / 2;
       if (!is_shared(v)) depth_[place] = unseen;
     }
-    after_[way_.back() / 2] = nobody;
+    after_[way_.back() / 2] = no_vertex;
   }
 
   const Surroundings& around_;

@@ -14,13 +14,13 @@ SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> trian
   for (const TetId t : triangles) {
     const auto c = sheet.corners(t);
     const Triangle corners = {x[c[0]], x[c[1]], x[c[2]]};
-    const auto goes_through = [&](std::span<const Vec3> line) {
+    const auto passes_through = [&](std::span<const Vec3> line) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
         if (segment_hit(line[i], line[i + 1], corners, slack)) return true;
       return false;
     };
-    out.was_in = out.was_in || goes_through(from);
-    out.is_in = out.is_in || goes_through(to);
+    out.was_in = out.was_in || passes_through(from);
+    out.is_in = out.is_in || passes_through(to);
     out.end_came_through = out.end_came_through ||
                            segment_hit(from.front(), to.front(), corners, slack).has_value() ||
                            segment_hit(from.back(), to.back(), corners, slack).has_value();

@@ -51,8 +51,13 @@ PieceMarks OrganPieces::marks() const {
 void OrganPieces::note_touched(const TetComplex& complex, std::span<const TetId> tets) {
   const auto first = static_cast<TetId>(owner_.size());
   owner_.resize(std::max(owner_.size(), complex.tet_end()), no_body);
-  for (TetId tet = first; tet < owner_.size(); ++tet)  // parents precede children
-    owner_[tet] = owner_[complex.lineage(tet).parent];
+  for (TetId tet = first; tet < owner_.size(); ++tet) {  // parents precede children
+    const TetId parent = complex.lineage(tet).parent;
+    if (parent == TetComplex::none)
+      throw InputError(
+          "the log of cuts is damaged: it skips the id of a tetrahedron that no edge split created");
+    owner_[tet] = owner_[parent];
+  }
   for (const TetId tet : tets) changes_.bodies.insert(owner_[tet]);
   changes_.touched.insert(changes_.touched.end(), tets.begin(), tets.end());
 }

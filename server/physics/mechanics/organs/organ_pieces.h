@@ -62,7 +62,8 @@ class OrganPieces {
   PieceMarks marks() const;
 
   /// Records a cut or an undo that changed the tetrahedra `tets` (ids): their soft bodies count as changed.
-  /// Before that, assigns each tetrahedron that the cut created to the body of its parent.
+  /// Before that, assigns each tetrahedron that the cut created to the body of its parent. Throws InputError
+  /// if an id up to the newest tetrahedron was skipped, which only a damaged log of cuts does.
   void note_touched(const TetComplex& complex, std::span<const TetId> tets);
   void note_skin(const Skin::Change& skin);
   /// Clears the recorded changes and stores the current length of the organ's log, `log_entries`, as the

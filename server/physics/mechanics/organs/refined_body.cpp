@@ -95,10 +95,10 @@ SparseMap::Row hung_within(const TetComplex& complex, TetId tet, const SparseMap
       if (of_b[k] != corners[k]) a = k;
     }
     const bool nearer_a = weight[a] >= weight[b];
-    const std::size_t stays = nearer_a ? a : b, goes = nearer_a ? b : a;
+    const std::size_t kept_corner = nearer_a ? a : b, moved = nearer_a ? b : a;
     std::array<double, 4> in_half = weight;
-    in_half[stays] -= weight[goes];
-    in_half[goes] *= 2;
+    in_half[kept_corner] -= weight[moved];
+    in_half[moved] *= 2;
     if (largest(in_half) > std::max(max_embedding_weight, largest(weight))) break;
     weight = in_half;
     tet = nearer_a ? with_a : with_b;

@@ -241,7 +241,7 @@ void PanelWorld::grow_old(std::span<const PanelHand> hands, const PanelSubjects&
     if (pointed_at) panel.pinned = std::max(panel.pinned, ticks(pinned_by_hand));
     panel.idle = on_part || panel.pinned > 0 || tablets_.contains(it->first) ? 0 : panel.idle + 1;
     if (panel.pinned > 0) --panel.pinned;
-    const bool over = panel.idle > ticks(panel_patience) || !subjects.has_panel(panel.body);
+    const bool over = panel.idle > ticks(panel_timeout) || !subjects.has_panel(panel.body);
     it = over ? open_.erase(it) : std::next(it);
   }
 }

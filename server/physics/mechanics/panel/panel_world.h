@@ -115,7 +115,7 @@ class PanelWorld {
     ShownControls shown{};
     std::uint32_t idle = 0;  // number of ticks without touch
     /// For each hand, the set of finger segments (as bits) that moved under the panel's front from outside
-    /// its outline. These segments press no controls until they have been above the board. Hands without such
+    /// its outline. These segments press no controls until they have been above its front. Hands without such
     /// segments have no entry.
     std::map<HandRef, std::uint64_t> came_under;
   };
@@ -177,7 +177,7 @@ inline constexpr double stylus_radius = 0.003;   // m
 inline constexpr double stylus_length = 0.1;     // m: length of the shaft that acts on panels
 inline constexpr double tablet_rest = 3;  // s: time for which a panel stays at the last pose of a lost tablet
 inline constexpr double touch_moment = 0.25;  // s: time for which a hand must touch a part to open its panel
-inline constexpr double panel_patience = 10;  // s without touch until a panel closes
+inline constexpr double panel_timeout = 10;   // s without touch until a panel closes
 // s: time for which a panel stays open after a finger pointed at it.
 inline constexpr double pinned_by_hand = 0.5;
 inline constexpr double pinned_from_afar = 1.5;  // s: the same after its owner opened it again by an event

@@ -7,10 +7,10 @@ ImplicitStepper::ImplicitStepper(const SoftMatter& matter, IncrementalPotential&
       potential_(potential),
       euler_(make_integrator("implicit_euler")),
       integrator_(make_integrator(substepped ? "implicit_euler" : matter.desc.configuration.integrator)) {
-  start_anew();
+  reset();
 }
 
-void ImplicitStepper::start_anew() {
+void ImplicitStepper::reset() {
   stepping_ = integrator_.get();
   relaxed_ = false;
   history_ = {};

@@ -51,7 +51,7 @@ class ImplicitStepper {
 
   /// Discards all data of past steps and resizes arrays to the body's present number of nodes. Called after
   /// the body's mesh was changed by a cut.
-  void start_anew();
+  void reset();
 
  private:
   const SoftMatter& matter_;

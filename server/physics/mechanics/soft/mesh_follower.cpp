@@ -120,7 +120,7 @@ void MeshFollower::fit() {
   parts_.matter.fit();
   parts_.recovery.fit();
   parts_.potential.fit();
-  parts_.stepper.start_anew();
+  parts_.stepper.reset();
   if (parts_.substepper) parts_.substepper->fit();
 }
 

@@ -22,8 +22,8 @@ class RecoveryLaw {
   /// Returns whether the body can be stepped under a recovery law. False for sheets and ropes, and for bodies
   /// of linear tetrahedra that use the corotational law already.
   bool exists() const;
-  /// Returns the copy of the body under the recovery law, creating it at the first call. It has linear
-  /// tetrahedra, eight for each quadratic one. Requires exists().
+  /// Returns the copy of the body with the corotational material, creating it at the first call. It has
+  /// linear tetrahedra, eight for each quadratic one. Requires that such a copy is possible: exists().
   SoftBody& body();
   /// Makes the body use the recovery law permanently, because its weight would crush it under its own
   /// material law. Requires exists().

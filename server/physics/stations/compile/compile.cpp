@@ -7,7 +7,6 @@
 #include <set>
 
 #include "common/error.h"
-#include "common/scene/body_groups.h"
 #include "common/scene/primitives.h"
 #include "server/physics/mechanics/contact/self_collision.h"
 #include "server/physics/mechanics/rigid/collision_shape.h"
@@ -56,9 +55,9 @@ struct Solid {
 Solid solid_of_parts(const RigidDesc& desc) {
   Solid out;
   std::vector<MassProperties> masses;
-  for (const PartDesc& part : desc.parts) {
+  for (const PartDesc& part : desc.geometry.parts) {
     out.parts.push_back(to_shape(part));
-    masses.push_back(part_mass(out.parts.back(), desc.density));
+    masses.push_back(part_mass(out.parts.back(), desc.material.density));
   }
   out.mass = combine(masses);
   return out;
@@ -68,8 +67,8 @@ Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
   ShapePart hull{
       ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
   Solid out;
-  out.mass = mesh_mass(surface, hull, desc.density);
-  if (desc.collision == Fidelity::mesh)
+  out.mass = mesh_mass(surface, hull, desc.material.density);
+  if (desc.contact.collision == Fidelity::mesh)
     out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
   else
     out.parts = {hull};
@@ -82,7 +81,7 @@ CollisionGroups groups_of(const SceneDesc& scene) {
   out.add(hand_group);
   const auto add = [&](const auto& bodies) {
     for (const auto& body : bodies)
-      if (known.insert(contact_of(body).group).second) out.add(contact_of(body).group);
+      if (known.insert(body.contact.group).second) out.add(body.contact.group);
   };
   add(scene.rigid);
   add(scene.soft);
@@ -90,16 +89,16 @@ CollisionGroups groups_of(const SceneDesc& scene) {
 }
 
 RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const CollisionGroups& groups) {
-  Solid solid = desc.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
+  Solid solid = desc.geometry.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
   // The mass of a breakable body is that of its surface's volume, like that of its pieces, which conserves
   // momentum.
   if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
   if (!(solid.mass.mass > 0) && !desc.fixed)
     throw InputError(fmt::format(
         "rigid '{}': it encloses no volume, so it has no mass; give it parts or a closed mesh", desc.name));
-  if (desc.mass > 0 && solid.mass.mass > 0) {
-    solid.mass.inertia *= desc.mass / solid.mass.mass;
-    solid.mass.mass = desc.mass;
+  if (desc.material.mass > 0 && solid.mass.mass > 0) {
+    solid.mass.inertia *= desc.material.mass / solid.mass.mass;
+    solid.mass.mass = desc.material.mass;
   }
   RigidModel out;
   out.name = desc.name;
@@ -112,13 +111,13 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   if (desc.fixed) out.center = {};
   out.setup.mass = desc.fixed ? 0 : solid.mass.mass;
   if (!desc.fixed) out.setup.inertia = principal.eigenvalues();
-  out.setup.friction = desc.friction;
-  out.setup.rolling_resistance = desc.rolling_resistance;
-  out.setup.restitution = desc.restitution;
+  out.setup.friction = desc.contact.friction;
+  out.setup.rolling_resistance = desc.contact.rolling_resistance;
+  out.setup.restitution = desc.contact.restitution;
   out.setup.balanced = desc.balanced;
-  out.setup.continuous = desc.continuous;
-  out.setup.mask = groups.mask(desc.group, desc.touches);
-  for (ShapePart part : at_fidelity(std::move(solid.parts), desc.collision, desc.pose)) {
+  out.setup.continuous = desc.contact.continuous;
+  out.setup.mask = groups.mask(desc.contact.group, desc.contact.touches);
+  for (ShapePart part : at_fidelity(std::move(solid.parts), desc.contact.collision, desc.pose)) {
     part.pose = out.center.inverse() * part.pose;
     out.shape.distances.push_back(make_signed_distance(part));
     out.shape.parts.push_back(std::move(part));

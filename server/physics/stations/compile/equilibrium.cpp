@@ -62,10 +62,10 @@ bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vec
   const std::filesystem::path file = cache_file(options, hash);
   SealedFileResult found = read_sealed_file(file, seal_key(hash));
   if (found.bytes && read_rests(*found.bytes, rests)) return true;
-  if (found.bytes) found.trouble = "is damaged";
-  if (!found.trouble.empty() && options.progress)
+  if (found.bytes) found.error = "is damaged";
+  if (!found.error.empty() && options.progress)
     options.progress(fmt::format("cache file {} {}: the bodies' equilibrium is computed again",
-                                 file.filename().string(), found.trouble));
+                                 file.filename().string(), found.error));
   return false;
 }
 
@@ -189,7 +189,7 @@ void Settling::settle_crushed(std::span<const std::size_t> group) {
 }
 
 /// Reports a body that its own weight crushes: its description is unrealistic.
-void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
+void report_if_crushed(const Tissue& tissue, const CompileOptions& options) {
   const SoftBody& b = *tissue.solver;
   const double share = inverted_share(b.linear_tets(), tissue.equilibrium);
   if ((share == 0 && !b.recovery().is_kept()) || !options.progress) return;
@@ -228,7 +228,7 @@ void settle(State& state, SoftContactFinder& finder, const CompileOptions& optio
       tissue.state.recovering = rests[i].recovering;
       tissue.state.asleep = !falls;
       tissue.place_surface();
-      tell_if_crushed(tissue, options);
+      report_if_crushed(tissue, options);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
             "{}: equilibrium found under gravity; nodes are up to {:.1f} mm from their imaged positions",

@@ -37,7 +37,7 @@ struct NewPiece {
   VecX equilibrium, history;
 };
 
-void make_anew(const Bodies& bodies, const Organ& organ, NewPiece& made) {
+void rebuild(const Bodies& bodies, const Organ& organ, NewPiece& made) {
   made.solver = make_piece(bodies, organ, made.body, made.numbering);
   parallel_both([&] { made.surface.emplace(made.solver->anatomy()); },
                 [&] { made.content_hash = made.solver->content_hash(); });
@@ -79,7 +79,7 @@ std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, cons
     parallel_both(
         [&] {
           made.following = following_since(bodies, organ, changed, piece);
-          if (!made.following) make_anew(bodies, organ, made);
+          if (!made.following) rebuild(bodies, organ, made);
         },
         [&] {
           if (made.whole) carry_motion(bodies, organ, changed.before, back, piece, made);
@@ -136,7 +136,7 @@ void place_new(State& state, NewPiece piece, std::size_t first, TopologyCause ca
     fit_to_mesh(state, body, std::move(piece.following->numbering));
   else
     bodies.soft[body].place_surface();
-  TopologyChange& change = tell_of(bodies, body, piece.content_hash, cause, author, report);
+  TopologyChange& change = add_topology_change(bodies, body, piece.content_hash, cause, author, report);
   if (is_new) change.piece_of = bodies.soft_id(first);
 }
 
@@ -208,8 +208,8 @@ void set_going(Bodies& bodies, std::size_t body, std::size_t first, Motion motio
     bodies.parts[bodies.soft_id(body)].attached = false;
 }
 
-TopologyChange& tell_of(const Bodies& bodies, std::size_t body, std::uint64_t content_hash,
-                        TopologyCause cause, ParticipantId author, StepReport& report) {
+TopologyChange& add_topology_change(const Bodies& bodies, std::size_t body, std::uint64_t content_hash,
+                                    TopologyCause cause, ParticipantId author, StepReport& report) {
   TopologyChange& change = report.topology.emplace_back();
   change.body = bodies.soft_id(body);
   change.revision = bodies.soft[body].revision;

@@ -31,7 +31,7 @@ void place_piece(State& state, std::size_t body, std::size_t first, std::unique_
 void set_going(Bodies& bodies, std::size_t body, std::size_t first, Motion motion, VecX balance);
 /// Appends the body's new topology to the report, with its content hash, cause and author. Returns the
 /// appended entry.
-TopologyChange& tell_of(const Bodies& bodies, std::size_t body, std::uint64_t content_hash,
-                        TopologyCause cause, ParticipantId author, StepReport& report);
+TopologyChange& add_topology_change(const Bodies& bodies, std::size_t body, std::uint64_t content_hash,
+                                    TopologyCause cause, ParticipantId author, StepReport& report);
 
 }  // namespace prosector

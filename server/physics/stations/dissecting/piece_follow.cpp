@@ -125,7 +125,7 @@ bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId a
                   take_surface_along(bodies, follows);
                   fit_to_mesh(state, body, std::move(follows.numbering));
                 });
-  tell_of(bodies, body, content_hash, cause, author, report);
+  add_topology_change(bodies, body, content_hash, cause, author, report);
   keep_holds(state, {body});
   return true;
 }

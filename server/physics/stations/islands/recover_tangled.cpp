@@ -97,7 +97,7 @@ Surroundings surroundings_of(State& state, const SoftContacts& touching, std::si
           .touched = met || !touches.empty()};
 }
 
-void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
+void report_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
 void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
 void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report);
@@ -117,7 +117,7 @@ void recover_tangled_bodies(State& state, std::vector<Island>& islands, const So
                              state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
         continue;
       place_unfolded(state.bodies, s.index, lowest);
-      tell_reset(state.bodies, s.index, s.note, report);
+      report_reset(state.bodies, s.index, s.note, report);
       unfolded.push_back(s.index);
     }
   for (std::size_t k = 0; k < unfolded.size(); ++k)
@@ -141,7 +141,7 @@ bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b);
 bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepReport& report);
 void put_beside(Bodies& bodies, std::size_t body, std::size_t other);
 
-void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
+void report_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
   BodyReport& row = report.bodies.emplace_back();
   row.body = bodies.soft[body].desc().name;
   row.reset = true;
@@ -194,10 +194,10 @@ bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b) {
 /// Separates bodies that were not separated by being led.
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report) {
   if (part_at_once(bodies, a, b)) {
-    tell_reset(bodies, a,
-               fmt::format("the body remained overlapping with {}: the two bodies were moved apart",
-                           bodies.soft[b].desc().name),
-               report);
+    report_reset(bodies, a,
+                 fmt::format("the body remained overlapping with {}: the two bodies were moved apart",
+                             bodies.soft[b].desc().name),
+                 report);
     return;
   }
   reset_to_rest(bodies, a, b, report);
@@ -212,10 +212,10 @@ bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepRepo
   if (moved < bodies.soft[body].desc().geometry.surface_cell) return false;
   unfold(*bodies.soft[body].solver, bodies.soft[body].state);
   place_unfolded(bodies, body, 0);
-  tell_reset(bodies, body,
-             fmt::format("the body remained overlapping with {}: it was moved to its rest position",
-                         bodies.soft[other].desc().name),
-             report);
+  report_reset(bodies, body,
+               fmt::format("the body remained overlapping with {}: it was moved to its rest position",
+                           bodies.soft[other].desc().name),
+               report);
   return true;
 }
 

@@ -48,7 +48,7 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
 void carry_out(State& state, const PanelAction& action, StepReport& report) {
   using Kind = PartEvent::Kind;
   const bool on = action.value >= 0.5;
-  const auto tell = [&](Kind kind, BodyId body, double value = 0) {
+  const auto apply = [&](Kind kind, BodyId body, double value = 0) {
     const Refusal refusal = obey(
         state, {.kind = kind, .participant = action.participant, .body = body, .shape = {}, .value = value},
         report);
@@ -56,21 +56,21 @@ void carry_out(State& state, const PanelAction& action, StepReport& report) {
   };
   switch (action.control) {
     case PanelControl::attach:
-      return tell(on ? Kind::attach : Kind::detach, action.body);
+      return apply(on ? Kind::attach : Kind::detach, action.body);
     case PanelControl::hide_others:
       for (BodyId other = 0; other < state.bodies.parts.size(); ++other)
-        if (other != action.body && state.bodies.is_part(other)) tell(on ? Kind::hide : Kind::show, other);
+        if (other != action.body && state.bodies.is_part(other)) apply(on ? Kind::hide : Kind::show, other);
       return;
     case PanelControl::transparency:
-      return tell(Kind::set_opacity, action.body, on ? seen_through : 1);
+      return apply(Kind::set_opacity, action.body, on ? seen_through : 1);
     case PanelControl::light_shaft:
-      return tell(Kind::light, action.body, action.value);
+      return apply(Kind::light, action.body, action.value);
     case PanelControl::room_lights:
       state.room_lights = on ? 1 : dimmed;
       return;
     case PanelControl::stiffness:
-      return tell(Kind::set_stiffness, action.body,
-                  std::clamp(stiffness_at(action.value), min_stiffness, max_stiffness));
+      return apply(Kind::set_stiffness, action.body,
+                   std::clamp(stiffness_at(action.value), min_stiffness, max_stiffness));
   }
 }
 

@@ -14,10 +14,10 @@ RigidDesc piece_of(const RigidDesc& whole, std::size_t plane, const char* side) 
   RigidDesc out = whole;
   out.name = fmt::format("{}, piece {}{}", whole.name, plane + 1, side);
   out.description = "piece of " + (whole.description.empty() ? whole.name : whole.description);
-  out.parts.clear();
+  out.geometry.parts.clear();
   out.part = false;
-  out.mass = 0;
-  if (out.collision == Fidelity::none) out.collision = Fidelity::hull;
+  out.material.mass = 0;
+  if (out.contact.collision == Fidelity::none) out.contact.collision = Fidelity::hull;
   out.fractures.erase(out.fractures.begin() + static_cast<std::ptrdiff_t>(plane));
   return out;
 }

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-bool blades_come(const Model& model) {
+bool has_blades(const Model& model) {
   return std::any_of(model.blades.begin(), model.blades.end(),
                      [](const BladeShape& blade) { return !blade.edges.empty(); });
 }
@@ -49,7 +49,7 @@ void fit_to_mesh(State& state, std::size_t body, Numbering numbering) {
                       "or omit self_contact",
                       tissue.desc().name));
   }
-  const bool with_blades = blades_come(state.bodies.model);
+  const bool with_blades = has_blades(state.bodies.model);
   tissue.surface.set_thin_shell(std::any_of(all.begin(), all.end(), [&](const Tissue& other) {
     return meet_as_thin_shells(tissue, other, with_blades);
   }));

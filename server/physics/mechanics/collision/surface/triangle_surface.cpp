@@ -13,7 +13,7 @@ namespace prosector {
 namespace {
 
 // Tolerance relative to a triangle's squared distance; rounding errors are far smaller.
-constexpr double relative_doubt = 1e-10;
+constexpr double relative_tolerance = 1e-10;
 
 bool all_finite(std::span<const Vec3> positions) {
   return std::all_of(positions.begin(), positions.end(), [](const Vec3& x) { return is_finite(x); });
@@ -134,12 +134,12 @@ std::optional<int> TriangleSurface::crossings(const Vec3& x) const {
     const Vec3 areas(b.y() * c.z() - b.z() * c.y(), c.y() * a.z() - c.z() * a.y(),
                      a.y() * b.z() - a.z() * b.y());
     const double reach = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
-    const double doubt = relative_doubt * reach;
-    if (areas.maxCoeff() > doubt && areas.minCoeff() < -doubt) return;  // the ray misses the triangle
+    const double tolerance = relative_tolerance * reach;
+    if (areas.maxCoeff() > tolerance && areas.minCoeff() < -tolerance) return;  // the ray misses the triangle
     const double area = areas.sum();
     const double ahead = areas.dot(Vec3(a.x(), b.x(), c.x())) * (area > 0 ? 1 : -1);
-    const bool crosses = areas.minCoeff() > doubt || areas.maxCoeff() < -doubt;
-    sure = sure && crosses && std::abs(ahead) > doubt * std::sqrt(reach);
+    const bool crosses = areas.minCoeff() > tolerance || areas.maxCoeff() < -tolerance;
+    sure = sure && crosses && std::abs(ahead) > tolerance * std::sqrt(reach);
     if (ahead > 0) count += area > 0 ? 1 : -1;
   };
   tree_.visit(

@@ -53,8 +53,8 @@ class ElasticModel {
   /// of the body's stiffness.
   virtual double rest_trace();
 
-  /// Returns whether the model can compute rotated elements (corotated_elements.h), from which tangent and
-  /// warped stiffness are assembled at a fraction of the usual cost.
+  /// Returns whether linearise() is implemented, which computes each element's gradients in its rotated
+  /// frame. From them, tangent and warped stiffness are assembled at a fraction of the usual cost.
   virtual bool turns() const { return false; }
   /// Computes the rotated elements (data from which the corotational tangent is assembled) at node positions
   /// x (3n, m) into `out`. `share` = 1/(s + 1), where s is the factor of the warped stiffness that damping

@@ -58,8 +58,8 @@ class ElementBatches {
   /// Computes the warped stiffness (N/m) of each element of the batch: the linear elastic stiffness, rotated
   /// with the element. It is positive semidefinite and has the magnitude of the rest stiffness for any shape.
   virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
-  /// Returns whether turn() is implemented: whether the law can compute rotated elements
-  /// (corotated_elements.h).
+  /// Returns whether turn() is implemented: whether the law can compute each element's gradients in its
+  /// rotated frame (corotated_elements.h).
   virtual bool turns() const { return false; }
   /// Computes the batch as rotated elements (data from which the corotational tangent is assembled): four
   /// gradients and one twist per element. `share` is defined at ElasticModel::linearise().

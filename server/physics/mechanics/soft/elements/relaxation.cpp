@@ -12,7 +12,8 @@
 namespace prosector {
 namespace {
 
-/// Smallest volume ratio at which S is stored; for flatter elements F⁻¹ is too large.
+/// Smallest volume ratio at which S is computed. F⁻¹ of flatter elements is too large: their S counts as 0,
+/// while their history stresses relax further.
 constexpr double least_volume = 0.05;
 /// Relative to c·μ: upper bound of the outward pull of H. Then c·W, which grows at least as μ/3·|F|²,
 /// balances H.

@@ -40,8 +40,8 @@ class RelaxingBatches final : public ElementBatches {
   /// stress H that the step adds. The batch must have been moved to the start positions, with its pressures
   /// set.
   void begin_step(std::size_t batch, const double* history);
-  /// Ends a step of the batch: updates the stress `history`. The batch must have been moved to the end
-  /// positions, with its pressures set.
+  /// Ends a time step of this batch of elements: updates their stress `history`. Before, move() must have set
+  /// the node positions at the step's end, and set_pressures() the elements' pressures there.
   void end_step(std::size_t batch, double* history) const;
 
   bool can_follow() const override { return law_->can_follow(); }

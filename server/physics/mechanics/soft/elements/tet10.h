@@ -84,8 +84,8 @@ class Tet10Elements {
   /// shape function at an integration point. `squares_of_points` is for the sum of |g_n|² over points and
   /// nodes. `squares_of_sums` is for the sum over nodes of |Σ over points of g_n|².
   static const double squares_of_points, squares_of_sums;
-  /// Computes the gradients of the ten nodes' shape functions at the four integration points of an element,
-  /// r[40], from the gradients of the points' corners, `corners`[16].
+  /// Computes the gradients r[40] of an element's ten shape functions at its four integration points, from
+  /// `corners`[16], those of the linear tetrahedra that represent the points (see move()).
   static void spread(const CorotatedVector* corners, CorotatedVector* r);
 
  private:

@@ -39,8 +39,8 @@ struct Motion {
   bool has_history = false;
 };
 
-/// Parameters of the function E(x) = α/2·‖x − y‖²_M + W(x) + 1/(2c)·‖x − x_v‖²_C that one stage of an
-/// implicit step minimises over the node positions x: α, c (`dxdv`), y, x_v and v_h.
+/// Parameters of the function E(x) = α/2·‖x − y‖²_M + W(x) + 1/(2c)·‖x − x_v‖²_C that a stage of an implicit
+/// step minimises over node positions x. Masses M, damping matrix C and elastic energy W are the body's.
 struct Stage {
   double alpha = 0;  // 1/s²
   double dxdv = 0;   // s: c

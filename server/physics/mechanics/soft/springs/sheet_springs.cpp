@@ -191,22 +191,22 @@ std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anat
   const Triangles triangles = near(sheet.triangles);
   SpringNetwork fresh = SheetSprings(material, sheet, quads, triangles).build();
 
-  const auto spring_goes = [&](const Spring& s) { return any(s.node); };
-  const auto bend_goes = [&](const Bend& b) {
+  const auto spring_affected = [&](const Spring& s) { return any(s.node); };
+  const auto bend_affected = [&](const Bend& b) {
     return is_touched[b.node[1]] || (b.count == 4 && is_touched[b.node[0]]);
   };
   const auto meet = [&](const SpringNetwork& network) {
     for (const Spring& s : network.springs)
-      if (spring_goes(s))
+      if (spring_affected(s))
         for (const std::uint32_t node : s.nodes()) met[node] = 1;
     for (const Bend& b : network.bends)
-      if (bend_goes(b))
+      if (bend_affected(b))
         for (const std::uint32_t node : b.nodes()) met[node] = 1;
   };
   meet(springs);
   meet(fresh);
-  replace(springs.springs, std::move(fresh.springs), spring_goes);
-  replace(springs.bends, std::move(fresh.bends), bend_goes);
+  replace(springs.springs, std::move(fresh.springs), spring_affected);
+  replace(springs.bends, std::move(fresh.bends), bend_affected);
   springs.dropped = fresh.dropped;
   set_nodes(sheet, springs);
   std::vector<std::uint32_t> out;

@@ -66,12 +66,12 @@ inline bool before(const Bend& a, const Bend& b) {
   return a.node < b.node;
 }
 
-/// Replaces the springs or bending elements in `elements` for which `goes` is true by those in `fresh` for
-/// which `goes` is true. Both lists must be in the order of before().
-template <class Element, class Goes>
-void replace(std::vector<Element>& elements, std::vector<Element> fresh, const Goes& goes) {
-  std::erase_if(elements, goes);
-  std::erase_if(fresh, [&](const Element& e) { return !goes(e); });
+/// Replaces the springs or bending elements in `elements` for which `affected` is true by those in `fresh`
+/// for which `affected` is true. Both lists must be in the order of before().
+template <class Element, class Affected>
+void replace(std::vector<Element>& elements, std::vector<Element> fresh, const Affected& affected) {
+  std::erase_if(elements, affected);
+  std::erase_if(fresh, [&](const Element& e) { return !affected(e); });
   std::vector<Element> out(elements.size() + fresh.size());
   std::merge(elements.begin(), elements.end(), fresh.begin(), fresh.end(), out.begin(),
              [](const Element& a, const Element& b) { return before(a, b); });

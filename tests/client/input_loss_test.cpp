@@ -9,7 +9,7 @@ namespace {
 
 /// A client that may send, and a server that may consume, told of by a status every quarter of a second.
 struct Ends {
-  bool sends = true, consumes = false, time_goes = true;
+  bool sends = true, consumes = false, time_advances = true;
   InputLossDetector inputs;
   std::int64_t now_ns = 1'000'000'000;
   std::uint64_t sequence = 0;
@@ -20,7 +20,7 @@ struct Ends {
       now_ns += 250'000'000;
       if (sends) inputs.sent();
       if (consumes) inputs.take_consumed(++sequence);
-      if (inputs.take_status(now_ns, time_goes)) return passed;
+      if (inputs.take_status(now_ns, time_advances)) return passed;
     }
     return 0;
   }
@@ -29,8 +29,8 @@ struct Ends {
 TEST(InputLossDetector, AreToldOnlyWhereTheyAreSentAndTimeGoesOn) {
   for (int which = 0; which < 8; ++which) {
     Ends ends;
-    ends.sends = (which & 1) != 0, ends.consumes = (which & 2) != 0, ends.time_goes = (which & 4) != 0;
-    const double expected = ends.sends && !ends.consumes && ends.time_goes ? 5.25 : 0;
+    ends.sends = (which & 1) != 0, ends.consumes = (which & 2) != 0, ends.time_advances = (which & 4) != 0;
+    const double expected = ends.sends && !ends.consumes && ends.time_advances ? 5.25 : 0;
     EXPECT_EQ(ends.first_alarm(100), expected) << which;
   }
 }
@@ -51,7 +51,7 @@ TEST(InputLossDetector, ArentCountedWhileTheServerIsSilent) {
   ends.now_ns += 60'000'000'000;
   EXPECT_EQ(ends.first_alarm(1000), 5.25);
   EXPECT_EQ(ends.first_alarm(4), 0);
-  ends.time_goes = false;
+  ends.time_advances = false;
   EXPECT_EQ(ends.first_alarm(60), 0) << "the host stopped time";
 }
 

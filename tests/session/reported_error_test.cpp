@@ -26,14 +26,14 @@ TEST(ToldError, IsTheBodysOwnAsItIsNowAndThatOfAPressWhileItLasts) {
     if (t >= 60) ada.bus->publish(ada.hand_at(test::press(t - 60)));
     hosted.tick();
     ada.take();
-    const BodyStatus* told = ada.replica.body_status(Hosted::liver);
-    if (told == nullptr || told->error < 0) continue;
-    EXPECT_LT(told->error, 10);
-    EXPECT_GE(told->parts.solver, 0);
-    EXPECT_GE(told->parts.time, 0);
-    EXPECT_FALSE(told->error_map.levels.empty());
-    at_rest = at_rest || (told->asleep && told->press_error < 0 && told->parts.time == 0);
-    pressed = pressed || (!told->asleep && told->press_error > 0);
+    const BodyStatus* reported = ada.replica.body_status(Hosted::liver);
+    if (reported == nullptr || reported->error < 0) continue;
+    EXPECT_LT(reported->error, 10);
+    EXPECT_GE(reported->parts.solver, 0);
+    EXPECT_GE(reported->parts.time, 0);
+    EXPECT_FALSE(reported->error_map.levels.empty());
+    at_rest = at_rest || (reported->asleep && reported->press_error < 0 && reported->parts.time == 0);
+    pressed = pressed || (!reported->asleep && reported->press_error > 0);
   }
   EXPECT_TRUE(at_rest);
   EXPECT_TRUE(pressed);
@@ -42,9 +42,9 @@ TEST(ToldError, IsTheBodysOwnAsItIsNowAndThatOfAPressWhileItLasts) {
   ada.take();
   ASSERT_TRUE(ada.replica.status());
   EXPECT_GE(ada.replica.status()->error, 0);
-  const BodyStatus* told = ada.replica.body_status(Hosted::liver);
-  ASSERT_NE(told, nullptr);
-  EXPECT_LT(told->press_error, 0) << "the hand left";
+  const BodyStatus* reported = ada.replica.body_status(Hosted::liver);
+  ASSERT_NE(reported, nullptr);
+  EXPECT_LT(reported->press_error, 0) << "the hand left";
 
   const test::TemporaryFile file("summary");
   ASSERT_TRUE(write_summary(file.path, hosted.loop, hosted.simulation, ""));
