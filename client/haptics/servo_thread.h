@@ -37,7 +37,7 @@ struct ServoView {
 class ServoThread {
  public:
   /// Starts the thread, with a real-time priority if the system grants it. `hand_of_stylus`: pose of the hand
-  /// in the stylus frame. `dead_man`: mask of buttons of which one must be pressed for any force to act; 0:
+  /// in the stylus frame. `dead_man`: bit mask of buttons; forces act only while one of them is pressed; 0:
   /// forces act without a button.
   ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man = 0);
   ~ServoThread();

@@ -11,7 +11,7 @@ namespace prosector {
 
 class OfferedCamera {
  public:
-  /// Starts to receive the shared camera's images, of which the newest is stored.
+  /// Starts to receive the shared camera's images. Stores the newest one.
   explicit OfferedCamera(std::shared_ptr<SharedCamera> camera)
       : camera_(std::move(camera)),
         seat_(

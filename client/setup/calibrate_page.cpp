@@ -66,7 +66,7 @@ void CalibratePage::draw_choice(Interface& ui) {
     const auto outcome = outcomes_.find(row.name);
     if (outcome == outcomes_.end()) continue;
     quiet(outcome->second.front());
-    ui.note("told: " + outcome->second.front());
+    ui.note("reported: " + outcome->second.front());
   }
 }
 

@@ -134,7 +134,7 @@ void CameraPage::draw_guide(Interface& ui) {
   const std::string views = ui.tr("{} of {} views", step.views, recommended_views);
   ImGui::ProgressBar(std::min(1.f, static_cast<float>(step.views) / static_cast<float>(recommended_views)),
                      {-1, 0}, views.c_str());
-  ui.note(fmt::format("told: views {}", step.views));
+  ui.note(fmt::format("reported: views {}", step.views));
   const std::string covered = ui.tr("{:.0f} % covered", 100 * step.covered);
   ImGui::ProgressBar(static_cast<float>(step.covered), {-1, 0}, covered.c_str());
   bool fits = step.done;

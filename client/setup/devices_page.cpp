@@ -194,7 +194,7 @@ void DevicesPage::free_role(const Interface& ui, ConfigDraft& draft, StationRole
       static_cast<std::ptrdiff_t>(stations.size())) {
     said_ = {
         "This is the only receiver in use, so it cannot be removed. To use no receiver, clear the tracker "
-        "with the arrow beside its field.",
+        "with the arrow next to its field.",
         true};
     return;
   }

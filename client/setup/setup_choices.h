@@ -34,8 +34,8 @@ SetupChoices recall(const std::filesystem::path& file);
 /// Writes the user's choices to the file, for the next start of the set-up window. Throws InputError if the
 /// file can't be written.
 void remember(const SetupChoices& memory, const std::filesystem::path& file);
-/// Moves the session's name to the front of the recently entered sessions, of which at most
-/// max_recent_sessions are stored.
+/// Moves the session's name to the front of the list of recently entered sessions. The list keeps at most
+/// max_recent_sessions names.
 void add_recent_session(SetupChoices& memory, const std::string& session);
 
 }  // namespace prosector

@@ -191,7 +191,7 @@ void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int
   ImGui::SetWindowFontScale(1.35f);
   wrapped(distance);
   ImGui::SetWindowFontScale(1);
-  if (at) ui.note("told: eyes " + distance);
+  if (at) ui.note("reported: eyes " + distance);
   wrapped(at ? direction_text(ui.words(), *at) : "");
   if (ImGui::Button(ui.tr("Restart camera"))) is_old_ = true;
   ui.note("look anew");

@@ -26,7 +26,7 @@ if not (DATA / "models/face_short_range.tflite").exists():
 def told(user):
     """What the page tells of the eyes, mm: from the camera."""
     for control in user.read()["controls"]:
-        if found := re.match(r"told: eyes (\d+) mm from the camera", control):
+        if found := re.match(r"reported: eyes (\d+) mm from the camera", control):
             return float(found.group(1))
     return None
 

@@ -31,7 +31,7 @@ TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
   look(room, shipped_camera);
   room.until([&] { return room.find("camera picture") != nullptr; });
   room.click("calibrate");
-  room.until([&] { return room.find("told: views 3") != nullptr; });
+  room.until([&] { return room.find("reported: views 3") != nullptr; });
   room.picture("camera-guide-1x");
   room.until([&] { return room.find("fit now") != nullptr && room.reported("views ") >= views_that_do; });
   room.click("fit now");

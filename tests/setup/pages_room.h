@@ -97,10 +97,10 @@ class PagesRoom {
     draw();
     tap(Key::enter);
   }
-  /// Returns the number that was told after such words.
+  /// Returns the number that follows these words in a reported result.
   double reported(const std::string& words) const {
     for (const PlacedControl& c : ui_.placed())
-      if (c.name.starts_with("told: " + words)) return std::stod(c.name.substr(6 + words.size()));
+      if (c.name.starts_with("reported: " + words)) return std::stod(c.name.substr(10 + words.size()));
     throw std::out_of_range(words);
   }
   void tap(Key key) {

@@ -39,7 +39,7 @@ std::string shown_problem(const PagesRoom& room) {
 
 bool is_seen(const PagesRoom& room) {
   return std::any_of(room.placed().begin(), room.placed().end(),
-                     [](const PlacedControl& c) { return c.name.starts_with("told: eyes "); });
+                     [](const PlacedControl& c) { return c.name.starts_with("reported: eyes "); });
 }
 
 TEST(EyesShown, AreSaidAsARulerTellsThem) {

@@ -67,9 +67,9 @@ void DeskHand::press() {
 void DeskHand::let_go() {
   button_ = false;
   if (drawing_.is_pressed()) {
-    const bool beside = !drawing_.is_on_tissue();
+    const bool is_off_tissue = !drawing_.is_on_tissue();
     drawing_.release();
-    if (beside && approach_.seconds() < click) put_down();
+    if (is_off_tissue && approach_.seconds() < click) put_down();
   } else if (phase_ == Phase::grips && hold_.is_undecided()) {
     hold_.open_without_blade();
   } else if (phase_ != Phase::grips || !hold_.holds()) {
