@@ -36,9 +36,9 @@ struct CameraOverlay {
   std::string words = {};                  // text over the image; empty: none
 };
 
-/// Checks the names of the scene's bodies that exist in reality (phantoms). `found`: name of the body that
-/// FoundPhantom stands for, or empty. Throws InputError that lists the scene's bodies if a name is unknown,
-/// and InputError if `found` names a soft body.
+/// Checks the names of the scene's bodies that exist in reality (phantoms). `found`: name of the body whose
+/// phantom the camera locates, or empty. Throws InputError that lists the scene's bodies if a name is
+/// unknown, and InputError if `found` names a soft body.
 void check_phantoms(const SceneInfo& scene, std::span<const std::string> names, const std::string& found);
 
 /// Returns the colour (display values, tone-mapped) that the renderer would give to white paper at a position

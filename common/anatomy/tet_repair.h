@@ -12,7 +12,7 @@ namespace prosector {
 /// Returns the tetrahedral mesh with common faults repaired, and reports each repair in one line. Removes
 /// flat and duplicate tetrahedra, flips inverted ones, and merges coincident nodes if that connects pieces.
 /// Throws InputError, beginning with `name`, if no tetrahedron is left, if more than two tetrahedra share a
-/// face, or if two cells split their common face differently.
+/// face, or if two hexahedra divided into tetrahedra split their common face differently.
 TetMesh repaired(TetMesh mesh, const std::string& name, const Progress& report);
 
 /// Result of testing whether tetrahedra of a mesh overlap: the number of tetrahedra that are folded over

@@ -150,7 +150,8 @@ class Checker {
            sources == 0 ? "no geometry: give one of mesh, volume, [[rigid.part]]s, and curves or patches"
                         : "has several of mesh, volume, [[rigid.part]]s, and curves or patches: give one");
     if (!rigid.geometry.fallback.empty() && (!rigid.geometry.parts.empty() || swept))
-      fail(body, "fallback", "fallback replaces a missing mesh or volume file, but none is given");
+      fail(body, "fallback",
+           "fallback replaces a missing mesh or volume file, but the body names no such file");
     check_curves(rigid.geometry.curves, rigid.geometry.patches, body);
     check_label(rigid.geometry.label, rigid.geometry.volume, body);
     if (rigid.break_force > 0 && rigid.fractures.empty())

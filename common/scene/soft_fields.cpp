@@ -267,7 +267,7 @@ void add_contact(std::vector<Field>& fields) {
       "refine_cell", by_value, "m", {0, 1}, "refine: edge length of smaller elements; 0: half of cell"));
   fields.push_back(number<S, &S::refinement, &SoftRefinement::reach>(
       "refine_reach", by_value, "m", {0, 1},
-      "refine: distance from the contact within which elements are smaller; 0: cell"));
+      "refine: distance from the contact within which elements are smaller; 0: as far as `cell`"));
   fields.push_back(number<S, &S::refinement, &SoftRefinement::max_elements>(
       "refine_most", by_value, "", {1, 1000000}, "refine: maximum number of additional elements"));
 }

@@ -52,7 +52,7 @@ struct ConfigTable {
                                                                     // empty
 };
 
-/// Returns all keys of the client's configuration file in reading order, grouped by table.
+/// Returns all keys of the client's configuration file, grouped by table, in the order of the documentation.
 std::span<const ConfigKey> client_config_keys();
 std::span<const ConfigTable> client_config_tables();
 /// Returns the configuration key with this dotted name, such as "tracker.address", or nullptr if there is

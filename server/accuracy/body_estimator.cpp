@@ -8,8 +8,8 @@ namespace prosector {
 
 bool BodyEstimator::judges(const SoftDesc& desc, const TetMesh& mesh) {
   return !mesh.tets.empty() &&
-         std::any_of(prosector::laws().begin(), prosector::laws().end(),
-                     [&](const LawRow& row) { return row.name == desc.configuration.model; });
+         std::any_of(prosector::soft::laws().begin(), prosector::soft::laws().end(),
+                     [&](const soft::LawRow& row) { return row.name == desc.configuration.model; });
 }
 
 BodyEstimator::BodyEstimator(const SoftDesc& desc, const TetMesh& mesh, const VecX& ties,

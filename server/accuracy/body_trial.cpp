@@ -27,8 +27,8 @@ void orient(TetMesh& mesh) {
 Anatomy halved(const Anatomy& anatomy) {
   Anatomy fine;
   fine.tets = anatomy.tets;
-  const EdgeNodes edges = add_edge_nodes(fine);
-  fine.tets = divided(fine.tets, edges);
+  const soft::EdgeNodes edges = soft::add_edge_nodes(fine);
+  fine.tets = soft::divided(fine.tets, edges);
   orient(fine.tets);
   return fine;
 }

@@ -15,8 +15,8 @@ namespace {
 /// midpoints divide it.
 constexpr std::array<double, 4> inside = {0.41, 0.27, 0.19, 0.13};
 
-Aabb box_around(std::span<const Vec3> places) {
-  Aabb box;
+collision::Aabb box_around(std::span<const Vec3> places) {
+  collision::Aabb box;
   for (const Vec3& place : places) box.add(place);
   return box;
 }
@@ -45,7 +45,7 @@ std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count) {
 }
 
 Probes::Probes(const StaticBody& body, std::span<const Vec3> places) : body_(body) {
-  const Locator locator(body.mesh(), body.rest(), box_around(places));
+  const organs::Locator locator(body.mesh(), body.rest(), box_around(places));
   for (const Vec3& place : places) {
     const auto found = locator.at(place);
     std::optional<Row>& row = rows_.emplace_back();
@@ -57,8 +57,8 @@ Probes::Probes(const StaticBody& body, std::span<const Vec3> places) : body_(bod
       row->weight[k] = body.quadratic() ? L[k] * (2 * L[k] - 1) : L[k];
     }
     if (!body.quadratic()) continue;
-    for (std::size_t k = 0; k < EdgeNodes::edges_of_tet.size(); ++k) {
-      const auto [a, b] = EdgeNodes::edges_of_tet[k];
+    for (std::size_t k = 0; k < soft::EdgeNodes::edges_of_tet.size(); ++k) {
+      const auto [a, b] = soft::EdgeNodes::edges_of_tet[k];
       row->node[4 + k] = body.matter().quadratic->edges.find(found->node[a], found->node[b]);
       row->weight[4 + k] = 4 * L[a] * L[b];
     }

@@ -39,7 +39,7 @@ double slip_work(const EstimatedBody& body, std::size_t e, const Mat3& R, const 
   const Mat3 moved =
       R.transpose() * body.elements.edges(e, displacement.data()) * body.elements.gradients(e).transpose();
   const Mat3 strain = (moved + moved.transpose()) / 2;
-  const Lame& lame = body.laws[body.kind[e]].lame;
+  const soft::Lame& lame = body.laws[body.kind[e]].lame;
   return body.elements.volume(e) *
          (2 * lame.mu * strain.squaredNorm() + lame.lambda * strain.trace() * strain.trace());
 }
@@ -47,7 +47,8 @@ double slip_work(const EstimatedBody& body, std::size_t e, const Mat3& R, const 
 /// Adds the powers of the forces on outer vertices that exceed a baseline.
 void add_powers(const EstimatedBody& body, const MissingFunctions& functions, const StressState& state,
                 const Baseline& base, Sums& sums) {
-  const Mat3 turn = base.known ? Mat3(polar(state.mean_F).R * base.turn.transpose()) : Mat3(Mat3::Zero());
+  const Mat3 turn =
+      base.known ? Mat3(soft::polar(state.mean_F).R * base.turn.transpose()) : Mat3(Mat3::Zero());
   for (std::size_t i = 0; i < state.reaction.size(); ++i) {
     if (functions.area[i] == 0 || body.tie[i] > 0) continue;
     Vec3 force = state.reaction[i];

@@ -39,14 +39,15 @@ EstimatedBody::EstimatedBody(const SoftDesc& desc, const TetMesh& body_mesh, con
 }
 
 void EstimatedBody::make_laws(const SoftDesc& desc, const std::string& tissue) {
-  const Materials all = make_materials(desc.material, mesh, desc.configuration.is_position_based()),
-                  own = all.at(elements.source());
-  const SplitMaterials split = split_volume(own);
+  const soft::Materials all =
+                            soft::make_materials(desc.material, mesh, desc.configuration.is_position_based()),
+                        own = all.at(elements.source());
+  const soft::SplitMaterials split = soft::split_volume(own);
   for (std::size_t k = 0; k < own.kinds.size(); ++k) {
     MaterialLaws& laws_of_kind = laws.emplace_back();
-    const Material& local = quadratic ? split.local.kinds[k] : own.kinds[k];
-    laws_of_kind.own = make_law(desc.configuration.model, local);
-    if (desc.configuration.model != tissue) laws_of_kind.tissue = make_law(tissue, local);
+    const soft::Material& local = quadratic ? split.local.kinds[k] : own.kinds[k];
+    laws_of_kind.own = soft::make_law(desc.configuration.model, local);
+    if (desc.configuration.model != tissue) laws_of_kind.tissue = soft::make_law(tissue, local);
     laws_of_kind.lame = own.kinds[k].lame;
     laws_of_kind.local = split.local.kinds[k].lame;
     laws_of_kind.mean = split.mean.empty() ? 0 : split.mean[k];
@@ -58,7 +59,7 @@ void EstimatedBody::make_laws(const SoftDesc& desc, const std::string& tissue) {
 void EstimatedBody::make_volumes() {
   volume.assign(vertices_of(mesh), 0);
   for (const std::uint32_t source : elements.source()) {
-    const double quarter = Tet4Elements::lumped_share(mesh, source);
+    const double quarter = soft::Tet4Elements::lumped_share(mesh, source);
     space.push_back(4 * quarter);
     all_volume += space.back();
     for (const std::uint32_t node : mesh.tets[source]) volume[node] += quarter;
@@ -66,7 +67,7 @@ void EstimatedBody::make_volumes() {
 }
 
 void EstimatedBody::make_ties(const VecX& ties) {
-  const VecX lumped = quadratic ? tet10->lumped_volume() : Tet4Elements::lumped_volume(mesh);
+  const VecX lumped = quadratic ? tet10->lumped_volume() : soft::Tet4Elements::lumped_volume(mesh);
   for (std::size_t i = 0; i < vertex_count(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
     tie.push_back(lumped[node] > 0 ? ties[node] / lumped[node] : 0);
@@ -99,7 +100,7 @@ ElementState EstimatedBody::linear_state(std::size_t e, const VecX& x) const {
   Mat3 P;
   law.own->stress({&F, 1}, {}, {&P, 1});
   ElementState out;
-  out.R = polar(F).R;
+  out.R = soft::polar(F).R;
   out.P.fill(P);
   out.S = out.R.transpose() * F;
   out.Q = out.R.transpose() * P;
@@ -122,9 +123,9 @@ ElementState EstimatedBody::quadratic_state(std::size_t e, const VecX& x) const 
   pressure.fill(law.mean * (dilatation[0] + dilatation[1] + dilatation[2] + dilatation[3]) / 4);
   law.own->stress(F, pressure, P);
   ElementState out;
-  out.R = polar((F[0] + F[1] + F[2] + F[3]) / 4).R;
+  out.R = soft::polar((F[0] + F[1] + F[2] + F[3]) / 4).R;
   for (std::size_t q = 0; q < 4; ++q) {
-    R[q] = polar(F[q]).R;
+    R[q] = soft::polar(F[q]).R;
     out.work += P[q].cwiseProduct(F[q] - R[q]).sum() / 4;
     out.S += R[q].transpose() * F[q] / 4;
     out.Q += R[q].transpose() * P[q] / 4;

@@ -26,8 +26,8 @@ inline Eigen::Index at(std::uint32_t node) {
 
 /// The laws of one material, with its volumetric stiffness split between integration points and element mean.
 struct MaterialLaws {
-  std::unique_ptr<ConstitutiveLaw> own, tissue;  // tissue: null if it equals own
-  Lame lame, local;
+  std::unique_ptr<soft::ConstitutiveLaw> own, tissue;  // tissue: null if it equals own
+  soft::Lame lame, local;
   double mean;  // Pa: λ'', the volumetric stiffness of an element's mean
 };
 
@@ -57,8 +57,8 @@ struct EstimatedBody {
 
   TetMesh mesh;
   bool quadratic;
-  std::optional<Tet10Elements> tet10;
-  Tet4Elements elements;  // by corner nodes
+  std::optional<soft::Tet10Elements> tet10;
+  soft::Tet4Elements elements;  // by corner nodes
   Eigen::Matrix4d corners_of = corners_from_points();
   std::vector<MaterialLaws> laws;
   std::vector<std::uint32_t> kind;  // by element

@@ -19,7 +19,7 @@ struct Stretched {
   std::array<Mat3, most_points> P;  // Pa
   double pressure = 0;              // Pa: mean Cauchy stress times det F
 };
-Stretched stretched(const ConstitutiveLaw& tissue, double mean, std::span<const Mat3> F, double s) {
+Stretched stretched(const soft::ConstitutiveLaw& tissue, double mean, std::span<const Mat3> F, double s) {
   const std::size_t n = F.size();
   std::array<Mat3, most_points> G;
   std::array<double, most_points> theta, pressure;
@@ -37,7 +37,7 @@ Stretched stretched(const ConstitutiveLaw& tissue, double mean, std::span<const 
 
 }  // namespace
 
-LawDifference law_difference(const ConstitutiveLaw& tissue, double mean, const ElementStrain& strain) {
+LawDifference law_difference(const soft::ConstitutiveLaw& tissue, double mean, const ElementStrain& strain) {
   const std::size_t n = strain.F.size();
   PROSECTOR_ASSERT(n > 0 && n <= most_points && strain.P.size() == n && strain.R.size() == n);
   double pressure = 0;

@@ -32,7 +32,7 @@ struct LawDifference {
 /// strain. For nearly incompressible tissue this would be useless: its pressure bears the load, almost
 /// whatever the volume is. So tissue gets the volume at which it has the body's mean pressure. Then the rest
 /// of the stress is compared, and the work of the pressure over that change of volume.
-LawDifference law_difference(const ConstitutiveLaw& tissue, double mean, const ElementStrain& strain);
+LawDifference law_difference(const soft::ConstitutiveLaw& tissue, double mean, const ElementStrain& strain);
 
 /// Returns the difference between the works (J/m³) of two laws for the loads added since the state `before`.
 /// It is for tissue under tension, whose rest shape is the same with either law. `strain` is the change of

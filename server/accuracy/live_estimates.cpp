@@ -18,9 +18,9 @@ constexpr double least_press = 1e-3;     // of the loads' work: less does not co
 constexpr double least_moved = 5e-5;     // m: half the precision of drawn surfaces
 
 int order_of(const SoftDesc& desc) {
-  for (const IntegratorRow& row : integrators())
+  for (const soft::IntegratorRow& row : soft::integrators())
     if (row.name == desc.configuration.integrator) return row.order;
-  for (const auto& row : explicit_integrators())
+  for (const auto& row : soft::explicit_integrators())
     if (row.name == desc.configuration.integrator) return row.order;
   return 1;  // position-based models
 }
@@ -67,7 +67,7 @@ LiveEstimates::LiveEstimates(const Simulation& simulation)
 }
 
 void LiveEstimates::rebuild(const Simulation& simulation, BodyId id, Body& body) {
-  const SoftBody& soft = simulation.soft(id);
+  const soft::SoftBody& soft = simulation.soft(id);
   body.revision = simulation.revision(id);
   body.attached = soft.attached();
   body.rebuild = false;
@@ -145,8 +145,8 @@ bool LiveEstimates::due(const Simulation& simulation, BodyId id, const Body& bod
 }
 
 void LiveEstimates::begin(const Simulation& simulation, BodyId id, Body& body) {
-  const SoftBody& soft = simulation.soft(id);
-  const SoftBodyState& state = simulation.soft_state(id);
+  const soft::SoftBody& soft = simulation.soft(id);
+  const soft::SoftBodyState& state = simulation.soft_state(id);
   const Vec3 gravity = soft.weight(simulation.scene().gravity, true).acceleration;
   const Eigen::Index nodes = soft.nodes();
   body.was_asleep = simulation.asleep(id);

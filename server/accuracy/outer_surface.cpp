@@ -19,9 +19,9 @@ std::array<double, 6> shape_functions(const Vec3& L, bool quadratic) {
           4 * L[0] * L[1],       4 * L[1] * L[2],       4 * L[2] * L[0]};
 }
 
-std::array<std::uint32_t, 6> nodes_of(const OuterFace& face, const SoftMatter& matter) {
+std::array<std::uint32_t, 6> nodes_of(const OuterFace& face, const soft::SoftMatter& matter) {
   if (!matter.quadratic) return {face[0], face[1], face[2], face[0], face[0], face[0]};
-  const EdgeNodes& edges = matter.quadratic->edges;
+  const soft::EdgeNodes& edges = matter.quadratic->edges;
   return {face[0],
           face[1],
           face[2],

@@ -19,7 +19,7 @@ constexpr double armijo = 1e-4;
 constexpr double settled_decrement = 1e-7;  // of the energy: predicted gain of a Newton step
 constexpr double noise = 1e-13;             // of the energy: rounding error of differences
 constexpr double most_inverted = 0.01;      // of the volume: more is no valid shape of tissue
-constexpr SolverSettings solve_settings = {400, 1e-4};
+constexpr soft::SolverSettings solve_settings = {400, 1e-4};
 
 /// Returns the description without damping and with a fast solver, neither of which affects the shape at
 /// rest.
@@ -37,11 +37,13 @@ bool StaticAnswer::usable() const {
 
 /// Potential, Hessian and linear solver of the minimisation.
 struct StaticBody::Newton {
-  Newton(const SoftMatter& matter, Eigen::Index nodes)
-      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.configuration.solver)) {}
-  IncrementalPotential potential;
-  BodyOnSprings hessian;
-  std::unique_ptr<LinearSolver> solver;
+  Newton(const soft::SoftMatter& matter, Eigen::Index nodes)
+      : potential(matter),
+        hessian(potential, nodes),
+        solver(soft::make_solver(matter.desc.configuration.solver)) {}
+  soft::IncrementalPotential potential;
+  soft::BodyOnSprings hessian;
+  std::unique_ptr<soft::LinearSolver> solver;
 
   VecX gradient(const VecX& x, const VecX& load) {
     VecX out(x.size());
@@ -59,11 +61,11 @@ struct StaticBody::Newton {
 };
 
 StaticBody::StaticBody(const SoftDesc& desc, Anatomy anatomy) {
-  matter_ = std::make_unique<SoftMatter>(undamped(desc), std::move(anatomy));
+  matter_ = std::make_unique<soft::SoftMatter>(undamped(desc), std::move(anatomy));
   newton_ = std::make_unique<Newton>(*matter_, matter_->mass.size());
   described_ = matter_->ties;
   matter_->model->relax_fully();
-  Stage& stage = newton_->potential.stage();
+  soft::Stage& stage = newton_->potential.stage();
   stage.dxdv = 1;
   stage.y = stage.x_v = matter_->rest();
 }
@@ -128,7 +130,7 @@ StaticAnswer StaticBody::settle(const VecX& load, const std::function<void()>& b
     gradient = next_gradient;
     energy = found;
   }
-  out.inverted = inverted_share(matter_->linear_tets(), out.x);
+  out.inverted = soft::inverted_share(matter_->linear_tets(), out.x);
   return out;
 }
 

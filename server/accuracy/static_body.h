@@ -9,9 +9,11 @@
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 
-namespace prosector {
-
+namespace prosector::soft {
 struct SoftMatter;
+}  // namespace prosector::soft
+
+namespace prosector {
 
 /// Shape of a body at rest under a load, and whether the solver found it.
 struct StaticAnswer {
@@ -38,7 +40,7 @@ class StaticBody {
   /// the shape functions of its elements.
   VecX weight(const Vec3& acceleration) const;
   bool quadratic() const;
-  const SoftMatter& matter() const { return *matter_; }
+  const soft::SoftMatter& matter() const { return *matter_; }
 
   /// Ties each node to its rest position by a spring, in addition to the attachments of the description.
   /// Replaces the springs of an earlier call. `stiffness`: n, N/m.
@@ -50,7 +52,7 @@ class StaticBody {
 
  private:
   struct Newton;
-  std::unique_ptr<SoftMatter> matter_;
+  std::unique_ptr<soft::SoftMatter> matter_;
   std::unique_ptr<Newton> newton_;
   VecX described_;  // n, N/m: the ties of the description
 };

@@ -78,7 +78,7 @@ void StressState::add_face(const EstimatedBody& body, const MissingFunctions& fu
 double StressState::energy_above(const MissingFunctions& functions, const Baseline& base,
                                  std::size_t k) const {
   Vec3 more = residual[k];
-  if (base.known) more -= polar(mean_F).R * base.turn.transpose() * base.residual[k];
+  if (base.known) more -= soft::polar(mean_F).R * base.turn.transpose() * base.residual[k];
   const Vec3 turned = R[functions.owner[k]].transpose() * more;
   return turned.dot(functions.compliance[k] * turned);
 }
@@ -88,7 +88,7 @@ void StressState::keep(Baseline& base) const {
   base.Q = Q;
   base.residual = residual;
   base.reaction = reaction;
-  base.turn = polar(mean_F).R;
+  base.turn = soft::polar(mean_F).R;
   base.law = law;
   base.known = true;
 }

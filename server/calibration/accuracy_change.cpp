@@ -18,7 +18,7 @@ constexpr double worth_offering = 0.9;           // of the error before: larger 
 }  // namespace
 
 SoftDesc without_fixed_rung(SoftDesc desc) {
-  const bool names_a_law = desc.choice.fixed.model && is_law(desc.configuration.model);
+  const bool names_a_law = desc.choice.fixed.model && soft::is_law(desc.configuration.model);
   const bool from_a_file = !desc.geometry.mesh.empty() && !is_surface_file(desc.geometry.mesh);
   desc.choice.fixed = {.model = names_a_law, .cell = from_a_file};
   desc.choice.accuracy = desc.choice.budget = {};

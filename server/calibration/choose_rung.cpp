@@ -167,7 +167,7 @@ std::vector<Rung> candidates(const SoftDesc& desc) {
   if (desc.choice.fixed.solver) solvers = {desc.configuration.solver};
   std::vector<Rung> out;
   for (const std::string& model : models) {
-    const ModelRow& row = find_row(prosector::models(), "model", model);
+    const soft::ModelRow& row = soft::find_row(prosector::soft::models(), "model", model);
     if (!desc.choice.fixed.model && needs_a_law(desc) && (row.position_based || row.fabric)) continue;
     if (row.position_based) {
       if (!desc.choice.fixed.solver && elements.front() == "tet4") add_substepped(model, out);
@@ -237,7 +237,7 @@ std::string explain(const Choice& choice, const SoftDesc& desc) {
   std::string line = fmt::format(
       "{} requested, chosen configuration: {}, cell {:.1f} mm{}; expected error {}, expected cost {:.2g} ms "
       "per frame",
-      asked, in_words(chosen), 1e3 * choice.cell,
+      asked, soft::in_words(chosen), 1e3 * choice.cell,
       choice.grade == Grading::rims ? ", with smaller elements at the rims of the attached regions" : "",
       percent_text(choice.expected.error), choice.expected.ms);
   if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);

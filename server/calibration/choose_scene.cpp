@@ -119,7 +119,7 @@ CompileOptions quiet(const ChoiceOptions& options) {
 
 BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceOptions& options) {
   const Anatomy anatomy = soft_anatomy(desc, scene, quiet(options));
-  if (mesh_kind(anatomy) != MeshKind::tets)
+  if (soft::mesh_kind(anatomy) != soft::MeshKind::tets)
     throw InputError(
         fmt::format("soft body \"{}\": accuracy and budget need tetrahedra; for sheets and ropes, give model "
                     "and cell instead",

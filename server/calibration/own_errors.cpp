@@ -99,7 +99,7 @@ double inferred(const std::map<double, double>& tried, double cell) {
 }  // namespace
 
 OwnErrors::OwnErrors(JudgedBody body) : body_(std::move(body)) {
-  if (body_.desc.choice.fixed.model && is_law(body_.desc.configuration.model))
+  if (body_.desc.choice.fixed.model && soft::is_law(body_.desc.configuration.model))
     settings_.law = body_.desc.configuration.model;
   if (body_.desc.choice.fixed.cell) body_.most_tets = std::max(body_.most_tets, most_tets_given);
   settings_.most_tets = body_.most_tets;

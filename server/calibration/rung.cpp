@@ -70,8 +70,8 @@ class RungSpecimen final : public Specimen {
   }
 
   StepFigures step(double dt, const Vec3& gravity) override {
-    const IslandReport report = stepper_.step(island_, dt, gravity);
-    SoftMember& member = island_.soft.front();
+    const coupled::IslandReport report = stepper_.step(island_, dt, gravity);
+    coupled::SoftMember& member = island_.soft.front();
     StepFigures figures;
     figures.residual = report.residual;
     figures.solver_iterations = report.solver_iterations;
@@ -88,10 +88,10 @@ class RungSpecimen final : public Specimen {
       member.note =
           "the body's positions were not finite or out of the room: reset to its last valid state, at rest";
     }
-    count_quiet_ticks(member);
+    coupled::count_quiet_ticks(member);
     const bool laden = !gravity.isZero();  // its rest shape under load differs from its initial shape
-    if (unfold_if_tangled(member, {.crushed = laden, .company = laden}, body_.initial_state().motion.x, dt,
-                          1))
+    if (coupled::unfold_if_tangled(member, {.crushed = laden, .company = laden},
+                                   body_.initial_state().motion.x, dt, 1))
       figures.reset = true;
     figures.note = member.note;
     return figures;
@@ -99,17 +99,18 @@ class RungSpecimen final : public Specimen {
 
   double weight_energy(const Vec3& gravity) const override {
     const VecX& x = state_.motion.x;
-    return -fall_energy(body_.node_mass(), VecX::Zero(x.size()), x, body_.weight(gravity, body_.attached()));
+    return -soft::fall_energy(body_.node_mass(), VecX::Zero(x.size()), x,
+                              body_.weight(gravity, body_.attached()));
   }
   double elastic_energy() override {
     return body_.in_force(state_).potential().elastic_energy(state_.motion.x);
   }
 
  private:
-  SoftBody body_;
-  SoftBodyState state_;
-  Island island_;
-  IslandStepper stepper_;
+  soft::SoftBody body_;
+  soft::SoftBodyState state_;
+  coupled::Island island_;
+  coupled::IslandStepper stepper_;
 };
 
 }  // namespace
@@ -126,7 +127,7 @@ void Rung::apply_to(SoftDesc& desc) const {
 }
 
 bool Rung::is_position_based() const {
-  return find_row(models(), "model", model).position_based;
+  return soft::find_row(soft::models(), "model", model).position_based;
 }
 
 std::string Rung::effort() const {

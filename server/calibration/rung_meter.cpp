@@ -23,7 +23,7 @@ constexpr double at_rest = 1e-7;  // m per long step: smaller motion counts as r
 const Vec3 gravity(0, -9.81, 0);
 
 bool position_based(const Rung& rung) {
-  return find_row(models(), "model", rung.model).position_based;
+  return soft::find_row(soft::models(), "model", rung.model).position_based;
 }
 
 TestPiece beam(const RungTrial& trial, double damping_mass) {

@@ -12,15 +12,17 @@
 #include "common/scene/scene.h"
 #include "server/physics/simulation.h"
 
-namespace prosector {
-
+namespace prosector::soft {
 struct SoftMatter;
+}  // namespace prosector::soft
+
+namespace prosector {
 
 /// Points at which a hand presses a soft body, or is about to. Each point acts as a spring between body and
 /// hand.
 struct Patch {
   struct Point {
-    ContactSide side;
+    contact::ContactSide side;
     Mat3 stiffness = Mat3::Zero();  // N/m: along the point's own normal
     Mat3 holding = Mat3::Zero();    // N/m: tangential, while friction sticks
   };
@@ -52,7 +54,7 @@ class TissueCompliance {
 
  private:
   struct Solver;
-  std::unique_ptr<SoftMatter> matter_;
+  std::unique_ptr<soft::SoftMatter> matter_;
   std::unique_ptr<Solver> solver_;
 };
 

@@ -24,7 +24,7 @@ constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as
 /// Returns the stiffness of a flat punch of the patch's area on a half-space of the body's material, N/m:
 /// 2·E*·a (Johnson 1985, "Contact Mechanics", 3.36). It is used until the worker has computed the body's
 /// slopes.
-double punch_stiffness(const SoftBody& body, double area, double strength) {
+double punch_stiffness(const soft::SoftBody& body, double area, double strength) {
   const SoftDesc& desc = body.desc();
   const double plane = strength * desc.material.youngs_modulus /
                        (1 - desc.material.poisson_ratio * desc.material.poisson_ratio);
@@ -32,7 +32,7 @@ double punch_stiffness(const SoftBody& body, double area, double strength) {
 }
 
 /// Returns the area of the body's surface that the touches represent, m²: at least a disc of `least_radius`.
-double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
+double area_of(const soft::SoftBody& body, const std::vector<HandTouch>& touches) {
   const std::span<const double> areas = body.surface_area();
   double mean = 0;
   for (const double area : areas) mean += area;
@@ -71,7 +71,8 @@ Patch::Point point_of(const HandTouch& t) {
   const Mat3 along = t.normal * t.normal.transpose();
   const Vec3 rubbing = t.exchanged - along * t.exchanged;
   const double bound = t.friction * t.force;
-  const double holds = t.force > 0 && rubbing.norm() < slips_from * bound ? bound / slip_threshold : 0;
+  const double holds =
+      t.force > 0 && rubbing.norm() < slips_from * bound ? bound / coupled::slip_threshold : 0;
   return {t.side, t.stiffness * along, holds * (Mat3::Identity() - along)};
 }
 
@@ -146,7 +147,7 @@ Slopes FeltHand::slopes_of(const Simulation& simulation, const Place& place) con
   const BodyId id = place.group.body;
   const double contact = joint_stiffness(place.group);
   if (simulation.kind(id) != BodyKind::soft) return {contact, contact};
-  const SoftBody& body = simulation.soft(id);
+  const soft::SoftBody& body = simulation.soft(id);
   const double punch =
       punch_stiffness(body, area_of(body, place.group.touches), simulation.part(id).stiffness);
   return {contact > 0 ? 1 / (1 / punch + 1 / contact) : punch, punch};
@@ -162,7 +163,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   double damping = 0;  // N·s/m
   double radius = least_radius;
   if (simulation.kind(group.body) == BodyKind::soft) {
-    const SoftBody& body = simulation.soft(group.body);
+    const soft::SoftBody& body = simulation.soft(group.body);
     radius = std::max(radius, 2 * std::sqrt(area_of(body, group.touches) / std::numbers::pi));
     damping = body.desc().material.damping_stiffness / give;
   }
@@ -174,7 +175,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.arm = hand.inverse() * group.point;
   // Under load, the arm's point is the hand's point plus the deflection of the coupling between them.
   plane.point = group.pressing > 0 || group.holds
-                    ? Vec3(group.point - all / arm_coupling)
+                    ? Vec3(group.point - all / hands::arm_coupling)
                     : Vec3(group.point - group.touches.front().gap * group.normal);
   plane.stiffness = std::min(1 / give, max_plane_stiffness);
   plane.tangential = std::min(1 / sideways, max_plane_stiffness);

@@ -16,7 +16,7 @@ std::uint64_t version_of(const Simulation& simulation, BodyId body) {
          (simulation.soft(body).attached() ? 1 : 0);
 }
 
-std::shared_ptr<const BodyCopy> copy_of(const SoftBody& body) {
+std::shared_ptr<const BodyCopy> copy_of(const soft::SoftBody& body) {
   auto copy = std::make_shared<BodyCopy>();
   copy->desc = body.desc();
   copy->anatomy = body.anatomy();
@@ -36,7 +36,7 @@ void add_panels(const Simulation& simulation, const HandState& hand, std::vector
 
 /// Returns whether the body has a potential energy, whose tangent gives its stiffness. Bodies with a
 /// substepper have none.
-bool has_tangent(const SoftBody& body) {
+bool has_tangent(const soft::SoftBody& body) {
   return body.substepper() == nullptr;
 }
 

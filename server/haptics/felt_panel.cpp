@@ -31,7 +31,7 @@ std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, con
   const double radius = hand_segments(hand)[index_end].radius;
   const Vec3 tip = panel.pose.inverse() * index_tip(hand, pose) - Vec3(0, 0, radius);
   if (!panel.open || !tip.allFinite() || std::abs(tip.x()) > panel_width / 2 ||
-      std::abs(tip.y()) > panel_height / 2 || tip.z() > report_height || tip.z() < -finger_depth)
+      std::abs(tip.y()) > panel_height / 2 || tip.z() > report_height || tip.z() < -panel::finger_depth)
     return {};
   const ControlDesc* control = control_at(panel, tip.x(), tip.y());
   const std::uint32_t place = control != nullptr ? 1 + static_cast<std::uint32_t>(control->control) : 0;
@@ -50,7 +50,7 @@ std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, con
   };
   if (control != nullptr && control->kind == ControlKind::button) {
     add(control->height - control->travel, hard_stiffness);
-    add(control->height, button_stiffness);
+    add(control->height, panel::button_stiffness);
   } else {
     add(control != nullptr ? control->height : 0, hard_stiffness);
   }

@@ -87,7 +87,7 @@ const TriangleMesh& Simulation::surface(BodyId body) const {
   return impl_->state.bodies.is_soft(body) ? soft(body).anatomy().surface
                                            : impl_->model.rigid.at(body).surface;
 }
-const SoftBody& Simulation::soft(BodyId body) const {
+const soft::SoftBody& Simulation::soft(BodyId body) const {
   return *impl_->state.bodies.soft.at(impl_->state.bodies.soft_index(body)).solver;
 }
 std::uint32_t Simulation::revision(BodyId soft_body) const {
@@ -100,7 +100,7 @@ std::uint64_t Simulation::topology_hash(BodyId soft_body) const {
   return prosector::topology_hash(impl_->state, impl_->state.bodies.soft_index(soft_body));
 }
 std::uint64_t Simulation::rehung(BodyId soft_body) const {
-  const RefinedBodies& refined = impl_->state.dissection.refined;
+  const organs::RefinedBodies& refined = impl_->state.dissection.refined;
   const auto body = refined.find(impl_->state.bodies.soft_index(soft_body));
   return body == refined.end() ? 0 : body->second.rehung;
 }
@@ -112,13 +112,13 @@ SimTime Simulation::time() const {
   return impl_->state.time;
 }
 RigidBodyState Simulation::rigid_state(BodyId body) const {
-  const RigidMotion motion = impl_->state.bodies.rigid.motion(body);
+  const rigid::RigidMotion motion = impl_->state.bodies.rigid.motion(body);
   const Pose& center = impl_->model.rigid.at(body).center;
   const Pose pose = motion.pose * center.inverse();
   return {pose, motion.linear_velocity + motion.angular_velocity.cross(pose.p - motion.pose.p),
           motion.angular_velocity, asleep(body)};
 }
-const SoftBodyState& Simulation::soft_state(BodyId body) const {
+const soft::SoftBodyState& Simulation::soft_state(BodyId body) const {
   return impl_->state.bodies.soft.at(impl_->state.bodies.soft_index(body)).state;
 }
 const Part& Simulation::part(BodyId body) const {

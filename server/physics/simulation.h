@@ -25,11 +25,14 @@
 #include "server/physics/world/tick_input.h"
 #include "server/physics/world/tick_output.h"
 
+namespace prosector::soft {
+class SoftBody;
+struct SoftBodyState;
+}  // namespace prosector::soft
+
 namespace prosector {
 
 class RecordLabels;
-class SoftBody;
-struct SoftBodyState;
 
 class Simulation {
  public:
@@ -44,7 +47,7 @@ class Simulation {
   BodyKind kind(BodyId body) const;
   const std::string& name(BodyId body) const;
   const TriangleMesh& surface(BodyId body) const;  // rigid: body frame; soft: rest shape, world frame
-  const SoftBody& soft(BodyId body) const;
+  const soft::SoftBody& soft(BodyId body) const;
   std::uint32_t revision(BodyId soft_body) const;      // of its topology
   const Numbering& numbering(BodyId soft_body) const;  // of soft(body).anatomy()
   /// Returns the content hash (of connectivity, rest shape and masses) with which the body's topology was
@@ -61,7 +64,7 @@ class Simulation {
   const StepReport& step(const TickInput& input);
   SimTime time() const;
   RigidBodyState rigid_state(BodyId body) const;
-  const SoftBodyState& soft_state(BodyId body) const;
+  const soft::SoftBodyState& soft_state(BodyId body) const;
   bool asleep(BodyId body) const;
   const Part& part(BodyId body) const;       // the changes that participants made to the body
   std::span<const HandState> hands() const;  // canonical order

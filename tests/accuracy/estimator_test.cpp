@@ -61,7 +61,7 @@ struct Settled {
 Anatomy halved(const Anatomy& anatomy) {
   Anatomy fine;
   fine.tets = anatomy.tets;
-  fine.tets = divided(fine.tets, add_edge_nodes(fine));
+  fine.tets = soft::divided(fine.tets, soft::add_edge_nodes(fine));
   return fine;
 }
 
@@ -235,9 +235,10 @@ TEST(BodyEstimator, TellsOfTheLawInTissueUnderTensionWhateverItMoves) {
 TEST(LawDifference, IsTheWorkThatTissueDoesMoreUnderOnePull) {
   for (const double ratio : {0.3, 0.45, 0.49, 0.499})
     for (const double pull : {-600., -200., 200., 600.}) {
-      const Material material(lame(5400, ratio));
-      const auto tissue = make_law(tissue_law, material), own = make_law("fem_corotational", material);
-      const auto stretched = [&](const ConstitutiveLaw& law) {
+      const soft::Material material(soft::lame(5400, ratio));
+      const auto tissue = soft::make_law(tissue_law, material),
+                 own = soft::make_law("fem_corotational", material);
+      const auto stretched = [&](const soft::ConstitutiveLaw& law) {
         Vec3 s(1, 1, 1);  // of which only s.x() bears: Newton's method by differences
         const auto left = [&](const Vec3& at) -> Vec3 {
           const Mat3 F = at.asDiagonal();

@@ -68,7 +68,7 @@ SoftDesc beam(const Model& model, const Solver& solver) {
 
 /// Returns the mean displacement of the nodes closest to the centre of the face x = 0.4 (one if n is even,
 /// else four).
-double tip_height(const SoftBody& body, const VecX& x) {
+double tip_height(const soft::SoftBody& body, const VecX& x) {
   const auto& rest = body.anatomy().tets.positions;
   const Vec3 middle(size[0], size[1] / 2, size[2] / 2);
   double nearest = 1, sum = 0;

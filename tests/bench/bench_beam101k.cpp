@@ -45,7 +45,7 @@ SoftDesc beam(const SolverEffort& solver) {
   return desc;
 }
 
-double tip_height(const SoftBody& body, const VecX& x) {
+double tip_height(const soft::SoftBody& body, const VecX& x) {
   const auto& rest = body.anatomy().tets.positions;
   double sum = 0;
   int count = 0;
@@ -58,8 +58,8 @@ double tip_height(const SoftBody& body, const VecX& x) {
 }
 
 /// Returns contacts of all nodes that may reach the ground within the step.
-std::vector<Contact> ground_contacts(const VecX& x, const VecX& v) {
-  std::vector<Contact> contacts;
+std::vector<contact::Contact> ground_contacts(const VecX& x, const VecX& v) {
+  std::vector<contact::Contact> contacts;
   for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
     const double gap = x[3 * i + 1] - ground;
     if (gap > 2 * h * std::abs(v[3 * i + 1]) + 0.05) continue;
@@ -80,9 +80,9 @@ Path run(const SolverEffort& solver, bool with_ground, int steps) {
   Path path;
   path.settings = settings(run.body(), h);
   for (int i = 0; i < steps; ++i) {
-    const Motion& motion = run.state().motion;
-    path.cost.add(
-        run.step(h, gravity, with_ground ? ground_contacts(motion.x, motion.v) : std::vector<Contact>{}));
+    const soft::Motion& motion = run.state().motion;
+    path.cost.add(run.step(
+        h, gravity, with_ground ? ground_contacts(motion.x, motion.v) : std::vector<contact::Contact>{}));
     path.tip.push_back(tip_height(run.body(), motion.x));
   }
   path.finite = run.finite();

@@ -112,7 +112,7 @@ double rest_volume(const Simulation& simulation) {
   double sum = 0;
   for (BodyId body = liver; body < simulation.body_count(); ++body) {
     if (simulation.surface(body).triangles.empty()) continue;
-    const SoftBody& soft = simulation.soft(body);
+    const soft::SoftBody& soft = simulation.soft(body);
     const TetMesh& mesh = soft.anatomy().tets;
     if (mesh.tets.empty()) sum += soft.total_mass() / soft.desc().material.density;
     for (const auto& t : mesh.tets) {
@@ -131,15 +131,15 @@ double degrees(double cosine) {
 
 /// Returns the smallest dihedral angle of each undeformed tetrahedron, or the smallest angle of each triangle
 /// of a sheet, degrees.
-std::vector<double> least_angles(const SoftBody& body) {
+std::vector<double> least_angles(const soft::SoftBody& body) {
   const Anatomy& anatomy = body.anatomy();
   const std::vector<Vec3>& x = anatomy.tets.positions;
   std::vector<double> out;
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    out.push_back(degrees(cos_least_angle(x[a], x[b], x[c])));
+    out.push_back(degrees(cutting::cos_least_angle(x[a], x[b], x[c])));
   };
   for (const auto& t : anatomy.tets.tets)
-    out.push_back(degrees(cos_least_dihedral({x[t[0]], x[t[1]], x[t[2]], x[t[3]]})));
+    out.push_back(degrees(cutting::cos_least_dihedral({x[t[0]], x[t[1]], x[t[2]], x[t[3]]})));
   for (const auto& q : anatomy.quads) {
     add(q[0], q[1], q[2]);
     add(q[0], q[2], q[3]);
@@ -236,34 +236,34 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
 }
 
 struct Made {
-  std::unique_ptr<SoftBody> solver, retired;
+  std::unique_ptr<soft::SoftBody> solver, retired;
   Numbering numbering;
-  std::optional<SurfaceDetector> surface;
+  std::optional<contact::SurfaceDetector> surface;
 
   void rebuild(const SoftDesc& desc, Anatomy anatomy) {
-    retired = std::exchange(solver, std::make_unique<SoftBody>(desc, std::move(anatomy)));
+    retired = std::exchange(solver, std::make_unique<soft::SoftBody>(desc, std::move(anatomy)));
     find_surface();
   }
   void find_surface() { surface.emplace(solver->anatomy().embedding, solver->anatomy().surface); }
 };
 
 /// Updates the bodies after a topology edit, as the simulation does, or rebuilds them if `rebuilt`.
-void fit_bodies(Organ& organ, const SoftDesc& desc, bool rebuilt, std::vector<Made>& bodies) {
-  const Regrouped changed = organ.regroup(bodies.size());
+void fit_bodies(organs::Organ& organ, const SoftDesc& desc, bool rebuilt, std::vector<Made>& bodies) {
+  const organs::Regrouped changed = organ.regroup(bodies.size());
   bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
   tbb::parallel_for(std::size_t{0}, changed.bodies.size(), [&](std::size_t i) {
     Made& body = bodies[changed.bodies[i]];
-    const OrganPiece& piece = organ.piece(changed.bodies[i]);
-    const auto edit = rebuilt ? std::nullopt : edit_since(organ, changed, piece);
-    if (!edit || !is_worth_following(*edit) || !body.solver->follower().can_follow(edit->mesh)) {
-      body.rebuild(desc, anatomy_of(organ, piece, body.numbering));
-    } else if (const auto surface = surface_edit_since(organ, changed, piece, body.solver->anatomy().surface,
-                                                       body.numbering)) {
+    const organs::OrganPiece& piece = organ.piece(changed.bodies[i]);
+    const auto edit = rebuilt ? std::nullopt : organs::edit_since(organ, changed, piece);
+    if (!edit || !organs::is_worth_following(*edit) || !body.solver->follower().can_follow(edit->mesh)) {
+      body.rebuild(desc, organs::anatomy_of(organ, piece, body.numbering));
+    } else if (const auto surface = organs::surface_edit_since(
+                   organ, changed, piece, body.solver->anatomy().surface, body.numbering)) {
       apply(*surface, body.numbering);
       body.solver->follower().follow(edit->mesh, *surface);
       body.surface->follow(*surface);
     } else {
-      PieceSurface skin = surface_of(organ, piece);
+      organs::PieceSurface skin = organs::surface_of(organ, piece);
       body.numbering = std::move(skin.numbering);
       body.solver->follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
       body.find_surface();
@@ -272,10 +272,10 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool rebuilt, std::vector<Ma
 }
 
 /// The search for missing parts of the cut after a stroke has left the tissue.
-void end_stroke(const TetComplex& complex, const BladeStroke& stroke) {
-  const Marks marks(stroke.marks, complex.node_end());
-  missing_nodes(complex, marks, most_missing(complex, marks));
-  faces_between_parts(complex, marks, least_piece_share * complex.tables().mean_volume);
+void end_stroke(const cutting::TetComplex& complex, const cutting::BladeStroke& stroke) {
+  const cutting::Marks marks(stroke.marks, complex.node_end());
+  cutting::missing_nodes(complex, marks, cutting::most_missing(complex, marks));
+  cutting::faces_between_parts(complex, marks, cutting::least_piece_share * complex.tables().mean_volume);
 }
 
 double ms_between(std::chrono::steady_clock::time_point begin, std::chrono::steady_clock::time_point end) {
@@ -283,10 +283,10 @@ double ms_between(std::chrono::steady_clock::time_point begin, std::chrono::stea
 }
 
 /// Measures that search with half of the cut missing. Median wall time, ms.
-double ms_end_of_half_a_stroke(const SoftBody& body, const std::vector<Vec3>& from,
+double ms_end_of_half_a_stroke(const soft::SoftBody& body, const std::vector<Vec3>& from,
                                const std::vector<Vec3>& to) {
-  Organ organ(0, body.anatomy(), body.desc().material.density);
-  BladeStroke blade = begin_stroke(from);
+  organs::Organ organ(0, body.anatomy(), body.desc().material.density);
+  cutting::BladeStroke blade = cutting::begin_stroke(from);
   organ.cut(body.anatomy().tets.positions, to, blade, 1, 1);
   std::vector<double> ending;
   for (int run = 0; run < runs_through; ++run) {
@@ -303,7 +303,7 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   CompileOptions options;
   options.threads = threads;
   const Simulation simulation(scene, options);
-  const SoftBody& body = simulation.soft(liver);
+  const soft::SoftBody& body = simulation.soft(liver);
   Vec3 lowest = Vec3::Zero(), highest = lowest;
   for (const Vec3& at : body.anatomy().tets.positions) {
     lowest = lowest.cwiseMin(at);
@@ -320,16 +320,16 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   for (int run = 0; run < 2 * runs_through; ++run) {
     const bool rebuilt = run % 2 == 1;
     const auto first = std::chrono::steady_clock::now();
-    Organ organ(0, body.anatomy(), body.desc().material.density);
+    organs::Organ organ(0, body.anatomy(), body.desc().material.density);
     const auto prepared = std::chrono::steady_clock::now();
     std::vector<Made> bodies(1);
     bodies[0].rebuild(body.desc(), body.anatomy());
-    BladeStroke blade;
+    cutting::BladeStroke blade;
     const auto cut_to = [&](double end, double at, std::uint64_t stroke) {
       std::vector<Vec3> x;
-      for (NodeId node = 0; node < organ.complex().node_end(); ++node)
+      for (cutting::NodeId node = 0; node < organ.complex().node_end(); ++node)
         x.push_back(organ.complex().rest(node));
-      blade = begin_stroke(edge(-reach, at));
+      blade = cutting::begin_stroke(edge(-reach, at));
       const auto begin = std::chrono::steady_clock::now();
       split = organ.cut(x, edge(end, at), blade, 1, stroke).split_tets;
       return begin;

@@ -55,9 +55,9 @@ Anatomy block(unsigned cells) {
   return kuhn_anatomy({2 * cells, cells, 3 * cells / 2}, size);
 }
 
-std::vector<Contact> ball_contacts(const SoftBody& body, const VecX& x, int step) {
+std::vector<contact::Contact> ball_contacts(const soft::SoftBody& body, const VecX& x, int step) {
   const Vec3 center(size[0] / 2, size[1] - pressed(step) + radius, size[2] / 2);
-  std::vector<Contact> contacts;
+  std::vector<contact::Contact> contacts;
   for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
     const Vec3 away = x.segment<3>(3 * i) - center;
     const double gap = away.norm() - radius;
@@ -83,7 +83,7 @@ Path run(const SolverEffort& solver, unsigned cells) {
   Path path;
   path.settings = settings(run.body(), h);
   for (int step = 1; step <= all_steps; ++step) {
-    std::vector<Contact> contacts = ball_contacts(run.body(), run.state().motion.x, step);
+    std::vector<contact::Contact> contacts = ball_contacts(run.body(), run.state().motion.x, step);
     path.most_contacts = std::max(path.most_contacts, contacts.size());
     path.cost.add(run.step(h, gravity, std::move(contacts)));
     path.x.push_back(run.state().motion.x);
@@ -113,7 +113,8 @@ Report bench_press(const PressBenchOptions& options) {
   const TextTable table = path_table({}, {number, "deepest_m", "deepest"});
   table.print_header();
   Report report("press");
-  const VecX rest = SoftBody(organ(reference, options.cells), block(options.cells)).initial_state().motion.x;
+  const VecX rest =
+      soft::SoftBody(organ(reference, options.cells), block(options.cells)).initial_state().motion.x;
   const Path converged = run(reference, options.cells);
   for (const SolverEffort& solver : solver_rows) {
     if (!options.solver.empty() && options.solver != solver.name) continue;

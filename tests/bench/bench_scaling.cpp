@@ -71,7 +71,7 @@ ReportRow measure(const Rung& rung, const TestPiece& piece, unsigned threads) {
 /// for the default model or the requested one, because other models differ only in assembly.
 std::vector<Rung> rungs(const ScalingBenchOptions& options) {
   std::vector<Rung> out;
-  for (const ModelRow& model : models()) {
+  for (const soft::ModelRow& model : soft::models()) {
     if (!options.model.empty() && options.model != model.name) continue;
     for (const std::string& element : element_names()) {
       const bool is_law = !model.position_based && !model.fabric;

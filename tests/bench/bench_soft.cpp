@@ -68,8 +68,8 @@ double copy_bandwidth(int repeats) {
 }
 
 /// Returns the number of 3×3 blocks in the assembled matrix, both triangles.
-std::size_t matrix_blocks(const SoftBody& body) {
-  return BlockPattern(make_elastic_model(body.desc(), body.anatomy())->connectivity()).blocks();
+std::size_t matrix_blocks(const soft::SoftBody& body) {
+  return soft::BlockPattern(soft::make_elastic_model(body.desc(), body.anatomy())->connectivity()).blocks();
 }
 
 ReportRow measure(const std::string& model, const std::string& element, const SoftBenchOptions& options) {
@@ -77,11 +77,11 @@ ReportRow measure(const std::string& model, const std::string& element, const So
   desc.name = "box";
   desc.configuration.model = model;
   desc.configuration.element = element;
-  SoftBody body(desc, box(options.tets));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, box(options.tets));
+  soft::SoftBodyState state = body.initial_state();
   state.motion.x = pressed(state.motion.x);
   const Eigen::Index n = state.motion.x.size();
-  IncrementalPotential& potential = body.potential();
+  soft::IncrementalPotential& potential = body.potential();
   body.stepper().begin_stage(0, h, gravity, state);
   // Alternate positions, so that nothing is cached from the last call.
   VecX places[2] = {state.motion.x, state.motion.x * 1.001}, out(n);
@@ -138,7 +138,7 @@ Report bench_soft(const SoftBenchOptions& options) {
   table.print_header();
   Report report("soft");
   for (const char* element : {"tet4", "tet10"})
-    for (const LawRow& law : laws()) {
+    for (const soft::LawRow& law : soft::laws()) {
       report.add(measure(law.name, element, options));
       table.print(report.rows().back());
     }

@@ -121,7 +121,7 @@ class BulletSpecimen final : public Specimen {
 
   void make_body() {
     const std::size_t n = piece_.mesh.positions.size();
-    mass_ = piece_.density * Tet4Elements::lumped_volume(piece_.mesh);
+    mass_ = piece_.density * soft::Tet4Elements::lumped_volume(piece_.mesh);
     rest_.resize(static_cast<Eigen::Index>(3 * n));
     std::vector<btVector3> x;
     std::vector<btScalar> m;
@@ -164,7 +164,7 @@ class BulletSpecimen final : public Specimen {
     body_->m_tetraScratchesTn.resize(body_->m_tetras.size());
     body_->setSelfCollision(false);
     deformable_->addSoftBody(body_.get());
-    const Lame c = lame(piece_.youngs_modulus, piece_.poisson_ratio);
+    const soft::Lame c = soft::lame(piece_.youngs_modulus, piece_.poisson_ratio);
     const auto mu = static_cast<btScalar>(c.mu), lambda = static_cast<btScalar>(c.lambda),
                damping = static_cast<btScalar>(piece_.damping_stiffness);
     if (model == linear) {

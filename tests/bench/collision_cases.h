@@ -22,10 +22,10 @@ class RigidPairs {
     std::size_t other;
     Pose a, b;
     Quat start_a, start_b;  // initial rotations in the scene
-    std::optional<Proximity> truth;
+    std::optional<collision::Proximity> truth;
   };
   std::string name_;
-  std::vector<ShapePart> parts_;
+  std::vector<collision::ShapePart> parts_;
   double size_ = 0;  // m, diameter of the enclosing sphere
   std::vector<Placed> pairs_;
 };

@@ -42,25 +42,25 @@ struct Solid {
   explicit Solid(const Anatomy& anatomy)
       : vertices(anatomy.embedding, anatomy.surface),
         faces(anatomy.surface),
-        cell(mean_edge(anatomy.surface)) {
+        cell(contact::mean_edge(anatomy.surface)) {
     move(flat(anatomy.tets.positions));
   }
   void move(const VecX& x) {
     vertices.update(x.data());
     faces.move(vertices.positions());
   }
-  SoftSkin skin() const { return {&vertices, &faces, 0, cell}; }
+  contact::SoftSkin skin() const { return {&vertices, &faces, 0, cell}; }
 
-  SurfaceDetector vertices;
-  TriangleSurface faces;
+  contact::SurfaceDetector vertices;
+  collision::TriangleSurface faces;
   double cell;  // m
 };
 
 /// Finds the contacts that add_vertex_contacts() would find.
-void meet(const Solid& a, const Solid& b, std::vector<VertexMeeting>& out) {
+void meet(const Solid& a, const Solid& b, std::vector<contact::VertexMeeting>& out) {
   out.clear();
-  find_meetings(a.skin(), b.skin(), contact_margin, out);
-  find_meetings(b.skin(), a.skin(), contact_margin, out);
+  contact::find_meetings(a.skin(), b.skin(), contact::contact_margin, out);
+  contact::find_meetings(b.skin(), a.skin(), contact::contact_margin, out);
 }
 
 }  // namespace
@@ -76,12 +76,12 @@ ReportRow measure_surface(int levels, int ticks) {
   const double build = cpu_ms() - start;
   const std::size_t bytes = allocated_bytes() - before;
   const Solid other(other_anatomy);
-  SelfCollision itself(anatomy, solid.cell);
+  contact::SelfCollision itself(anatomy, solid.cell);
 
-  std::vector<VertexMeeting> found;
+  std::vector<contact::VertexMeeting> found;
   std::vector<double> refit, apart, crossing, self;
   const double list_start = cpu_ms();
-  itself.find(solid.skin(), contact_margin, found);
+  itself.find(solid.skin(), contact::contact_margin, found);
   const double list = cpu_ms() - list_start;
   for (int tick = 0; tick < ticks; ++tick) {
     std::vector<Vec3> positions = rest;
@@ -90,7 +90,7 @@ ReportRow measure_surface(int levels, int ticks) {
     solid.move(flat(positions));
     const double t0 = cpu_ms();
     found.clear();
-    itself.find(solid.skin(), contact_margin, found);
+    itself.find(solid.skin(), contact::contact_margin, found);
     const double t1 = cpu_ms();
     // Beside the other surface: separated by 0.1 % of the size, then overlapping by 10 %.
     const double reach = other.faces.box().hi.x() - solid.faces.box().lo.x();
@@ -132,13 +132,13 @@ ReportRow measure_surface(int levels, int ticks) {
 ReportRow measure_layers(int cells, int ticks) {
   const Vec3 size(0.2, 0.002, 0.2);
   const Anatomy anatomy = make_sheet(size, size.x() / cells);
-  ElementSurface lower(anatomy), upper(anatomy);
+  contact::ElementSurface lower(anatomy), upper(anatomy);
   lower.move(flat(anatomy.tets.positions));
-  LayerSearch search;
+  contact::LayerSearch search;
   search.thickness = size.y();
-  search.margin = contact_margin;
-  std::vector<LayerSide> sides;
-  std::vector<LayerMeeting> meetings;
+  search.margin = contact::contact_margin;
+  std::vector<contact::LayerSide> sides;
+  std::vector<contact::LayerMeeting> meetings;
   std::vector<double> refit, find;
   for (int tick = 0; tick < ticks; ++tick) {
     std::vector<Vec3> positions = anatomy.tets.positions;
@@ -149,7 +149,7 @@ ReportRow measure_layers(int cells, int ticks) {
     upper.move(now);
     const double placed = cpu_ms();
     meetings.clear();
-    find_layers(upper, lower, search, sides, meetings);
+    contact::find_layers(upper, lower, search, sides, meetings);
     find.push_back(cpu_ms() - placed);
     refit.push_back(placed - start);
   }

@@ -18,25 +18,26 @@ using namespace test;
 
 constexpr double tick = 1.0 / 60;  // s
 
-double diameter(const std::vector<ShapePart>& parts) {
+double diameter(const std::vector<collision::ShapePart>& parts) {
   const CollisionObject object = rigid(parts, Fidelity::sphere);
-  return 2 * std::get<SphereShape>(object.pieces().front()).radius;
+  return 2 * std::get<collision::SphereShape>(object.pieces().front()).radius;
 }
 
 /// Returns the parts that compile() makes for a body with the initial rotation `start`.
-std::vector<ShapePart> compiled(std::vector<ShapePart> parts, Fidelity fidelity, const Quat& start) {
-  for (ShapePart& part : parts)
-    if (part.kind == ShapeKind::triangles && fidelity != Fidelity::mesh) {
-      part.kind = ShapeKind::hull;
-      part.mesh = std::make_shared<TriangleMesh>(convex_hull(part.mesh->positions));
+std::vector<collision::ShapePart> compiled(std::vector<collision::ShapePart> parts, Fidelity fidelity,
+                                           const Quat& start) {
+  for (collision::ShapePart& part : parts)
+    if (part.kind == collision::ShapeKind::triangles && fidelity != Fidelity::mesh) {
+      part.kind = collision::ShapeKind::hull;
+      part.mesh = std::make_shared<TriangleMesh>(collision::convex_hull(part.mesh->positions));
     }
-  return at_fidelity(std::move(parts), fidelity, {Vec3::Zero(), start});
+  return rigid::at_fidelity(std::move(parts), fidelity, {Vec3::Zero(), start});
 }
 
 /// Returns the parts scaled by `scale`.
-std::vector<ShapePart> scaled(std::vector<ShapePart> parts, double scale) {
+std::vector<collision::ShapePart> scaled(std::vector<collision::ShapePart> parts, double scale) {
   if (scale == 1) return parts;
-  for (ShapePart& part : parts) {
+  for (collision::ShapePart& part : parts) {
     part.half *= scale;
     part.pose.p *= scale;
     if (!part.mesh) continue;
@@ -47,34 +48,34 @@ std::vector<ShapePart> scaled(std::vector<ShapePart> parts, double scale) {
   return parts;
 }
 
-RigidSetup setup_of(std::vector<ShapePart> parts) {
-  RigidSetup out;
+rigid::RigidSetup setup_of(std::vector<collision::ShapePart> parts) {
+  rigid::RigidSetup out;
   out.parts = std::move(parts);
   out.mass = 1;
   out.inertia = Vec3::Constant(1e-3);
   return out;
 }
 
-RigidMotion resting(const Pose& pose) {
-  RigidMotion out;
+rigid::RigidMotion resting(const Pose& pose) {
+  rigid::RigidMotion out;
   out.pose = pose;
   return out;
 }
 
 /// Returns all contacts of the last detect().
-std::vector<RigidContact> contacts_of(RigidWorld& world) {
+std::vector<rigid::RigidContact> contacts_of(rigid::RigidWorld& world) {
   std::vector<std::size_t> all;  // all bodies, so that all islands are returned
   for (std::size_t slot = 0; slot < world.slots(); ++slot) all.push_back(slot);
   world.find_islands({}, all);
-  std::vector<RigidContact> out;
-  for (const MixedIsland& island : world.solve(tick))
+  std::vector<rigid::RigidContact> out;
+  for (const rigid::MixedIsland& island : world.solve(tick))
     out.insert(out.end(), island.contacts.begin(), island.contacts.end());
   return out;
 }
 
-std::size_t bytes_of(const RigidSetup& setup) {
+std::size_t bytes_of(const rigid::RigidSetup& setup) {
   constexpr std::size_t copies = 32;  // several, because malloc reuses freed memory
-  RigidWorld world(Vec3::Zero());
+  rigid::RigidWorld world(Vec3::Zero());
   const std::size_t before = allocated_bytes();
   for (std::size_t i = 0; i < copies; ++i) world.add(setup, {});
   return (allocated_bytes() - before) / copies;
@@ -102,10 +103,10 @@ RigidPairs::RigidPairs(const NamedParts& shape, int pairs)
 }
 
 ReportRow RigidPairs::measure(Fidelity fidelity, double scale) const {
-  RigidWorld world(Vec3::Zero());
+  rigid::RigidWorld world(Vec3::Zero());
   PairErrors errors(size_);
   double us = 0;
-  const auto add = [&](const std::vector<ShapePart>& parts, const Quat& start, const Pose& pose) {
+  const auto add = [&](const std::vector<collision::ShapePart>& parts, const Quat& start, const Pose& pose) {
     return world.add(setup_of(scaled(compiled(parts, fidelity, start), scale)),
                      resting({scale * pose.p, pose.q}));
   };
@@ -116,7 +117,7 @@ ReportRow RigidPairs::measure(Fidelity fidelity, double scale) const {
     world.detect(tick);
     us += 1e3 * (cpu_ms() - start);
     std::optional<PairContact> deepest;
-    for (const RigidContact& c : contacts_of(world))
+    for (const rigid::RigidContact& c : contacts_of(world))
       keep_deepest(deepest, {c.gap / scale, c.a == a ? c.normal : Vec3(-c.normal)});
     errors.add(deepest, pair.truth);
     world.remove(b);
@@ -135,10 +136,10 @@ ReportRow RigidPairs::measure(Fidelity fidelity, double scale) const {
 
 ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks) {
   Random random(2);
-  std::vector<RigidSetup> setups;
+  std::vector<rigid::RigidSetup> setups;
   for (const NamedParts& shape : shape_table())
     setups.push_back(setup_of(compiled(shape.parts, fidelity, Quat::Identity())));
-  RigidWorld world(Vec3::Zero());
+  rigid::RigidWorld world(Vec3::Zero());
   const std::size_t before = allocated_bytes();
   const double side = 0.13 * std::cbrt(bodies);  // m: dense enough that most bodies touch a neighbour
   std::vector<Pose> poses;

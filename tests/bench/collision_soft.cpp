@@ -58,38 +58,39 @@ CollisionObject reference_of(const Tissue& tissue) {
 /// A rigid body at fidelity `mesh`, as soft bodies collide with it.
 class Probe {
  public:
-  explicit Probe(const std::vector<ShapePart>& parts)
+  explicit Probe(const std::vector<collision::ShapePart>& parts)
       : parts_(parts),
-        outline_(parts, parts.front().kind == ShapeKind::triangles ? Fidelity::mesh : Fidelity::hull),
+        outline_(parts,
+                 parts.front().kind == collision::ShapeKind::triangles ? Fidelity::mesh : Fidelity::hull),
         world_(Vec3::Zero()) {
-    for (const ShapePart& part : parts_) distances_.push_back(make_signed_distance(part));
-    RigidSetup setup;
+    for (const collision::ShapePart& part : parts_) distances_.push_back(contact::make_signed_distance(part));
+    rigid::RigidSetup setup;
     setup.parts = parts_;
     setup.mass = 1;
     setup.inertia = Vec3::Constant(1e-3);
     slot_ = world_.add(setup, {});
   }
 
-  Collider at(const Pose& pose) {
-    RigidMotion motion;
+  contact::Collider at(const Pose& pose) {
+    rigid::RigidMotion motion;
     motion.pose = pose;
     world_.set_motion(slot_, motion);
-    Collider out;
+    contact::Collider out;
     out.slot = slot_;
     out.pose = pose;
     out.parts = &parts_;
     out.distances = &distances_;
-    for (const ShapePart& part : parts_) out.part_poses.push_back(part.pose);
+    for (const collision::ShapePart& part : parts_) out.part_poses.push_back(part.pose);
     std::tie(out.lo, out.hi) = world_.bounds(slot_, 0);
     out.outline = &outline_;
     return out;
   }
 
  private:
-  std::vector<ShapePart> parts_;
-  std::vector<std::unique_ptr<SignedDistance>> distances_;
-  RigidOutline outline_;
-  RigidWorld world_;
+  std::vector<collision::ShapePart> parts_;
+  std::vector<std::unique_ptr<contact::SignedDistance>> distances_;
+  collision::RigidOutline outline_;
+  rigid::RigidWorld world_;
   std::size_t slot_ = 0;
 };
 
@@ -120,16 +121,16 @@ ReportRow measure_organ_and_rigid(Fidelity fidelity, const NamedParts& shape, in
   Random random(3);
   PairErrors errors(size);
   double us = 0;
-  std::vector<Contact> found;
+  std::vector<contact::Contact> found;
   for (int i = 0; i < pairs; ++i) {
     const Pose pose = pose_around(random, own.box().center(), size, other_size);
-    const Collider collider = probe.at(pose);
+    const contact::Collider collider = probe.at(pose);
     found.clear();
     const double start = cpu_ms();
-    add_contacts(tissue, collider, contact_margin, tissue.memories, tick, found);
+    add_contacts(tissue, collider, contact::contact_margin, tissue.memories, tick, found);
     us += 1e3 * (cpu_ms() - start);
     std::optional<PairContact> deepest;
-    for (const Contact& c : found) keep_deepest(deepest, {c.gap, c.normal});
+    for (const contact::Contact& c : found) keep_deepest(deepest, {c.gap, c.normal});
     other.place(pose);
     errors.add(deepest, proximity(own, other, 0));
   }
@@ -151,7 +152,7 @@ ReportRow measure_two_organs(Fidelity fidelity, int pairs) {
   Random random(4);
   PairErrors errors(size);
   double us = 0;
-  std::vector<Contact> found;
+  std::vector<contact::Contact> found;
   for (int i = 0; i < pairs; ++i) {
     const Pose around = pose_around(random, middle, size, size);
     const Pose pose = around * Pose{-middle, Quat::Identity()};
@@ -162,10 +163,10 @@ ReportRow measure_two_organs(Fidelity fidelity, int pairs) {
     b.place_surface();
     found.clear();
     const double start = cpu_ms();
-    finder.add_pair_contacts(organs.state, 0, 1, contact_margin, tick, found);
+    finder.add_pair_contacts(organs.state, 0, 1, contact::contact_margin, tick, found);
     us += 1e3 * (cpu_ms() - start);
     std::optional<PairContact> deepest;
-    for (const Contact& c : found)
+    for (const contact::Contact& c : found)
       keep_deepest(deepest, {c.gap, c.a.body == a.index ? c.normal : Vec3(-c.normal)});
     std::vector<Vec3> moved_surface = surface;
     for (Vec3& x : moved_surface) x = pose * x;

@@ -45,8 +45,8 @@ SceneDesc organ_scene(double cell) {
 
 /// Divides each tetrahedron into eight, with the same surface.
 Anatomy in_eight(Anatomy anatomy) {
-  const EdgeNodes edges = add_edge_nodes(anatomy);
-  anatomy.tets = divided(anatomy.tets, edges);
+  const soft::EdgeNodes edges = soft::add_edge_nodes(anatomy);
+  anatomy.tets = soft::divided(anatomy.tets, edges);
   return anatomy;
 }
 

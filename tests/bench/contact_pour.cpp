@@ -60,7 +60,7 @@ double deepest(const Simulation& s, int boxes) {
   TriangleMesh now = anatomy.surface;
   for (std::size_t v = 0; v < now.positions.size(); ++v)
     now.positions[v] = anatomy.embedding.apply(v, s.soft_state(tissue).motion.x.data());
-  const TriangleSurface surface(now);
+  const collision::TriangleSurface surface(now);
   double worst = 0;
   for (int i = 0; i < boxes; ++i) {
     const Pose pose = s.rigid_state(static_cast<BodyId>(1 + i)).pose;

@@ -59,8 +59,8 @@ void rest(ContactRows& rows, const SceneDesc& scene, const std::string& setting,
     run.step(awake());
     const Simulation& s = run.simulation();
     rigid += s.rigid_state(1).linear_velocity.squaredNorm() / ticks;
-    soft +=
-        2 * kinetic_energy(s.soft(2).node_mass(), s.soft_state(2).motion.v) / s.soft(2).total_mass() / ticks;
+    soft += 2 * soft::kinetic_energy(s.soft(2).node_mass(), s.soft_state(2).motion.v) /
+            s.soft(2).total_mass() / ticks;
   }
   // Contacts yield like a surface cell of the tissue with contact_stiffness times its stiffness, three times
   // as much at the edges.

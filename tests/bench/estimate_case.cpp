@@ -67,7 +67,7 @@ std::vector<EstimateCase> liver(double ratio) {
 Anatomy divided_mesh(const Anatomy& anatomy) {
   Anatomy fine;
   fine.tets = anatomy.tets;
-  fine.tets = divided(fine.tets, add_edge_nodes(fine));
+  fine.tets = soft::divided(fine.tets, soft::add_edge_nodes(fine));
   for (auto& tet : fine.tets.tets) {
     const auto from_first = [&](std::size_t k) -> Vec3 {
       return fine.tets.positions[tet[k]] - fine.tets.positions[tet[0]];

@@ -23,7 +23,8 @@ void keep_deepest(std::optional<PairContact>& kept, const PairContact& found) {
   if (!kept || found.gap < kept->gap) kept = found;
 }
 
-void PairErrors::add(const std::optional<PairContact>& found, const std::optional<Proximity>& truth) {
+void PairErrors::add(const std::optional<PairContact>& found,
+                     const std::optional<collision::Proximity>& truth) {
   const bool told = found && found->gap <= 0, hit = truth && truth->gap <= 0;
   ++pairs_;
   hits_ += hit ? 1 : 0;

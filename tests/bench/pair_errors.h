@@ -26,7 +26,7 @@ class PairErrors {
 
   /// Adds a pair. `found`: the tested method's contact. `truth`: the reference at fidelity `mesh`. Empty: the
   /// pair is separated.
-  void add(const std::optional<PairContact>& found, const std::optional<Proximity>& truth);
+  void add(const std::optional<PairContact>& found, const std::optional<collision::Proximity>& truth);
 
   /// Writes to the row: `pairs`, `hits` (of the reference), `false_hits` (fraction of the pairs that the
   /// reference finds separated), `missed_hits` (fraction of its hits), `depth_error` and `normal_error_deg`

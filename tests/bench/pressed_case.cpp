@@ -15,7 +15,7 @@ constexpr double pressing_s = 0.5, held_s = 1;
 constexpr std::size_t last_ticks = 10;  // ticks over which the force is averaged
 
 bool takes_substeps(const Rung& rung) {
-  const auto& rows = explicit_integrators();
+  const auto& rows = soft::explicit_integrators();
   return rung.is_position_based() ||
          std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == rung.integrator; });
 }

@@ -14,7 +14,7 @@ inline std::vector<std::string> element_names() {
 
 inline std::vector<std::string> solver_names() {
   std::vector<std::string> names;
-  for (const auto& row : solvers()) names.emplace_back(row.name);
+  for (const auto& row : soft::solvers()) names.emplace_back(row.name);
   return names;
 }
 

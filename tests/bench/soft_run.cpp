@@ -60,13 +60,13 @@ void SolverEffort::apply_to(SoftDesc& desc) const {
 SoftRun::SoftRun(const SoftDesc& desc, const Anatomy& anatomy)
     : body_(desc, anatomy), state_(body_.initial_state()) {}
 
-StepCost SoftRun::step(double h, const Vec3& gravity, std::vector<Contact> contacts) {
-  Island island;
+StepCost SoftRun::step(double h, const Vec3& gravity, std::vector<contact::Contact> contacts) {
+  coupled::Island island;
   island.soft.push_back({0, &body_, &state_});
   island.contacts = std::move(contacts);
-  weigh(island, gravity);
+  coupled::weigh(island, gravity);
   const double start = wall_ms(), cpu_start = cpu_ms();
-  const IslandReport report = solver_.solve(island, h);
+  const coupled::IslandReport report = solver_.solve(island, h);
   StepCost cost;
   cost.cpu_ms = cpu_ms() - cpu_start;
   cost.wall_ms = wall_ms() - start;
@@ -83,7 +83,7 @@ void SoftRun::settle(double h, const Vec3& gravity, int steps) {
   for (int i = 0; i < steps; ++i) {
     before = state_.motion.x;
     step(h, gravity);
-    const double now = kinetic_energy(body_.node_mass(), state_.motion.v);
+    const double now = soft::kinetic_energy(body_.node_mass(), state_.motion.v);
     if (now < energy) {
       state_.motion.v.setZero();
       state_.warm_start.setZero();
@@ -94,7 +94,7 @@ void SoftRun::settle(double h, const Vec3& gravity, int steps) {
   }
 }
 
-ReportRow settings(const SoftBody& body, double dt) {
+ReportRow settings(const soft::SoftBody& body, double dt) {
   const SoftDesc& desc = body.desc();
   return {{"model", desc.configuration.model},
           {"element", desc.configuration.element},
@@ -127,9 +127,10 @@ TextTable path_table(const std::vector<Column>& more, const Column& last) {
   return TextTable(columns);
 }
 
-Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness) {
-  Contact c;
-  c.a.kind = ContactSide::Kind::soft;
+contact::Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap,
+                              double stiffness) {
+  contact::Contact c;
+  c.a.kind = contact::ContactSide::Kind::soft;
   c.a.nodes = 1;
   c.a.node[0] = static_cast<std::uint32_t>(i);
   c.a.weight[0] = 1;

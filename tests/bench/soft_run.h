@@ -43,31 +43,32 @@ class SoftRun {
   SoftRun(const SoftDesc& desc, const Anatomy& anatomy);
 
   /// Takes one step with these contacts. Side a of each contact names body 0.
-  StepCost step(double h, const Vec3& gravity, std::vector<Contact> contacts = {});
+  StepCost step(double h, const Vec3& gravity, std::vector<contact::Contact> contacts = {});
   /// Finds the equilibrium: takes at most `steps` steps of h until no node moves more than 1e-8 m in a step.
   /// Velocities are zeroed whenever the kinetic energy has passed a maximum.
   void settle(double h, const Vec3& gravity, int steps);
 
-  const SoftBody& body() const { return body_; }
-  SoftBodyState& state() { return state_; }
+  const soft::SoftBody& body() const { return body_; }
+  soft::SoftBodyState& state() { return state_; }
   bool finite() const { return finite_; }
 
  private:
-  SoftBody body_;
-  SoftBodyState state_;
-  IslandSolver solver_;
+  soft::SoftBody body_;
+  soft::SoftBodyState state_;
+  coupled::IslandSolver solver_;
   bool finite_ = true;
 };
 
 /// Returns report columns with the body's configuration, effort, size and number of threads.
-ReportRow settings(const SoftBody& body, double dt);
+ReportRow settings(const soft::SoftBody& body, double dt);
 
 /// Returns a text table for runs along a path: solver and effort, the settings `more`, cost of a step, path
 /// error, and the column `last`.
 TextTable path_table(const std::vector<Column>& more, const Column& last);
 
 /// Returns a contact of node i with a fixed object at distance `gap`, m. `stiffness`: N/m.
-Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness);
+contact::Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap,
+                              double stiffness);
 
 /// Returns an attachment of all nodes at x = x0, the first face of a box.
 AttachDesc clamp_at(double x0, const Vec3& center);

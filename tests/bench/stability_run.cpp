@@ -108,8 +108,8 @@ class StabilityRun {
 
   static bool is_substepped(const Rung& rung) {
     return rung.is_position_based() ||
-           std::none_of(integrators().begin(), integrators().end(),
-                        [&](const IntegratorRow& row) { return row.name == rung.integrator; });
+           std::none_of(soft::integrators().begin(), soft::integrators().end(),
+                        [&](const soft::IntegratorRow& row) { return row.name == rung.integrator; });
   }
 
   /// Returns the largest node speed relative to the body's rigid motion, m/s.

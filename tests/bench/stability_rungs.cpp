@@ -21,10 +21,10 @@ void add_solvers(const std::string& model, std::vector<StabilityRung>& rungs) {
 }
 
 void add_quadratic(const std::string& model, std::vector<StabilityRung>& rungs) {
-  const bool law =
-      std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return row.name == model; });
+  const bool law = std::any_of(soft::laws().begin(), soft::laws().end(),
+                               [&](const soft::LawRow& row) { return row.name == model; });
   if (!law) return;
-  for (const IntegratorRow& integrator : integrators())
+  for (const soft::IntegratorRow& integrator : soft::integrators())
     rungs.push_back(
         {{model, integrator.name, SoftDesc{}.configuration.solver, "tet10"}, PieceMesh::few_tets});
 }
@@ -38,10 +38,10 @@ void add_budgeted(const std::string& model, std::vector<StabilityRung>& rungs) {
   rungs.push_back({rung});
 }
 
-void add_fabrics(const ModelRow& model, std::vector<StabilityRung>& rungs) {
+void add_fabrics(const soft::ModelRow& model, std::vector<StabilityRung>& rungs) {
   if (!model.fabric) return;
   for (const PieceMesh mesh : {PieceMesh::sheet, PieceMesh::rope})
-    for (const std::string& integrator : integrators_for(model))
+    for (const std::string& integrator : soft::integrators_for(model))
       rungs.push_back({{model.name, integrator, SoftDesc{}.configuration.solver}, mesh});
 }
 
@@ -49,9 +49,9 @@ void add_fabrics(const ModelRow& model, std::vector<StabilityRung>& rungs) {
 
 std::vector<StabilityRung> stability_rungs(const std::string& only_model) {
   std::vector<StabilityRung> rungs;
-  for (const ModelRow& model : models()) {
+  for (const soft::ModelRow& model : soft::models()) {
     if (!only_model.empty() && model.name != only_model) continue;
-    for (const std::string& integrator : integrators_for(model))
+    for (const std::string& integrator : soft::integrators_for(model))
       rungs.push_back({{model.name, integrator, SoftDesc{}.configuration.solver}});
     add_solvers(model.name, rungs);
     add_quadratic(model.name, rungs);

@@ -8,8 +8,8 @@
 namespace prosector {
 namespace {
 
-Proximity deep(double gap) {
-  Proximity out;
+collision::Proximity deep(double gap) {
+  collision::Proximity out;
   out.gap = gap;
   return out;
 }

@@ -47,7 +47,7 @@ Rung with(const Rung& rung, const Effort& effort) {
 }
 
 /// Returns whether the model is a constitutive law. Only laws support quadratic elements.
-bool is_law(const ModelRow& model) {
+bool is_law(const soft::ModelRow& model) {
   return model.name.rfind("fem_", 0) == 0;
 }
 
@@ -58,7 +58,8 @@ std::vector<std::string> solvers_for(const TradeCase& which) {
 }
 
 /// Returns the configurations of a model and element, with every solver at every effort.
-std::vector<Rung> efforts_of(const TradeCase& which, const ModelRow& model, const std::string& element) {
+std::vector<Rung> efforts_of(const TradeCase& which, const soft::ModelRow& model,
+                             const std::string& element) {
   const std::string integrator = SoftDesc{}.configuration.integrator;
   std::vector<Rung> out;
   if (model.position_based) {
@@ -79,13 +80,14 @@ std::vector<Rung> efforts_of(const TradeCase& which, const ModelRow& model, cons
 
 /// Returns all integrators on linear elements, and the implicit ones on quadratic elements, where explicit
 /// methods need very short steps.
-std::vector<Rung> ways_through_time(const ModelRow& model) {
+std::vector<Rung> ways_through_time(const soft::ModelRow& model) {
   const std::string solver = SoftDesc{}.configuration.solver;
   std::vector<Rung> out;
-  for (const std::string& integrator : integrators_for(model))
+  for (const std::string& integrator : soft::integrators_for(model))
     out.push_back({model.name, integrator, solver});
   if (!is_law(model)) return out;
-  for (const IntegratorRow& row : integrators()) out.push_back({model.name, row.name, solver, "tet10"});
+  for (const soft::IntegratorRow& row : soft::integrators())
+    out.push_back({model.name, row.name, solver, "tet10"});
   return out;
 }
 
@@ -94,7 +96,7 @@ std::vector<Rung> ways_through_time(const ModelRow& model) {
 std::vector<Trial> trials(const TradeCase& which, bool quick) {
   std::vector<Trial> all;
   const std::string first_integrator = SoftDesc{}.configuration.integrator;
-  for (const ModelRow& model : models()) {
+  for (const soft::ModelRow& model : soft::models()) {
     if (!model.tets) continue;
     for (const std::string& element : element_names()) {
       if (!is_law(model) && element != SoftDesc{}.configuration.element) continue;

@@ -33,7 +33,7 @@ TEST(Hull, IsThatOfAllItsPoints) {
       const Vec3 a = pick(), b = pick();
       cloud.push_back((a + b) / 2 * (1 + between(random, -1e-5, 1e-5)));
     }
-    const PointHull hull(cloud);
+    const collision::PointHull hull(cloud);
     for (int k = 0; k < 500; ++k) {
       const Vec3 d = random_unit(random);
       ASSERT_EQ(d.dot(hull.farthest(d)), d.dot(highest(cloud, d)));
@@ -45,11 +45,12 @@ TEST(Hull, OfFewPointsWorks) {
   for (const std::vector<Vec3>& points : {std::vector<Vec3>{Vec3(1, 2, 3)},
                                           {Vec3(0, 0, 0), Vec3(1, 0, 0)},
                                           {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}}) {
-    const PointHull hull(points);
+    const collision::PointHull hull(points);
     EXPECT_FALSE(hull.faces()->topology().triangles().empty());
     for (const Vec3& x : points)
       EXPECT_EQ((hull.farthest(x - hull.center() + Vec3(1e-9, 0, 0)) - x).norm() < 2, true);
-    const auto found = convex_proximity(hull, {}, ConvexBall(Vec3(0, 0, 10), 1), {}, far_away);
+    const auto found =
+        collision::convex_proximity(hull, {}, collision::ConvexBall(Vec3(0, 0, 10), 1), {}, far_away);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->normal.norm(), 1, 1e-12);
   }
@@ -58,9 +59,9 @@ TEST(Hull, OfFewPointsWorks) {
 TEST(Convex, BallsAsClosedForm) {
   Random random(2);
   for (int i = 0; i < 1000; ++i) {
-    const ConvexBall a(random_point(random), between(random, 0.01, 1)),
+    const collision::ConvexBall a(random_point(random), between(random, 0.01, 1)),
         b(random_point(random), between(random, 0.01, 1));
-    const auto found = convex_proximity(a, {}, b, {}, far_away);
+    const auto found = collision::convex_proximity(a, {}, b, {}, far_away);
     ASSERT_TRUE(found);
     const Vec3 way = a.center() - b.center();
     EXPECT_NEAR(found->gap, way.norm() - a.rounding() - b.rounding(), 1e-12);
@@ -75,8 +76,8 @@ TEST(Convex, DistanceHasPlanesBetween) {
   for (int i = 0; i < 250; ++i) {
     const std::vector<Vec3> a = random_cloud(random, 20), b = random_cloud(random, 20);
     const Pose pa = random_pose(random, 1.5), pb = random_pose(random, 1.5);
-    const PointHull hull_a(a), hull_b(b);
-    const auto found = convex_proximity(hull_a, pa, hull_b, pb, far_away);
+    const collision::PointHull hull_a(a), hull_b(b);
+    const auto found = collision::convex_proximity(hull_a, pa, hull_b, pb, far_away);
     ASSERT_TRUE(found);
     if (found->gap < 1e-3) continue;
     ++apart;
@@ -87,7 +88,8 @@ TEST(Convex, DistanceHasPlanesBetween) {
         found->normal.dot(highest(in_room_a, -found->normal) - highest(in_room_b, found->normal));
     EXPECT_NEAR(planes, found->gap, 1e-12);
     // The exact distance: from triangles of the hulls' faces.
-    const auto exact = surface_proximity({hull_a.faces(), pa, 0}, {hull_b.faces(), pb, 0}, far_away);
+    const auto exact =
+        collision::surface_proximity({hull_a.faces(), pa, 0}, {hull_b.faces(), pb, 0}, far_away);
     ASSERT_TRUE(exact);
     worst = std::max(worst, std::abs(exact->gap - found->gap));
     worst_normal = std::max(worst_normal, (exact->normal - found->normal).norm());
@@ -105,7 +107,8 @@ TEST(Convex, DepthAsAllPlanesHaveIt) {
     const std::vector<Vec3> a = random_cloud(random, 8), b = random_cloud(random, 8);
     const Pose pa = random_pose(random, 0.3), pb = random_pose(random, 0.3);
     const double depth = brute_force_depth(placed(a, pa), placed(b, pb));
-    const auto found = convex_proximity(PointHull(a), pa, PointHull(b), pb, far_away);
+    const auto found =
+        collision::convex_proximity(collision::PointHull(a), pa, collision::PointHull(b), pb, far_away);
     ASSERT_TRUE(found);
     if (depth < 0) {
       EXPECT_GT(found->gap, 0);
@@ -121,21 +124,23 @@ TEST(Convex, DepthAsAllPlanesHaveIt) {
 
 TEST(Convex, RoundOnesAsClosedForm) {
   // An ellipsoid's pole over a box; a capsule beside another; a cylinder's rim on a ball.
-  const ShapePart ellipsoid{ShapeKind::ellipsoid, {0.3, 0.2, 0.1}, {}, nullptr};
-  const auto over = convex_proximity(*make_convex(ellipsoid), {{0, 0.75, 0}, Quat::Identity()},
-                                     ConvexBox({1, 0.5, 1}), {}, far_away);
+  const collision::ShapePart ellipsoid{collision::ShapeKind::ellipsoid, {0.3, 0.2, 0.1}, {}, nullptr};
+  const auto over =
+      collision::convex_proximity(*collision::make_convex(ellipsoid), {{0, 0.75, 0}, Quat::Identity()},
+                                  collision::ConvexBox({1, 0.5, 1}), {}, far_away);
   ASSERT_TRUE(over);
   EXPECT_NEAR(over->gap, 0.05, 1e-6);
   EXPECT_LT((over->normal - Vec3::UnitY()).norm(), 1e-3);
-  const ShapePart capsule{ShapeKind::capsule, {0.1, 0.5, 0.1}, {}, nullptr};
+  const collision::ShapePart capsule{collision::ShapeKind::capsule, {0.1, 0.5, 0.1}, {}, nullptr};
   const Quat across(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
-  const auto crossed =
-      convex_proximity(*make_convex(capsule), {{0.15, 0, 0}, across}, *make_convex(capsule), {}, far_away);
+  const auto crossed = collision::convex_proximity(*collision::make_convex(capsule), {{0.15, 0, 0}, across},
+                                                   *collision::make_convex(capsule), {}, far_away);
   ASSERT_TRUE(crossed);
   EXPECT_NEAR(crossed->gap, -0.05, 1e-9);
   EXPECT_LT((crossed->normal - Vec3::UnitX()).norm(), 1e-6);
-  const ShapePart cylinder{ShapeKind::cylinder, {0.3, 0.4, 0.3}, {}, nullptr};
-  const auto rim = convex_proximity(*make_convex(cylinder), {}, ConvexBall({0.6, 0.8, 0}, 0.1), {}, far_away);
+  const collision::ShapePart cylinder{collision::ShapeKind::cylinder, {0.3, 0.4, 0.3}, {}, nullptr};
+  const auto rim = collision::convex_proximity(*collision::make_convex(cylinder), {},
+                                               collision::ConvexBall({0.6, 0.8, 0}, 0.1), {}, far_away);
   ASSERT_TRUE(rim);
   EXPECT_NEAR(rim->gap, 0.4, 1e-6);
 }
@@ -145,16 +150,17 @@ TEST(Convex, DepthOfRoundOnes) {
   Random random(6);
   const auto ellipsoid = [&] {
     const Vec3 half = Vec3::Constant(0.02) + 0.03 * random_point(random).cwiseAbs();
-    return make_convex({ShapeKind::ellipsoid, half, {}, nullptr});
+    return collision::make_convex({collision::ShapeKind::ellipsoid, half, {}, nullptr});
   };
-  const auto planes = [](const Convex& a, const Pose& pa, const Convex& b, const Pose& pb, const Vec3& n) {
+  const auto planes = [](const collision::Convex& a, const Pose& pa, const collision::Convex& b,
+                         const Pose& pb, const Vec3& n) {
     return n.dot(pa * a.farthest(pa.q.conjugate() * -n) - pb * b.farthest(pb.q.conjugate() * n));
   };
   int overlapping = 0;
   for (int i = 0; i < 300; ++i) {
     const auto a = ellipsoid(), b = ellipsoid();
     const Pose pa = random_pose(random, 0.03), pb = random_pose(random, 0.03);
-    const auto found = convex_proximity(*a, pa, *b, pb, 0);
+    const auto found = collision::convex_proximity(*a, pa, *b, pb, 0);
     if (!found) continue;
     ++overlapping;
     double gap = -1;
@@ -177,29 +183,32 @@ TEST(Boxes, DepthAsAllPlanesHaveItAndEpaAgrees) {
   int overlapping = 0, shallow = 0;
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
-    const BoxShape a{random_pose(random, 0.9), random_point(random).cwiseAbs() + Vec3::Constant(0.05)};
-    const BoxShape b{random_pose(random, 0.9), random_point(random).cwiseAbs() + Vec3::Constant(0.05)};
-    const auto corners = [](const BoxShape& box) {
+    const collision::BoxShape a{random_pose(random, 0.9),
+                                random_point(random).cwiseAbs() + Vec3::Constant(0.05)};
+    const collision::BoxShape b{random_pose(random, 0.9),
+                                random_point(random).cwiseAbs() + Vec3::Constant(0.05)};
+    const auto corners = [](const collision::BoxShape& box) {
       std::vector<Vec3> out;
-      const auto surface = box_surface(box.half);
+      const auto surface = collision::box_surface(box.half);
       for (const Vec3& x : surface->positions()) out.push_back(box.pose * x);
       return out;
     };
     const double depth = brute_force_depth(corners(a), corners(b));
-    const auto found = box_overlap(a, b);
+    const auto found = collision::box_overlap(a, b);
     ASSERT_EQ(found.has_value(), depth >= 0);
     if (!found) continue;
     ++overlapping;
     EXPECT_NEAR(-found->proximity.gap, depth, 1e-8);
     ASSERT_GE(found->count, 1u);
-    const auto epa = convex_proximity(ConvexBox(a.half), a.pose, ConvexBox(b.half), b.pose, 0);
+    const auto epa = collision::convex_proximity(collision::ConvexBox(a.half), a.pose,
+                                                 collision::ConvexBox(b.half), b.pose, 0);
     ASSERT_TRUE(epa);
     worst = std::max(worst, std::abs(epa->gap - found->proximity.gap));
     // What touches lies in or on both, unless one is nearly through the other.
     if (depth > 0.3 * std::min(a.half.minCoeff(), b.half.minCoeff())) continue;
     ++shallow;
     for (std::size_t k = 0; k < found->count; ++k)
-      for (const BoxShape& box : {a, b}) {
+      for (const collision::BoxShape& box : {a, b}) {
         const Vec3 local = box.pose.inverse() * found->patch[k];
         EXPECT_TRUE(((local.cwiseAbs() - box.half).array() < 1e-7).all());
       }
@@ -210,8 +219,9 @@ TEST(Boxes, DepthAsAllPlanesHaveItAndEpaAgrees) {
 }
 
 TEST(Boxes, RestOnTheirPatch) {
-  const BoxShape table{{}, {1, 0.1, 1}}, block{{{0.9, 0.19, 0}, Quat::Identity()}, {0.2, 0.1, 0.2}};
-  const auto found = box_overlap(block, table);
+  const collision::BoxShape table{{}, {1, 0.1, 1}},
+      block{{{0.9, 0.19, 0}, Quat::Identity()}, {0.2, 0.1, 0.2}};
+  const auto found = collision::box_overlap(block, table);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->proximity.gap, -0.01, 1e-12);
   EXPECT_LT((found->proximity.normal - Vec3::UnitY()).norm(), 1e-12);
@@ -220,11 +230,11 @@ TEST(Boxes, RestOnTheirPatch) {
 }
 
 TEST(Spheres, AgainstBoxes) {
-  const BoxShape box{{}, {1, 2, 3}};
-  const auto outside = sphere_box_proximity({{2, 3, 0}, 0.1}, box, 10);
+  const collision::BoxShape box{{}, {1, 2, 3}};
+  const auto outside = collision::sphere_box_proximity({{2, 3, 0}, 0.1}, box, 10);
   ASSERT_TRUE(outside);
   EXPECT_NEAR(outside->gap, std::sqrt(2.0) - 0.1, 1e-12);
-  const auto inside = sphere_box_proximity({{0.8, 0, 0}, 0.1}, box, 0);
+  const auto inside = collision::sphere_box_proximity({{0.8, 0, 0}, 0.1}, box, 0);
   ASSERT_TRUE(inside);
   EXPECT_NEAR(inside->gap, -0.3, 1e-12);
   EXPECT_LT((inside->normal - Vec3::UnitX()).norm(), 1e-12);

@@ -123,7 +123,8 @@ TEST(Fidelity, NoneTouchesNothing) {
 // Balls: the closed form at every fidelity that can be exact.
 TEST(Fidelity, BallsAsClosedForm) {
   Random random(6);
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.05), {}, nullptr}};
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.05), {}, nullptr}};
   for (int i = 0; i < 200; ++i) {
     const Pose a = random_pose(random, 0.06), b = random_pose(random, 0.06);
     const double expected = (a.p - b.p).norm() - 0.1;
@@ -138,12 +139,14 @@ TEST(Fidelity, BallsAsClosedForm) {
 TEST(Fidelity, SoftTouchNamesItsMaterialPoint) {
   const TriangleMesh mesh = organ_mesh(2, {0.1, 0.08, 0.06});
   const CollisionObject soft(mesh, Fidelity::mesh);
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.02), {}, nullptr}};
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.02), {}, nullptr}};
   const auto found = proximity(rigid(ball, Fidelity::sphere, {{0, 0.06, 0}, Quat::Identity()}), soft, 0.02);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->at_a.triangle, SurfacePoint::none);
+  EXPECT_EQ(found->at_a.triangle, collision::SurfacePoint::none);
   ASSERT_LT(found->at_b.triangle, mesh.triangles.size());
-  EXPECT_LT((at(soft.surface()->triangle(found->at_b.triangle), found->at_b.weights) - found->on_b).norm(),
+  EXPECT_LT((collision::at(soft.surface()->triangle(found->at_b.triangle), found->at_b.weights) - found->on_b)
+                .norm(),
             1e-12);
 }
 
@@ -159,7 +162,8 @@ TEST(Fidelity, FingersBend) {
 }
 
 TEST(Fidelity, SurfaceIsCut) {
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.2), {}, nullptr}};
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.2), {}, nullptr}};
   const CollisionObject probe = rigid(ball, Fidelity::hull, {{1.1, 0, 0}, Quat::Identity()});
   TriangleMesh whole = ball_mesh(2), half = whole;
   std::erase_if(half.triangles, [&](const auto& t) {

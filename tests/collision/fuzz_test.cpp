@@ -90,9 +90,9 @@ TEST(Fuzz, HullsOfOddClouds) {
       if (kind == 4) x *= 1e-12;             // tiny
       cloud.push_back(x);
     }
-    const PointHull a(cloud), b(random_cloud(random, 8));
+    const collision::PointHull a(cloud), b(random_cloud(random, 8));
     const Pose pose = random_pose(random);
-    const auto found = convex_proximity(a, {}, b, pose, 1e9);
+    const auto found = collision::convex_proximity(a, {}, b, pose, 1e9);
     ASSERT_TRUE(found);
     EXPECT_TRUE(std::isfinite(found->gap) && found->on_a.allFinite());
     EXPECT_NEAR(found->normal.norm(), 1, 1e-9);
@@ -117,25 +117,26 @@ TEST(Fuzz, ObjectsInOnePlace) {
 
 TEST(Fuzz, BadInputIsSaidClearly) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refuses = [](const std::vector<ShapePart>& parts) {
-    for (const Fidelity fidelity : all_and_none) EXPECT_THROW(RigidOutline(parts, fidelity), InputError);
+  const auto refuses = [](const std::vector<collision::ShapePart>& parts) {
+    for (const Fidelity fidelity : all_and_none)
+      EXPECT_THROW(collision::RigidOutline(parts, fidelity), InputError);
   };
   refuses({});
-  refuses({{ShapeKind::box, {1, 0, 1}, {}, nullptr}});
-  refuses({{ShapeKind::sphere, {-1, 0, 0}, {}, nullptr}});
-  refuses({{ShapeKind::ellipsoid, {1, nan, 1}, {}, nullptr}});
-  refuses({{ShapeKind::box, {1, 1, 1}, {Vec3(nan, 0, 0), Quat::Identity()}, nullptr}});
-  refuses({{ShapeKind::triangles, {1, 1, 1}, {}, nullptr}});
-  refuses({{ShapeKind::hull, {1, 1, 1}, {}, std::make_shared<TriangleMesh>()}});
+  refuses({{collision::ShapeKind::box, {1, 0, 1}, {}, nullptr}});
+  refuses({{collision::ShapeKind::sphere, {-1, 0, 0}, {}, nullptr}});
+  refuses({{collision::ShapeKind::ellipsoid, {1, nan, 1}, {}, nullptr}});
+  refuses({{collision::ShapeKind::box, {1, 1, 1}, {Vec3(nan, 0, 0), Quat::Identity()}, nullptr}});
+  refuses({{collision::ShapeKind::triangles, {1, 1, 1}, {}, nullptr}});
+  refuses({{collision::ShapeKind::hull, {1, 1, 1}, {}, std::make_shared<TriangleMesh>()}});
   TriangleMesh mesh = ball_mesh(0);
   mesh.triangles.push_back({0, 1, 77});
-  EXPECT_THROW(TriangleSurface{mesh}, InputError);
+  EXPECT_THROW(collision::TriangleSurface{mesh}, InputError);
   mesh.triangles.back() = {0, 1, 1};
-  EXPECT_THROW(TriangleSurface{mesh}, InputError);
+  EXPECT_THROW(collision::TriangleSurface{mesh}, InputError);
   mesh.triangles.pop_back();
   mesh.positions[0].x() = nan;
-  EXPECT_THROW(TriangleSurface{mesh}, InputError);
-  EXPECT_THROW(TriangleSurface{TriangleMesh{}}, InputError);
+  EXPECT_THROW(collision::TriangleSurface{mesh}, InputError);
+  EXPECT_THROW(collision::TriangleSurface{TriangleMesh{}}, InputError);
   EXPECT_THROW(CollisionObject(ball_mesh(0), Fidelity::mesh, -1), InputError);
   CollisionObject soft(ball_mesh(0), Fidelity::mesh);
   const std::vector<Vec3> few(3, Vec3::Zero());

@@ -18,7 +18,8 @@ constexpr std::array all_fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelit
 
 TEST(Impact, OfBallsAsClosedForm) {
   Random random(1);
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.1), {}, nullptr}};
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.1), {}, nullptr}};
   int met = 0;
   for (int i = 0; i < 500; ++i) {
     CollisionObject a = rigid(ball, Fidelity::sphere), b = rigid(ball, Fidelity::hull);
@@ -43,8 +44,8 @@ TEST(Impact, OfBallsAsClosedForm) {
 }
 
 TEST(Impact, OfABoxThatFallsOnATableAtEveryFidelity) {
-  const std::vector<ShapePart> table{{ShapeKind::box, {1, 0.1, 1}, {}, nullptr}},
-      box{{ShapeKind::box, {0.1, 0.1, 0.1}, {}, nullptr}};
+  const std::vector<collision::ShapePart> table{{collision::ShapeKind::box, {1, 0.1, 1}, {}, nullptr}},
+      box{{collision::ShapeKind::box, {0.1, 0.1, 0.1}, {}, nullptr}};
   for (const Fidelity fa : {Fidelity::aabb, Fidelity::obb, Fidelity::hull, Fidelity::mesh})
     for (const Fidelity fb : {Fidelity::aabb, Fidelity::obb, Fidelity::hull, Fidelity::mesh}) {
       CollisionObject a = rigid(box, fa);
@@ -59,8 +60,8 @@ TEST(Impact, OfABoxThatFallsOnATableAtEveryFidelity) {
 
 TEST(Impact, OfATurningRod) {
   // A rod of half length 1 about its middle, at 2 rad/s; its end comes down on a ball beside it.
-  const std::vector<ShapePart> rod{{ShapeKind::capsule, {0.01, 1, 0.01}, {}, nullptr}},
-      ball{{ShapeKind::sphere, Vec3::Constant(0.1), {}, nullptr}};
+  const std::vector<collision::ShapePart> rod{{collision::ShapeKind::capsule, {0.01, 1, 0.01}, {}, nullptr}},
+      ball{{collision::ShapeKind::sphere, Vec3::Constant(0.1), {}, nullptr}};
   const double angle = 0.8;
   CollisionObject turning = rigid(rod, Fidelity::hull);
   turning.place({}, Vec3::Zero(), {0, 0, 2});
@@ -76,7 +77,8 @@ TEST(Impact, OfATurningRod) {
 
 TEST(Impact, NeverPassesThroughAThinSheet) {
   // A probe at 50 m/s goes through a sheet within a tick; where it is before and after touches nothing.
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.005), {}, nullptr}};
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.005), {}, nullptr}};
   const TriangleMesh mesh = sheet_mesh(8, 0.3);
   const CollisionObject sheet(mesh, Fidelity::mesh, 0.001);
   Random random(2);
@@ -96,7 +98,7 @@ TEST(Impact, OfASoftSurfaceThatMovesInParts) {
   const TriangleMesh ball = ball_mesh(2);
   std::vector<Vec3> outward = ball.positions;
   for (Vec3& v : outward) v *= 3;
-  const std::vector<ShapePart> wall{{ShapeKind::box, {0.1, 4, 4}, {}, nullptr}};
+  const std::vector<collision::ShapePart> wall{{collision::ShapeKind::box, {0.1, 4, 4}, {}, nullptr}};
   for (const Fidelity fidelity : all_fidelities) {
     CollisionObject soft(ball, fidelity);
     ASSERT_TRUE(soft.move(ball.positions, outward));
@@ -140,7 +142,7 @@ TEST(Impact, ComesWithTheGapAndNotBefore) {
       for (const double share : {0.3, 0.7, 0.95})
         for (const auto& x : a.pieces_after(share * found->time))
           for (const auto& y : b.pieces_after(share * found->time)) {
-            const auto early = proximity(x, y, 0);
+            const auto early = collision::proximity(x, y, 0);
             EXPECT_FALSE(early && early->gap < -1e-9 && found->time > 0);
           }
     }

@@ -51,14 +51,15 @@ TEST(ListEdits, KeepTheOrderOfWhatStays) {
 TEST(SpaceOrders, FollowToThoseMadeAnew) {
   Random random(20261122);
   std::vector<Vec3> all = points(random, 200, 0.1);
-  SpaceOrder followed(all);
+  collision::SpaceOrder followed(all);
   for (int change = 0; change < 60; ++change) {
     const bool much = change % 10 == 9;
     const ListEdit edit = random_edit(random, all.size(), much ? 0.3 : 0.01, much ? 60 : 3);
     const std::vector<Vec3> come = points(random, edit.come.size(), change % 7 == 6 ? 0.12 : 0.09);
     apply(edit, come, all);
     followed.follow(edit, come);
-    ASSERT_TRUE(std::ranges::equal(followed.order(), SpaceOrder(all).order())) << "change " << change;
+    ASSERT_TRUE(std::ranges::equal(followed.order(), collision::SpaceOrder(all).order()))
+        << "change " << change;
   }
 }
 

@@ -114,28 +114,28 @@ TriangleMesh moved(const TriangleMesh& mesh, const Pose& pose) {
   return out;
 }
 
-ShapePart mesh_part(const TriangleMesh& mesh) {
-  return {ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(mesh)};
+collision::ShapePart mesh_part(const TriangleMesh& mesh) {
+  return {collision::ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(mesh)};
 }
 
 namespace {
 
 std::vector<NamedParts> make_table() {
   std::vector<NamedParts> table;
-  table.push_back({"box", {{ShapeKind::box, {0.05, 0.03, 0.04}, {}, nullptr}}});
-  table.push_back({"ellipsoid", {{ShapeKind::ellipsoid, {0.05, 0.03, 0.02}, {}, nullptr}}});
-  table.push_back({"cylinder", {{ShapeKind::cylinder, {0.03, 0.05, 0.03}, {}, nullptr}}});
+  table.push_back({"box", {{collision::ShapeKind::box, {0.05, 0.03, 0.04}, {}, nullptr}}});
+  table.push_back({"ellipsoid", {{collision::ShapeKind::ellipsoid, {0.05, 0.03, 0.02}, {}, nullptr}}});
+  table.push_back({"cylinder", {{collision::ShapeKind::cylinder, {0.03, 0.05, 0.03}, {}, nullptr}}});
   TriangleMesh horseshoe = horseshoe_mesh();
   for (Vec3& x : horseshoe.positions) x *= 0.1;
   table.push_back({"horseshoe", {mesh_part(horseshoe)}});
-  table.push_back({"plate", {{ShapeKind::box, {0.05, 0.001, 0.04}, {}, nullptr}}});
+  table.push_back({"plate", {{collision::ShapeKind::box, {0.05, 0.001, 0.04}, {}, nullptr}}});
   table.push_back({"organ", {mesh_part(organ_mesh(3, {0.12, 0.07, 0.09}))}});
-  std::vector<ShapePart> hand{{ShapeKind::box, {0.04, 0.012, 0.04}, {}, nullptr}};
+  std::vector<collision::ShapePart> hand{{collision::ShapeKind::box, {0.04, 0.012, 0.04}, {}, nullptr}};
   for (int finger = 0; finger < 4; ++finger)
     for (int bone = 0; bone < 3; ++bone) {
       const Vec3 at(-0.03 + 0.02 * finger, -0.004 * bone, 0.055 + 0.025 * bone);
       const Quat along(Eigen::AngleAxisd(std::numbers::pi / 2 + 0.3 * bone, Vec3::UnitX()));
-      hand.push_back({ShapeKind::capsule, {0.008, 0.01, 0.008}, {at, along}, nullptr});
+      hand.push_back({collision::ShapeKind::capsule, {0.008, 0.01, 0.008}, {at, along}, nullptr});
     }
   table.push_back({"hand", hand});
   return table;
@@ -149,16 +149,16 @@ const std::vector<NamedParts>& shape_table() {
 }
 
 CollisionObject from_table(std::size_t shape, Fidelity fidelity, const Pose& pose) {
-  static std::map<std::pair<std::size_t, Fidelity>, std::shared_ptr<const RigidOutline>> outlines;
-  std::shared_ptr<const RigidOutline>& outline = outlines[{shape, fidelity}];
-  if (!outline) outline = std::make_shared<RigidOutline>(shape_table()[shape].parts, fidelity);
+  static std::map<std::pair<std::size_t, Fidelity>, std::shared_ptr<const collision::RigidOutline>> outlines;
+  std::shared_ptr<const collision::RigidOutline>& outline = outlines[{shape, fidelity}];
+  if (!outline) outline = std::make_shared<collision::RigidOutline>(shape_table()[shape].parts, fidelity);
   CollisionObject out(outline);
   out.place(pose);
   return out;
 }
 
-CollisionObject rigid(const std::vector<ShapePart>& parts, Fidelity fidelity, const Pose& pose) {
-  CollisionObject out(std::make_shared<RigidOutline>(parts, fidelity));
+CollisionObject rigid(const std::vector<collision::ShapePart>& parts, Fidelity fidelity, const Pose& pose) {
+  CollisionObject out(std::make_shared<collision::RigidOutline>(parts, fidelity));
   out.place(pose);
   return out;
 }

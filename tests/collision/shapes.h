@@ -32,15 +32,16 @@ TriangleMesh moved(const TriangleMesh& mesh, const Pose& pose);
 
 struct NamedParts {
   const char* name;
-  std::vector<ShapePart> parts;
+  std::vector<collision::ShapePart> parts;
 };
 /// Convex, concave, thin, organ-like, and a hand of capsules; each about 0.1 m.
 const std::vector<NamedParts>& shape_table();
 /// The table's shape at that fidelity; outlines are made once.
 CollisionObject from_table(std::size_t shape, Fidelity fidelity, const Pose& pose = {});
 
-CollisionObject rigid(const std::vector<ShapePart>& parts, Fidelity fidelity, const Pose& pose = {});
-ShapePart mesh_part(const TriangleMesh& mesh);
+CollisionObject rigid(const std::vector<collision::ShapePart>& parts, Fidelity fidelity,
+                      const Pose& pose = {});
+collision::ShapePart mesh_part(const TriangleMesh& mesh);
 
 /// Depth of two overlapping convex hulls of points: the least overlap over all planes through three points of
 /// one of them that has the others on one side, and all products of two edges. Below 0: they are apart.

@@ -15,14 +15,14 @@ namespace {
 
 using namespace test;
 
-std::shared_ptr<const TriangleSurface> surface(const TriangleMesh& mesh) {
-  return std::make_shared<TriangleSurface>(mesh);
+std::shared_ptr<const collision::TriangleSurface> surface(const TriangleMesh& mesh) {
+  return std::make_shared<collision::TriangleSurface>(mesh);
 }
 
 TEST(Topology, KnowsWhatIsClosed) {
   EXPECT_TRUE(surface(ball_mesh(2))->topology().closed());
   EXPECT_TRUE(surface(horseshoe_mesh())->topology().closed());
-  EXPECT_TRUE(box_surface(Vec3::Ones())->topology().closed());
+  EXPECT_TRUE(collision::box_surface(Vec3::Ones())->topology().closed());
   EXPECT_FALSE(surface(sheet_mesh(3, 1))->topology().closed());
   TriangleMesh two = ball_mesh(1);
   const auto n = static_cast<std::uint32_t>(two.positions.size());
@@ -35,13 +35,13 @@ TEST(Topology, KnowsWhatIsClosed) {
 TEST(Surface, NearestPointsAsBruteForceHasThem) {
   Random random(1);
   const TriangleMesh mesh = organ_mesh(3, Vec3::Ones());
-  const TriangleSurface s(mesh);
+  const collision::TriangleSurface s(mesh);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 x = random_point(random, 1);
     double least = 1e9;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle c = s.triangle(t);
-      least = std::min(least, (at(c, closest_weights(x, c[0], c[1], c[2])) - x).norm());
+      const collision::Triangle c = s.triangle(t);
+      least = std::min(least, (collision::at(c, collision::closest_weights(x, c[0], c[1], c[2])) - x).norm());
     }
     const auto found = s.nearest(x);
     ASSERT_TRUE(found);
@@ -52,7 +52,7 @@ TEST(Surface, NearestPointsAsBruteForceHasThem) {
 
 TEST(Surface, KnowsInsideFromOutside) {
   Random random(2);
-  const TriangleSurface u(horseshoe_mesh());
+  const collision::TriangleSurface u(horseshoe_mesh());
   const auto inside_u = [](const Vec3& x) {
     const bool in_square = std::abs(x.x()) < 0.5 && std::abs(x.y()) < 0.5 && std::abs(x.z()) < 0.15;
     return in_square && !(std::abs(x.x()) < 0.2 && x.y() > -0.2);
@@ -68,8 +68,8 @@ TEST(Surface, KnowsInsideFromOutside) {
 
 TEST(Surface, WindsOnceAroundWhatIsInside) {
   Random random(3);
-  const TriangleSurface ball(ball_mesh(3)), u(horseshoe_mesh());
-  for (const TriangleSurface* s : {&ball, &u})
+  const collision::TriangleSurface ball(ball_mesh(3)), u(horseshoe_mesh());
+  for (const collision::TriangleSurface* s : {&ball, &u})
     for (int i = 0; i < 500; ++i) {
       const Vec3 x = random_point(random, 1.5);
       EXPECT_NEAR(s->winding_number(x), s->is_inside(x, *s->nearest(x)) ? 1 : 0, 1e-9);
@@ -80,17 +80,17 @@ TEST(Surface, WindsOnceAroundWhatIsInside) {
   const Vec3 tip = -1.5 * dented.positions[0];
   const Vec3 beside = tip + 0.02 * dented.positions[0].unitOrthogonal() * tip.norm();
   dented.positions[0] = tip;
-  const TriangleSurface folded(dented);
+  const collision::TriangleSurface folded(dented);
   EXPECT_TRUE(folded.is_inside(beside, *folded.nearest(beside)));
   EXPECT_NEAR(folded.winding_number(beside), 0, 1e-9);
   EXPECT_NEAR(folded.winding_number(0.5 * tip.unitOrthogonal()), 1, 1e-9);
 }
 
 /// Returns the solid angle that the surface has from x, in 4 π (Van Oosterom and Strackee 1983).
-double solid_angle_share(const TriangleSurface& s, const Vec3& x) {
+double solid_angle_share(const collision::TriangleSurface& s, const Vec3& x) {
   double half = 0;
   for (std::uint32_t t = 0; t < s.topology().triangles().size(); ++t) {
-    const Triangle corners = s.triangle(t);
+    const collision::Triangle corners = s.triangle(t);
     const Vec3 a = corners[0] - x, b = corners[1] - x, c = corners[2] - x;
     half += std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                               b.dot(c) * a.norm() + c.dot(a) * b.norm());
@@ -104,7 +104,7 @@ TEST(Surface, WindsAsItsSolidAngleSaysHoweverItIsCrumpled) {
   for (const double crumpled : {0.0, 0.1, 0.5}) {
     TriangleMesh mesh = organ_mesh(3, {1, 2, 3});
     for (Vec3& x : mesh.positions) x += crumpled * random_point(random, 1);
-    const TriangleSurface s(mesh);
+    const collision::TriangleSurface s(mesh);
     for (int i = 0; i < 1000; ++i) {
       const Vec3 middle = (s.box().lo + s.box().hi) / 2;
       const Vec3 x = middle + random_point(random, 1).cwiseProduct(s.box().hi - s.box().lo) / 2;
@@ -115,7 +115,7 @@ TEST(Surface, WindsAsItsSolidAngleSaysHoweverItIsCrumpled) {
   }
   for (const int turns : {-1, 0, 1, 2}) EXPECT_GT(found[turns], 0) << turns;
   // A ray that meets corners and edges.
-  const TriangleSurface ball(ball_mesh(3));
+  const collision::TriangleSurface ball(ball_mesh(3));
   for (const Vec3& x : ball.positions())
     EXPECT_NEAR(ball.winding_number(Vec3(-0.1, x.y() / 2, x.z() / 2)), 1, 1e-9);
   for (const Vec3& x : ball.positions()) {
@@ -127,7 +127,7 @@ TEST(Surface, WindsAsItsSolidAngleSaysHoweverItIsCrumpled) {
 TEST(Surface, FarthestVertexAsBruteForceHasIt) {
   Random random(3);
   const TriangleMesh mesh = organ_mesh(3, {1, 2, 3});
-  const TriangleSurface s(mesh);
+  const collision::TriangleSurface s(mesh);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 d = i < 6 ? Vec3(Vec3::Unit(i % 3) * (i < 3 ? 1 : -1)) : random_unit(random);
     double highest = -1e9;
@@ -136,7 +136,8 @@ TEST(Surface, FarthestVertexAsBruteForceHasIt) {
   }
 }
 
-void expect_same(const std::optional<Proximity>& a, const std::optional<Proximity>& b, double tolerance) {
+void expect_same(const std::optional<collision::Proximity>& a, const std::optional<collision::Proximity>& b,
+                 double tolerance) {
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) return;
   EXPECT_NEAR(a->gap, b->gap, tolerance);
@@ -146,8 +147,8 @@ void expect_same(const std::optional<Proximity>& a, const std::optional<Proximit
 TEST(Surface, RefittedTreeAnswersAsOneBuiltAnew) {
   Random random(4);
   const TriangleMesh rest = organ_mesh(3, Vec3::Ones());
-  const MeshShape other{surface(organ_mesh(2, {0.5, 0.6, 0.4})), {}, 0};
-  auto refitted = std::make_shared<TriangleSurface>(rest);
+  const collision::MeshShape other{surface(organ_mesh(2, {0.5, 0.6, 0.4})), {}, 0};
+  auto refitted = std::make_shared<collision::TriangleSurface>(rest);
   for (int i = 0; i < 20; ++i) {
     TriangleMesh now = rest;
     const Vec3 wave = random_point(random, 3), bend = random_point(random, 0.5),
@@ -155,8 +156,8 @@ TEST(Surface, RefittedTreeAnswersAsOneBuiltAnew) {
     for (Vec3& x : now.positions) x += bend * std::sin(wave.dot(x)) + shift;
     ASSERT_TRUE(refitted->move(now.positions));
     const auto rebuilt = surface(now);
-    expect_same(surface_proximity({refitted, {}, 0}, other, 1), surface_proximity({rebuilt, {}, 0}, other, 1),
-                1e-12);
+    expect_same(collision::surface_proximity({refitted, {}, 0}, other, 1),
+                collision::surface_proximity({rebuilt, {}, 0}, other, 1), 1e-12);
     for (int k = 0; k < 20; ++k) {
       const Vec3 x = random_point(random, 1);
       EXPECT_EQ(refitted->nearest(x)->distance, rebuilt->nearest(x)->distance);
@@ -170,17 +171,18 @@ TEST(Surface, RefittedTreeAnswersAsOneBuiltAnew) {
 }
 
 /// Crossing or near, found by looking at all pairs of triangles.
-double brute_force_distance(const MeshShape& a, const MeshShape& b) {
+double brute_force_distance(const collision::MeshShape& a, const collision::MeshShape& b) {
   double least = 1e9;
-  const auto placed = [](const MeshShape& s, std::uint32_t t) {
-    Triangle c = s.surface->triangle(t);
+  const auto placed = [](const collision::MeshShape& s, std::uint32_t t) {
+    collision::Triangle c = s.surface->triangle(t);
     for (Vec3& x : c) x = s.pose * x;
     return c;
   };
   for (std::uint32_t i = 0; i < a.surface->topology().triangles().size(); ++i)
     for (std::uint32_t j = 0; j < b.surface->topology().triangles().size(); ++j) {
-      const Triangle p = placed(a, i), q = placed(b, j);
-      least = crossing(p, q).crosses ? 0 : std::min(least, closest(p, q).squared_distance);
+      const collision::Triangle p = placed(a, i), q = placed(b, j);
+      least =
+          collision::crossing(p, q).crosses ? 0 : std::min(least, collision::closest(p, q).squared_distance);
       if (least == 0) return 0;
     }
   return std::sqrt(least);
@@ -191,9 +193,9 @@ TEST(Surfaces, DistanceAsBruteForceHasIt) {
   const auto u = surface(horseshoe_mesh()), organ = surface(organ_mesh(1, {0.5, 0.4, 0.3}));
   int apart = 0, crossing_ones = 0;
   for (int i = 0; i < 400; ++i) {
-    const MeshShape a{u, random_pose(random, 0.5), 0}, b{organ, random_pose(random, 0.5), 0};
+    const collision::MeshShape a{u, random_pose(random, 0.5), 0}, b{organ, random_pose(random, 0.5), 0};
     const double expected = brute_force_distance(a, b);
-    const auto found = surface_proximity(a, b, 1e9);
+    const auto found = collision::surface_proximity(a, b, 1e9);
     ASSERT_TRUE(found);
     if (expected == 0) {
       EXPECT_LE(found->gap, 1e-12);
@@ -215,9 +217,9 @@ TEST(Surfaces, DepthOfBalls) {
   for (int i = 0; i < 40; ++i) {
     const Vec3 way = random_unit(random);
     const double depth = between(random, 0.01, 0.5);
-    const MeshShape a{ball, {(2 - depth) * way, random_turn(random)}, 0},
+    const collision::MeshShape a{ball, {(2 - depth) * way, random_turn(random)}, 0},
         b{ball, {{}, random_turn(random)}, 0};
-    const auto found = surface_proximity(a, b, 0);
+    const auto found = collision::surface_proximity(a, b, 0);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->gap, -depth, 0.01);  // a chord of the mesh is 0.005 inside
     EXPECT_LT((found->normal - way).norm(), 0.25);
@@ -228,11 +230,12 @@ TEST(Surfaces, DepthOfBoxesThatOverlapALittle) {
   Random random(7);
   int compared = 0;
   for (int i = 0; i < 2000; ++i) {
-    const BoxShape a{random_pose(random, 0.9), {0.5, 0.4, 0.6}}, b{random_pose(random, 0.9), {0.3, 0.5, 0.7}};
-    const auto exact = box_overlap(a, b);
+    const collision::BoxShape a{random_pose(random, 0.9), {0.5, 0.4, 0.6}},
+        b{random_pose(random, 0.9), {0.3, 0.5, 0.7}};
+    const auto exact = collision::box_overlap(a, b);
     if (!exact || exact->proximity.gap < -0.05) continue;
-    const auto found =
-        surface_proximity({box_surface(a.half), a.pose, 0}, {box_surface(b.half), b.pose, 0}, 0);
+    const auto found = collision::surface_proximity({collision::box_surface(a.half), a.pose, 0},
+                                                    {collision::box_surface(b.half), b.pose, 0}, 0);
     ASSERT_TRUE(found);
     EXPECT_LE(-found->gap, -exact->proximity.gap + 1e-9) << "pointwise depth is a lower bound";
     ++compared;
@@ -241,37 +244,38 @@ TEST(Surfaces, DepthOfBoxesThatOverlapALittle) {
 }
 
 TEST(Surfaces, CrossedRodsHaveDepthThoughNoCornerIsInside) {
-  const MeshShape a{box_surface({1, 0.1, 0.1}), {}, 0};
+  const collision::MeshShape a{collision::box_surface({1, 0.1, 0.1}), {}, 0};
   const Quat turned = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
-  const MeshShape b{box_surface({1, 0.1, 0.1}), {{0, 0.15, 0}, turned}, 0};
-  const auto found = surface_proximity(a, b, 0);
+  const collision::MeshShape b{collision::box_surface({1, 0.1, 0.1}), {{0, 0.15, 0}, turned}, 0};
+  const auto found = collision::surface_proximity(a, b, 0);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->gap, -0.05, 1e-9);
   EXPECT_LT((found->normal + Vec3::UnitY()).norm(), 1e-9);
 }
 
 TEST(Surfaces, OneInsideTheOtherTouches) {
-  const MeshShape outer{surface(ball_mesh(3)), {}, 0};
-  const MeshShape inner{surface(ball_mesh(2)), {{0.3, 0, 0}, Quat::Identity()}, 0};
+  const collision::MeshShape outer{surface(ball_mesh(3)), {}, 0};
+  const collision::MeshShape inner{surface(ball_mesh(2)), {{0.3, 0, 0}, Quat::Identity()}, 0};
   TriangleMesh small = ball_mesh(2);
   for (Vec3& x : small.positions) x *= 0.2;
-  const MeshShape seed{surface(small), {{0.3, 0, 0}, Quat::Identity()}, 0};
-  const auto found = surface_proximity(outer, seed, 0);
+  const collision::MeshShape seed{surface(small), {{0.3, 0, 0}, Quat::Identity()}, 0};
+  const auto found = collision::surface_proximity(outer, seed, 0);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->gap, -0.9, 0.02) << "its far side is 0.9 below the surface";
-  EXPECT_LT(surface_proximity(outer, inner, 0)->gap, 0);
+  EXPECT_LT(collision::surface_proximity(outer, inner, 0)->gap, 0);
 }
 
 TEST(Surfaces, SheetsHaveTheirThickness) {
   const auto sheet = surface(sheet_mesh(4, 1));
-  const MeshShape lower{sheet, {}, 0.01}, upper{sheet, {{0.1, 0.05, 0.05}, Quat::Identity()}, 0.02};
-  const auto found = surface_proximity(upper, lower, 1);
+  const collision::MeshShape lower{sheet, {}, 0.01},
+      upper{sheet, {{0.1, 0.05, 0.05}, Quat::Identity()}, 0.02};
+  const auto found = collision::surface_proximity(upper, lower, 1);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->gap, 0.02, 1e-12);
   EXPECT_LT((found->normal - Vec3::UnitY()).norm(), 1e-9);
   EXPECT_NEAR(found->on_a.y(), 0.03, 1e-12);
   const Quat up(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
-  const auto crossed = surface_proximity({sheet, {{0, 0.02, 0}, up}, 0.01}, lower, 0);
+  const auto crossed = collision::surface_proximity({sheet, {{0, 0.02, 0}, up}, 0.01}, lower, 0);
   ASSERT_TRUE(crossed);
   EXPECT_NEAR(crossed->gap, -0.02, 1e-12);
 }
@@ -281,7 +285,7 @@ TEST(SelfContact, FindsAFoldAndNoNeighbours) {
   TriangleMesh folded = rest;
   for (Vec3& x : folded.positions)
     if (x.x() > 1e-9) x = Vec3(-x.x() + 0.02, 0.03, x.z());
-  const TriangleSurface flat(rest), now(folded);
+  const collision::TriangleSurface flat(rest), now(folded);
   EXPECT_TRUE(self_contacts(flat, 0.04).empty());
   const auto found = self_contacts(now, 0.04, rest.positions);
   EXPECT_GT(found.size(), 100u);
@@ -289,16 +293,17 @@ TEST(SelfContact, FindsAFoldAndNoNeighbours) {
     EXPECT_LT(c.triangle_a, c.triangle_b);
     EXPECT_LT(c.distance, 0.04);
     EXPECT_NEAR((c.on_a - c.on_b).norm(), c.distance, 1e-12);
-    EXPECT_GE(closest(flat.triangle(c.triangle_a), flat.triangle(c.triangle_b)).squared_distance,
+    EXPECT_GE(collision::closest(flat.triangle(c.triangle_a), flat.triangle(c.triangle_b)).squared_distance,
               0.04 * 0.04);
   }
   // As brute force has them.
   std::size_t expected = 0;
   for (std::uint32_t s = 0; s < rest.triangles.size(); ++s)
     for (std::uint32_t t = s + 1; t < rest.triangles.size(); ++t) {
-      const bool near = crossing(now.triangle(s), now.triangle(t)).count > 0 ||
-                        closest(now.triangle(s), now.triangle(t)).squared_distance < 0.04 * 0.04;
-      expected += near && closest(flat.triangle(s), flat.triangle(t)).squared_distance >= 0.04 * 0.04;
+      const bool near = collision::crossing(now.triangle(s), now.triangle(t)).count > 0 ||
+                        collision::closest(now.triangle(s), now.triangle(t)).squared_distance < 0.04 * 0.04;
+      expected +=
+          near && collision::closest(flat.triangle(s), flat.triangle(t)).squared_distance >= 0.04 * 0.04;
     }
   EXPECT_EQ(found.size(), expected);
 }

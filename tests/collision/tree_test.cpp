@@ -13,23 +13,23 @@ namespace {
 
 using namespace test;
 
-Aabb random_box(Random& random) {
+collision::Aabb random_box(Random& random) {
   const Vec3 at = random_point(random, 5);
-  return Aabb{at, at}.grown(between(random, 0.01, 0.6));
+  return collision::Aabb{at, at}.grown(between(random, 0.01, 0.6));
 }
 
 struct Known {
-  Aabb box;
-  CollisionMask mask;
+  collision::Aabb box;
+  collision::CollisionMask mask;
   bool moves;
 };
 using All = std::map<std::uint32_t, Known>;
 
-std::vector<BroadPhase::Pair> brute_force(const All& all) {
-  std::vector<BroadPhase::Pair> out;
+std::vector<collision::BroadPhase::Pair> brute_force(const All& all) {
+  std::vector<collision::BroadPhase::Pair> out;
   for (auto a = all.begin(); a != all.end(); ++a)
     for (auto b = std::next(a); b != all.end(); ++b)
-      if ((a->second.moves || b->second.moves) && may_touch(a->second.mask, b->second.mask) &&
+      if ((a->second.moves || b->second.moves) && collision::may_touch(a->second.mask, b->second.mask) &&
           a->second.box.overlaps(b->second.box))
         out.emplace_back(a->first, b->first);
   return out;
@@ -37,7 +37,7 @@ std::vector<BroadPhase::Pair> brute_force(const All& all) {
 
 TEST(BroadPhase, AgreesWithBruteForceWhateverHappens) {
   Random random(1);
-  BroadPhase broad(0.05);
+  collision::BroadPhase broad(0.05);
   All all;
   const auto any = [&] {
     return std::next(all.begin(),
@@ -48,7 +48,8 @@ TEST(BroadPhase, AgreesWithBruteForceWhateverHappens) {
     if (all.size() < 20 || (what == 0 && all.size() < 150)) {
       std::uint32_t id = 0;
       while (all.contains(id)) ++id;
-      const CollisionMask mask = step % 3 ? CollisionMask{} : CollisionMask{2, 1};
+      const collision::CollisionMask mask =
+          step % 3 ? collision::CollisionMask{} : collision::CollisionMask{2, 1};
       const Known known{random_box(random), mask, step % 2 == 0};
       all[id] = known;
       broad.add(id, known.box, known.mask, known.moves);
@@ -64,13 +65,14 @@ TEST(BroadPhase, AgreesWithBruteForceWhateverHappens) {
       const auto changed = any();
       const double far = what < 6 ? 0.03 : 2;
       const Vec3 way = random_point(random, far);
-      changed->second.box =
-          what == 9 ? random_box(random) : Aabb{changed->second.box.lo + way, changed->second.box.hi + way};
+      changed->second.box = what == 9
+                                ? random_box(random)
+                                : collision::Aabb{changed->second.box.lo + way, changed->second.box.hi + way};
       broad.update(changed->first, changed->second.box);
     }
     if (step % 20) continue;
     ASSERT_EQ(broad.find_pairs(), brute_force(all)) << step;
-    const Aabb where = random_box(random);
+    const collision::Aabb where = random_box(random);
     std::vector<std::uint32_t> expected;
     for (const auto& [id, known] : all)
       if (known.box.overlaps(where)) expected.push_back(id);
@@ -81,11 +83,11 @@ TEST(BroadPhase, AgreesWithBruteForceWhateverHappens) {
 
 TEST(DynamicTree, StaysLow) {
   Random random(2);
-  DynamicTree tree(0.01);
-  std::vector<DynamicTree::Leaf> leaves;
+  collision::DynamicTree tree(0.01);
+  std::vector<collision::DynamicTree::Leaf> leaves;
   // In order along a line: the worst case of a tree that doesn't mend itself.
   for (std::uint32_t i = 0; i < 4096; ++i)
-    leaves.push_back(tree.insert(Aabb{Vec3(i, 0, 0), Vec3(i + 0.5, 1, 1)}, i));
+    leaves.push_back(tree.insert(collision::Aabb{Vec3(i, 0, 0), Vec3(i + 0.5, 1, 1)}, i));
   EXPECT_LT(tree.height(), 40);
   for (std::uint32_t i = 0; i < 4096; i += 2) tree.remove(leaves[i]);
   EXPECT_EQ(tree.size(), 2048u);
@@ -95,7 +97,7 @@ TEST(DynamicTree, StaysLow) {
 }
 
 TEST(DynamicTree, StaysWhileItFits) {
-  DynamicTree tree(0.1);
+  collision::DynamicTree tree(0.1);
   const auto leaf = tree.insert({Vec3::Zero(), Vec3::Ones()}, 0);
   EXPECT_FALSE(tree.move(leaf, {Vec3::Constant(0.05), Vec3::Constant(1.05)}));
   EXPECT_TRUE(tree.move(leaf, {Vec3::Constant(0.2), Vec3::Constant(1.2)}));
@@ -103,19 +105,19 @@ TEST(DynamicTree, StaysWhileItFits) {
 }
 
 TEST(Masks, BothMustBeWilling) {
-  CollisionGroups groups;
+  collision::CollisionGroups groups;
   groups.add("organs");
   groups.add("tools");
   const std::vector<std::string> organs{"organs"};
-  const CollisionMask organ = groups.mask("organs", {}), tool = groups.mask("tools", organs);
-  EXPECT_TRUE(may_touch(organ, tool));
-  EXPECT_FALSE(may_touch(tool, tool));
-  EXPECT_FALSE(may_touch(tool, CollisionMask{}));
-  EXPECT_TRUE(may_touch(organ, CollisionMask{}));
+  const collision::CollisionMask organ = groups.mask("organs", {}), tool = groups.mask("tools", organs);
+  EXPECT_TRUE(collision::may_touch(organ, tool));
+  EXPECT_FALSE(collision::may_touch(tool, tool));
+  EXPECT_FALSE(collision::may_touch(tool, collision::CollisionMask{}));
+  EXPECT_TRUE(collision::may_touch(organ, collision::CollisionMask{}));
 }
 
 TEST(Masks, SayWhatIsWrong) {
-  CollisionGroups groups;
+  collision::CollisionGroups groups;
   groups.add("organs");
   EXPECT_THROW(groups.add("organs"), InputError);
   EXPECT_THROW(groups.add(""), InputError);

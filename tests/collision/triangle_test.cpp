@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-Triangle random_triangle(Random& random, double size) {
+collision::Triangle random_triangle(Random& random, double size) {
   return {random_point(random, size), random_point(random, size), random_point(random, size)};
 }
 
@@ -56,7 +56,7 @@ WholeTriangle whole_triangle(Random& random, int size) {
   }
 }
 
-Triangle real(const WholeTriangle& t) {
+collision::Triangle real(const WholeTriangle& t) {
   return {t[0].real(), t[1].real(), t[2].real()};
 }
 
@@ -67,8 +67,8 @@ TEST(TriangleCrossing, AgreesWithExactArithmeticWhereMuchIsDegenerate) {
     for (int i = 0; i < 20000; ++i) {
       const WholeTriangle a = whole_triangle(random, size), b = whole_triangle(random, size);
       const bool expected = cross_exactly(a, b);
-      ASSERT_EQ(crossing(real(a), real(b)).crosses, expected) << size << " " << i;
-      ASSERT_EQ(crossing(real(b), real(a)).crosses, expected) << size << " " << i;
+      ASSERT_EQ(collision::crossing(real(a), real(b)).crosses, expected) << size << " " << i;
+      ASSERT_EQ(collision::crossing(real(b), real(a)).crosses, expected) << size << " " << i;
       crossing_ones += expected;
     }
     EXPECT_GT(crossing_ones, 1000);
@@ -78,42 +78,43 @@ TEST(TriangleCrossing, AgreesWithExactArithmeticWhereMuchIsDegenerate) {
 TEST(TriangleCrossing, PiercingsLieOnBoth) {
   Random random(2);
   for (int i = 0; i < 20000; ++i) {
-    const Triangle a = random_triangle(random, 1), b = random_triangle(random, 1);
-    const TriangleCrossing found = crossing(a, b);
+    const collision::Triangle a = random_triangle(random, 1), b = random_triangle(random, 1);
+    const collision::TriangleCrossing found = collision::crossing(a, b);
     ASSERT_EQ(found.crosses, found.count > 0);
     for (std::size_t k = 0; k < found.count; ++k) {
-      const Piercing& p = found.piercings[k];
-      const Triangle &edges = p.of_a ? a : b, &face = p.of_a ? b : a;
+      const collision::Piercing& p = found.piercings[k];
+      const collision::Triangle &edges = p.of_a ? a : b, &face = p.of_a ? b : a;
       const Vec3 on_edge = edges[p.edge] + p.along * (edges[(p.edge + 1u) % 3] - edges[p.edge]);
       EXPECT_LT((on_edge - p.point).norm(), 1e-12);
-      const Vec3 weights = closest_weights(p.point, face[0], face[1], face[2]);
-      EXPECT_LT((at(face, weights) - p.point).norm(), 1e-9);
+      const Vec3 weights = collision::closest_weights(p.point, face[0], face[1], face[2]);
+      EXPECT_LT((collision::at(face, weights) - p.point).norm(), 1e-9);
     }
   }
 }
 
 TEST(TriangleCrossing, FlatAndPointTriangles) {
-  const Triangle t{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  const collision::Triangle t{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   const auto point = [](double x, double y, double z) {
-    return Triangle{Vec3(x, y, z), Vec3(x, y, z), Vec3(x, y, z)};
+    return collision::Triangle{Vec3(x, y, z), Vec3(x, y, z), Vec3(x, y, z)};
   };
-  EXPECT_TRUE(crossing(t, t).crosses);
-  EXPECT_TRUE(crossing(t, point(0.25, 0.25, 0)).crosses);
-  EXPECT_FALSE(crossing(t, point(0.25, 0.25, 1e-9)).crosses);
-  EXPECT_FALSE(crossing(t, point(0.75, 0.75, 0)).crosses);
-  const Triangle needle{Vec3(0.2, 0.2, -1), Vec3(0.2, 0.2, 0), Vec3(0.2, 0.2, 1)};
-  EXPECT_TRUE(crossing(t, needle).crosses);
-  EXPECT_TRUE(crossing(needle, t).crosses);
+  EXPECT_TRUE(collision::crossing(t, t).crosses);
+  EXPECT_TRUE(collision::crossing(t, point(0.25, 0.25, 0)).crosses);
+  EXPECT_FALSE(collision::crossing(t, point(0.25, 0.25, 1e-9)).crosses);
+  EXPECT_FALSE(collision::crossing(t, point(0.75, 0.75, 0)).crosses);
+  const collision::Triangle needle{Vec3(0.2, 0.2, -1), Vec3(0.2, 0.2, 0), Vec3(0.2, 0.2, 1)};
+  EXPECT_TRUE(collision::crossing(t, needle).crosses);
+  EXPECT_TRUE(collision::crossing(needle, t).crosses);
 }
 
 /// Two convex sets' closest points are where the planes across the way between them have the sets on either
 /// side; that holds for nothing else.
-void expect_closest(const Triangle& a, const Triangle& b, const TrianglePair& pair) {
+void expect_closest(const collision::Triangle& a, const collision::Triangle& b,
+                    const collision::TrianglePair& pair) {
   const Vec3 way = pair.on_a - pair.on_b;
   const double d = way.norm();
   ASSERT_NEAR(d * d, pair.squared_distance, 1e-12);
-  EXPECT_LT((at(a, pair.weights_a) - pair.on_a).norm(), 1e-12);
-  EXPECT_LT((at(b, pair.weights_b) - pair.on_b).norm(), 1e-12);
+  EXPECT_LT((collision::at(a, pair.weights_a) - pair.on_a).norm(), 1e-12);
+  EXPECT_LT((collision::at(b, pair.weights_b) - pair.on_b).norm(), 1e-12);
   for (const Vec3& x : a) EXPECT_GE(way.dot(x - pair.on_a), -1e-9 * d);
   for (const Vec3& x : b) EXPECT_LE(way.dot(x - pair.on_b), 1e-9 * d);
 }
@@ -121,13 +122,13 @@ void expect_closest(const Triangle& a, const Triangle& b, const TrianglePair& pa
 TEST(ClosestTriangles, HavePlanesBetweenThem) {
   Random random(3);
   for (int i = 0; i < 20000; ++i) {
-    const Triangle a = random_triangle(random, 1);
-    Triangle b = random_triangle(random, 1);
+    const collision::Triangle a = random_triangle(random, 1);
+    collision::Triangle b = random_triangle(random, 1);
     if (i % 4 == 1) b[2] = b[1];  // a segment
     if (i % 4 == 2)
       for (std::size_t k = 0; k < 3; ++k) b[k] = a[k] + Vec3(0, 0, 1);  // parallel
     if (i % 4 == 3) b[2] = b[1] = b[0];                                 // a point
-    if (!crossing(a, b).crosses) expect_closest(a, b, closest(a, b));
+    if (!collision::crossing(a, b).crosses) expect_closest(a, b, collision::closest(a, b));
   }
 }
 

@@ -20,17 +20,17 @@ constexpr std::array fidelities = {Fidelity::none, Fidelity::sphere, Fidelity::a
                                    Fidelity::obb,  Fidelity::hull,   Fidelity::mesh};
 
 struct Body {
-  std::shared_ptr<const RigidOutline> outline;
+  std::shared_ptr<const collision::RigidOutline> outline;
   Pose pose;
 };
 
 std::vector<Body> heap(int count) {
   Random random(1);
   const auto table = shape_table();
-  std::vector<std::shared_ptr<const RigidOutline>> outlines;
+  std::vector<std::shared_ptr<const collision::RigidOutline>> outlines;
   for (const NamedParts& shape : table)
     for (const Fidelity fidelity : fidelities)
-      outlines.push_back(std::make_shared<RigidOutline>(shape.parts, fidelity));
+      outlines.push_back(std::make_shared<collision::RigidOutline>(shape.parts, fidelity));
   std::vector<Body> out;
   for (int i = 0; i < count; ++i)
     out.push_back({outlines[static_cast<std::size_t>(i * 5) % outlines.size()], random_pose(random, 0.17)});
@@ -94,8 +94,9 @@ TEST(World, ForgetsHowItCameToBe) {
 }
 
 TEST(World, FastThingsAreMetWithinTheTick) {
-  const std::vector<ShapePart> ball{{ShapeKind::sphere, Vec3::Constant(0.01), {}, nullptr}};
-  const auto outline = std::make_shared<RigidOutline>(ball, Fidelity::hull);
+  const std::vector<collision::ShapePart> ball{
+      {collision::ShapeKind::sphere, Vec3::Constant(0.01), {}, nullptr}};
+  const auto outline = std::make_shared<collision::RigidOutline>(ball, Fidelity::hull);
   for (const bool continuous : {false, true}) {
     CollisionWorld world(margin);
     const auto tool =

@@ -19,26 +19,26 @@ constexpr double middle = mesh_size / 2;
 
 /// Of the box's middle plane, across z, what `chosen` says.
 template <class Chosen>
-Marks marks_of(const TetComplex& complex, const Chosen& chosen) {
-  Marks marks({}, complex.node_end());
-  for (const NodeId node : node_ids(complex))
+cutting::Marks marks_of(const cutting::TetComplex& complex, const Chosen& chosen) {
+  cutting::Marks marks({}, complex.node_end());
+  for (const cutting::NodeId node : cutting::node_ids(complex))
     if (std::abs(complex.rest(node).z() - middle) < 1e-9 && chosen(node))
       marks.add({node, complex.rest(node), Vec3::UnitZ()});
   return marks;
 }
 
 TEST(CutThrough, WhatHoldsTheHalvesTogetherIsFound) {
-  TetComplex complex(box_mesh(cells), mesh_density);
-  for (const NodeId left_out : node_ids(complex)) {
+  cutting::TetComplex complex(box_mesh(cells), mesh_density);
+  for (const cutting::NodeId left_out : cutting::node_ids(complex)) {
     if (std::abs(complex.rest(left_out).z() - middle) > 1e-9) continue;
-    Marks marks = marks_of(complex, [&](NodeId node) { return node != left_out; });
-    const std::vector<NodeId> missing = missing_nodes(complex, marks, 2);
-    ASSERT_EQ(missing, std::vector<NodeId>{left_out});
-    EXPECT_TRUE(faces_between_parts(complex, marks, 0).faces.empty());
-    const BladeStroke::Mark mark = mark_between(complex, marks, left_out);
+    cutting::Marks marks = marks_of(complex, [&](cutting::NodeId node) { return node != left_out; });
+    const std::vector<cutting::NodeId> missing = cutting::missing_nodes(complex, marks, 2);
+    ASSERT_EQ(missing, std::vector<cutting::NodeId>{left_out});
+    EXPECT_TRUE(cutting::faces_between_parts(complex, marks, 0).faces.empty());
+    const cutting::BladeStroke::Mark mark = cutting::mark_between(complex, marks, left_out);
     EXPECT_NEAR(mark.normal.z(), 1, 1e-12);
     marks.add(mark);
-    EXPECT_EQ(faces_between_parts(complex, marks, 0).faces.size(), 2 * cells * cells);
+    EXPECT_EQ(cutting::faces_between_parts(complex, marks, 0).faces.size(), 2 * cells * cells);
   }
 }
 
@@ -46,90 +46,91 @@ TEST(CutThrough, WhatHoldsTheHalvesTogetherIsFound) {
 /// below them: none of them can be spared, however many they are.
 TEST(CutThrough, AsManyAsAreMissingAreFound) {
   for (const std::uint32_t across : {4U, 8U, 12U}) {
-    const TetComplex complex(box_mesh(across), mesh_density);
-    std::vector<NodeId> left_out;
-    const Marks marks = marks_of(complex, [&](NodeId node) {
+    const cutting::TetComplex complex(box_mesh(across), mesh_density);
+    std::vector<cutting::NodeId> left_out;
+    const cutting::Marks marks = marks_of(complex, [&](cutting::NodeId node) {
       const bool marked = std::abs(complex.rest(node).x() - middle) > 1e-9;
       if (!marked) left_out.push_back(node);
       return marked;
     });
     ASSERT_EQ(left_out.size(), across + 1);
-    EXPECT_EQ(missing_nodes(complex, marks, across + 1), left_out);
-    EXPECT_EQ(missing_nodes(complex, marks, 10 * across), left_out);
-    EXPECT_TRUE(missing_nodes(complex, marks, across).empty());
+    EXPECT_EQ(cutting::missing_nodes(complex, marks, across + 1), left_out);
+    EXPECT_EQ(cutting::missing_nodes(complex, marks, 10 * across), left_out);
+    EXPECT_TRUE(cutting::missing_nodes(complex, marks, across).empty());
   }
 }
 
 /// Whether marks, and more nodes, part what is above the middle plane from what is below.
-bool part(const TetComplex& complex, const Marks& marks, const std::vector<NodeId>& more) {
+bool part(const cutting::TetComplex& complex, const cutting::Marks& marks,
+          const std::vector<cutting::NodeId>& more) {
   std::vector<std::uint8_t> seen(complex.node_end(), 0);
-  for (const NodeId node : more) seen[node] = 1;
-  std::vector<NodeId> open;
-  for (const NodeId node : node_ids(complex))
+  for (const cutting::NodeId node : more) seen[node] = 1;
+  std::vector<cutting::NodeId> open;
+  for (const cutting::NodeId node : cutting::node_ids(complex))
     if (complex.rest(node).z() > 0.99 * mesh_size) open.push_back(node);
   while (!open.empty()) {
-    const NodeId node = open.back();
+    const cutting::NodeId node = open.back();
     open.pop_back();
     if (complex.rest(node).z() < 0.01 * mesh_size) return false;
-    for (const TetId t : complex.star(node))
-      for (const NodeId next : complex.corners(t))
+    for (const cutting::TetId t : complex.star(node))
+      for (const cutting::NodeId next : complex.corners(t))
         if (!marks.find(next) && !std::exchange(seen[next], std::uint8_t{1})) open.push_back(next);
   }
   return true;
 }
 
 TEST(CutThrough, WhatIsFoundPartsAndNoneOfItCanBeSpared) {
-  const TetComplex complex(box_mesh(8), mesh_density);
+  const cutting::TetComplex complex(box_mesh(8), mesh_density);
   Random random(test_seed(true));
   for (const double share : {0.05, 0.1, 0.2}) {
     std::size_t left_out = 0;
-    const Marks marks = marks_of(complex, [&](NodeId) {
+    const cutting::Marks marks = marks_of(complex, [&](cutting::NodeId) {
       const bool marked = random.uniform(0, 1) > share;
       left_out += marked ? 0 : 1;
       return marked;
     });
-    const std::vector<NodeId> missing = missing_nodes(complex, marks, left_out);
+    const std::vector<cutting::NodeId> missing = cutting::missing_nodes(complex, marks, left_out);
     EXPECT_EQ(missing.size(), left_out) << share;
     EXPECT_TRUE(part(complex, marks, missing)) << share;
     for (std::size_t k = 0; k < missing.size(); ++k) {
-      std::vector<NodeId> fewer = missing;
+      std::vector<cutting::NodeId> fewer = missing;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
       EXPECT_FALSE(part(complex, marks, fewer)) << share;
     }
-    EXPECT_TRUE(missing_nodes(complex, marks, missing.size() - 1).empty()) << share;
+    EXPECT_TRUE(cutting::missing_nodes(complex, marks, missing.size() - 1).empty()) << share;
   }
 }
 
 TEST(CutThrough, WhatIsHalfCutIsNotParted) {
-  const TetComplex complex(box_mesh(cells), mesh_density);
-  const Marks marks =
-      marks_of(complex, [&](NodeId node) { return complex.rest(node).x() < 0.6 * mesh_size; });
-  EXPECT_TRUE(missing_nodes(complex, marks, 4).empty());
-  EXPECT_TRUE(faces_between_parts(complex, marks, 0).faces.empty());
+  const cutting::TetComplex complex(box_mesh(cells), mesh_density);
+  const cutting::Marks marks =
+      marks_of(complex, [&](cutting::NodeId node) { return complex.rest(node).x() < 0.6 * mesh_size; });
+  EXPECT_TRUE(cutting::missing_nodes(complex, marks, 4).empty());
+  EXPECT_TRUE(cutting::faces_between_parts(complex, marks, 0).faces.empty());
 }
 
 TEST(CutThrough, CrumbsStayTogether) {
-  const TetComplex complex(box_mesh(cells), mesh_density);
-  const Marks plane = marks_of(complex, [](NodeId) { return true; });
+  const cutting::TetComplex complex(box_mesh(cells), mesh_density);
+  const cutting::Marks plane = marks_of(complex, [](cutting::NodeId) { return true; });
   const double more_than_all = 2 * mesh_size * mesh_size * mesh_size;
-  EXPECT_FALSE(faces_between_parts(complex, plane, 0).faces.empty());
-  EXPECT_TRUE(faces_between_parts(complex, plane, more_than_all).faces.empty());
+  EXPECT_FALSE(cutting::faces_between_parts(complex, plane, 0).faces.empty());
+  EXPECT_TRUE(cutting::faces_between_parts(complex, plane, more_than_all).faces.empty());
 }
 
 std::size_t pieces_after(double deepest, double step_back) {
-  TetComplex complex(box_mesh(2), mesh_density);
-  TetTree tree;
+  cutting::TetComplex complex(box_mesh(2), mesh_density);
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   const auto edge = [](double at) {
     return std::vector<Vec3>{{at, -0.5 * mesh_size, 0.52 * mesh_size},
                              {at, 1.5 * mesh_size, 0.52 * mesh_size}};
   };
   constexpr double outside = -0.03, step = 0.004;
-  BladeStroke stroke = begin_stroke(edge(outside));
+  cutting::BladeStroke stroke = cutting::begin_stroke(edge(outside));
   double at = outside;
   for (; at < deepest; at += step) cut_and_carry(complex, tree, x, edge(at), stroke);
   while (step_back > 0 && at > outside) cut_and_carry(complex, tree, x, edge(at -= step_back), stroke);
-  return pieces(complex).size();
+  return cutting::pieces(complex).size();
 }
 
 TEST(CutThrough, AHingeStaysWhereTheBladeIsDrawnBack) {
@@ -140,19 +141,19 @@ TEST(CutThrough, AHingeStaysWhereTheBladeIsDrawnBack) {
 
 /// A blade that is drawn out along its edge in one tick, and cuts a little more meanwhile.
 TEST(CutThrough, WhatTheBladeDidNotComeToStays) {
-  TetComplex complex(box_mesh(8), mesh_density);
-  TetTree tree;
+  cutting::TetComplex complex(box_mesh(8), mesh_density);
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   const auto edge = [](double at, double up) {
     return std::vector<Vec3>{{at, up - 0.5 * mesh_size, 0.52 * mesh_size},
                              {at, up + 1.5 * mesh_size, 0.52 * mesh_size}};
   };
-  BladeStroke stroke = begin_stroke(edge(-0.01, 0));
+  cutting::BladeStroke stroke = cutting::begin_stroke(edge(-0.01, 0));
   cut_and_carry(complex, tree, x, edge(0.075, 0), stroke);
   EXPECT_FALSE(stroke.ended_inside);
-  const CutResult out = cut_and_carry(complex, tree, x, edge(0.078, 3 * mesh_size), stroke);
+  const cutting::CutResult out = cut_and_carry(complex, tree, x, edge(0.078, 3 * mesh_size), stroke);
   EXPECT_FALSE(out.ops.empty());
-  EXPECT_EQ(pieces(complex).size(), 1U);
+  EXPECT_EQ(cutting::pieces(complex).size(), 1U);
 }
 
 }  // namespace

@@ -19,25 +19,25 @@ namespace {
 constexpr double edge = 0.02, reach = 0.015;  // m
 constexpr std::uint32_t linger = 6;           // ticks
 
-RefinementLimits limits(std::size_t most = 100'000) {
+cutting::RefinementLimits limits(std::size_t most = 100'000) {
   return {edge, reach, most, linger};
 }
 
-TouchedPlaces at(std::vector<Vec3> points) {
+cutting::TouchedPlaces at(std::vector<Vec3> points) {
   return {std::move(points), edge / 8};
 }
 
-double longest_edge_of(const TetComplex& complex, TetId tet) {
+double longest_edge_of(const cutting::TetComplex& complex, cutting::TetId tet) {
   double longest = 0;
-  for (const NodeId a : complex.corners(tet))
-    for (const NodeId b : complex.corners(tet))
+  for (const cutting::NodeId a : complex.corners(tet))
+    for (const cutting::NodeId b : complex.corners(tet))
       longest = std::max(longest, (complex.rest(a) - complex.rest(b)).norm());
   return longest;
 }
 
-bool has_box_near(const TetComplex& complex, TetId tet, const Vec3& point) {
+bool has_box_near(const cutting::TetComplex& complex, cutting::TetId tet, const Vec3& point) {
   Vec3 low = complex.rest(complex.corners(tet)[0]), high = low;
-  for (const NodeId node : complex.corners(tet)) {
+  for (const cutting::NodeId node : complex.corners(tet)) {
     low = low.cwiseMin(complex.rest(node));
     high = high.cwiseMax(complex.rest(node));
   }
@@ -45,7 +45,7 @@ bool has_box_near(const TetComplex& complex, TetId tet, const Vec3& point) {
 }
 
 /// Follows until nothing more is done.
-void settle(LocalRefinement& mesh, const TouchedPlaces& touched) {
+void settle(cutting::LocalRefinement& mesh, const cutting::TouchedPlaces& touched) {
   for (int tick = 0; tick < 100 && !mesh.follow(touched, false, false).empty(); ++tick) {
   }
 }
@@ -53,13 +53,13 @@ void settle(LocalRefinement& mesh, const TouchedPlaces& touched) {
 TEST(LocalRefinement, IsFineWhereTouchedAndCoarseElsewhere) {
   for (const NamedMesh& named : meshes_to_cut()) {
     SCOPED_TRACE(named.name);
-    LocalRefinement mesh(named.mesh, mesh_density, limits());
+    cutting::LocalRefinement mesh(named.mesh, mesh_density, limits());
     const Whole before = whole(mesh.complex());
     const Vec3 point = named.mesh.positions[named.mesh.tets[0][0]];
     settle(mesh, at({point}));
     EXPECT_TRUE(is_sound(mesh.complex(), before));
     std::size_t near_it = 0, untouched = 0;
-    for (const TetId tet : tet_ids(mesh.complex())) {
+    for (const cutting::TetId tet : cutting::tet_ids(mesh.complex())) {
       if (has_box_near(mesh.complex(), tet, point)) {
         ++near_it;
         EXPECT_LE(longest_edge_of(mesh.complex(), tet), edge);
@@ -74,23 +74,23 @@ TEST(LocalRefinement, IsFineWhereTouchedAndCoarseElsewhere) {
 }
 
 TEST(LocalRefinement, GoesASecondAfterAndLeavesNoTrace) {
-  LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits());
-  const std::uint64_t before = content_hash(mesh.complex());
+  cutting::LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits());
+  const std::uint64_t before = cutting::content_hash(mesh.complex());
   const Vec3 point = mesh.complex().rest(0);
   settle(mesh, at({point}));
   ASSERT_TRUE(mesh.any());
-  EXPECT_NE(content_hash(mesh.complex()), before);
+  EXPECT_NE(cutting::content_hash(mesh.complex()), before);
   EXPECT_TRUE(mesh.follow({}, true, true).empty());  // it rests under what touches it
   for (std::uint32_t tick = 1; tick < linger; ++tick) EXPECT_TRUE(mesh.follow({}, false, true).empty());
   EXPECT_TRUE(mesh.follow({}, false, false).empty());
   EXPECT_FALSE(mesh.follow({}, false, true).empty());
   EXPECT_FALSE(mesh.any());
-  EXPECT_EQ(content_hash(mesh.complex()), before);
+  EXPECT_EQ(cutting::content_hash(mesh.complex()), before);
 }
 
 TEST(LocalRefinement, WhatStaysTouchedStays) {
-  LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits());
-  const TouchedPlaces touched = at({mesh.complex().rest(0)});
+  cutting::LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits());
+  const cutting::TouchedPlaces touched = at({mesh.complex().rest(0)});
   settle(mesh, touched);
   for (std::uint32_t tick = 0; tick < 3 * linger; ++tick)
     EXPECT_TRUE(mesh.follow(touched, false, true).empty());
@@ -102,18 +102,19 @@ TEST(LocalRefinement, RandomTouchingKeepsAllSoundAndGoesOnAlike) {
   for (const NamedMesh& named : meshes) {
     SCOPED_TRACE(named.name);
     Random random(test_seed(true));
-    LocalRefinement mesh(named.mesh, mesh_density, limits());
-    std::optional<LocalRefinement> read;
+    cutting::LocalRefinement mesh(named.mesh, mesh_density, limits());
+    std::optional<cutting::LocalRefinement> read;
     const Whole before = whole(mesh.complex());
-    const std::uint64_t hash = content_hash(mesh.complex());
+    const std::uint64_t hash = cutting::content_hash(mesh.complex());
     Vec3 finger = Vec3::Constant(mesh_size / 2);
     std::size_t made = 0, taken_back = 0;
     for (int tick = 0; tick < 160; ++tick) {
       finger += random.point(0.012);
       finger = finger.cwiseMax(0).cwiseMin(mesh_size);
       const bool lifted = tick / 20 % 3 == 2;
-      const TouchedPlaces touched = lifted ? TouchedPlaces() : at({finger, finger + random.point(0.01)});
-      for (const RefinementStep& step : mesh.follow(touched, false, tick % 3 == 0))
+      const cutting::TouchedPlaces touched =
+          lifted ? cutting::TouchedPlaces() : at({finger, finger + random.point(0.01)});
+      for (const cutting::RefinementStep& step : mesh.follow(touched, false, tick % 3 == 0))
         ++(step.made ? made : taken_back);
       if (read) read->follow(touched, false, tick % 3 == 0);
       if (tick == 50) read.emplace(mesh.compacted(named.mesh));
@@ -129,13 +130,13 @@ TEST(LocalRefinement, RandomTouchingKeepsAllSoundAndGoesOnAlike) {
     EXPECT_GT(taken_back, 0u);
     mesh.take_back();
     EXPECT_FALSE(mesh.any());
-    EXPECT_EQ(content_hash(mesh.complex()), hash);
+    EXPECT_EQ(cutting::content_hash(mesh.complex()), hash);
   }
 }
 
 TEST(LocalRefinement, AddsNoMoreThanItMay) {
   constexpr std::size_t most = 60;
-  LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits(most));
+  cutting::LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits(most));
   Random random(3);
   for (int tick = 0; tick < 40; ++tick) {
     mesh.follow(at({Vec3::Constant(mesh_size / 2) + random.point(mesh_size / 2)}), false, true);
@@ -145,37 +146,37 @@ TEST(LocalRefinement, AddsNoMoreThanItMay) {
 }
 
 TEST(LocalRefinement, WhatIsTouchedNowTakesTheRoomOfWhatWas) {
-  LocalRefinement all(ball_mesh(0.02), mesh_density, limits());
+  cutting::LocalRefinement all(ball_mesh(0.02), mesh_density, limits());
   const Vec3 first = all.complex().rest(0);
   settle(all, at({first}));
-  LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits(all.added() + all.added() / 4));
+  cutting::LocalRefinement mesh(ball_mesh(0.02), mesh_density, limits(all.added() + all.added() / 4));
   settle(mesh, at({first}));
   EXPECT_EQ(mesh.added(), all.added());
   Vec3 second = first;  // the farthest node
-  for (const NodeId node : node_ids(mesh.complex()))
+  for (const cutting::NodeId node : cutting::node_ids(mesh.complex()))
     if ((mesh.complex().rest(node) - first).norm() > (second - first).norm())
       second = mesh.complex().rest(node);
   settle(mesh, at({second}));
-  for (const TetId tet : tet_ids(mesh.complex()))
+  for (const cutting::TetId tet : cutting::tet_ids(mesh.complex()))
     EXPECT_FALSE(has_box_near(mesh.complex(), tet, first) && longest_edge_of(mesh.complex(), tet) < edge / 2);
-  EXPECT_TRUE(std::ranges::any_of(tet_ids(mesh.complex()), [&](TetId tet) {
+  EXPECT_TRUE(std::ranges::any_of(cutting::tet_ids(mesh.complex()), [&](cutting::TetId tet) {
     return has_box_near(mesh.complex(), tet, second) && longest_edge_of(mesh.complex(), tet) <= edge;
   }));
 }
 
 TEST(LocalRefinement, EdgesThatAreNotThereAreRefused) {
   const TetMesh rest = ball_mesh(0.02);
-  LocalRefinement mesh(rest, mesh_density, limits());
+  cutting::LocalRefinement mesh(rest, mesh_density, limits());
   settle(mesh, at({mesh.complex().rest(0)}));
-  const std::vector<RefinedEdge> good = mesh.edges();
+  const std::vector<cutting::RefinedEdge> good = mesh.edges();
   std::mt19937_64 random(1);
   int refused = 0;
   for (int i = 0; i < 100; ++i) {
-    std::vector<RefinedEdge> bad = good;
-    RefinedEdge& edge = bad[random() % bad.size()];
+    std::vector<cutting::RefinedEdge> bad = good;
+    cutting::RefinedEdge& edge = bad[random() % bad.size()];
     for (std::uint32_t* number : {&edge.a, &edge.b, &edge.left})
       if (random() % 2 == 0) *number ^= 1u << (random() % 32);
-    LocalRefinement other = mesh.unrefined(rest);
+    cutting::LocalRefinement other = mesh.unrefined(rest);
     try {
       other.bisect(bad);
       other.take_back();

@@ -22,14 +22,14 @@ namespace prosector {
 namespace {
 
 /// Its outside; positions by vertex slot.
-TriangleMesh drawn(const Skin& skin, const TetComplex& complex) {
+TriangleMesh drawn(const cutting::Skin& skin, const cutting::TetComplex& complex) {
   TriangleMesh out;
-  for (const Skin::Vertex& v : skin.vertices()) {
+  for (const cutting::Skin::Vertex& v : skin.vertices()) {
     Vec3& x = out.positions.emplace_back(Vec3::Zero());
     for (std::size_t k = 0; k < 4; ++k)
       if (v.weight[k] != 0) x += v.weight[k] * complex.rest(v.node[k]);
   }
-  for (const Skin::Triangle& t : skin.triangles())
+  for (const cutting::Skin::Triangle& t : skin.triangles())
     if (!t.gone() && !t.inner) out.triangles.push_back(t.corners);
   return out;
 }
@@ -40,7 +40,7 @@ struct Apart {
 
 /// Of the one's corners and middles of triangles from the other.
 Apart apart(const TriangleMesh& from, const TriangleMesh& to) {
-  const TriangleSurface surface(to);
+  const collision::TriangleSurface surface(to);
   Apart out;
   double sum = 0;
   std::size_t count = 0;
@@ -63,11 +63,11 @@ struct Quality {
   double least_cosine = 1, least_angle = 180;
 };
 Quality quality(const TriangleMesh& mesh, const TriangleMesh& fine) {
-  const TriangleSurface surface(fine);
+  const collision::TriangleSurface surface(fine);
   Quality out;
   for (const auto& t : mesh.triangles) {
     const std::array<Vec3, 3> x = {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
-    const NearestPoint at = *surface.nearest((x[0] + x[1] + x[2]) / 3);
+    const collision::NearestPoint at = *surface.nearest((x[0] + x[1] + x[2]) / 3);
     const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
     out.least_cosine = std::min(out.least_cosine, normal.dot(surface.normal_at(at.triangle, at.weights)));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -90,10 +90,10 @@ class OuterShapes : public ::testing::TestWithParam<Shape> {};
 TEST_P(OuterShapes, AreTheFineSurface) {
   const Shape& row = GetParam();
   const SolidField field = implicit_shape(row.name, row.size);
-  const TetComplex complex(stuff_solid(field, row.cell), mesh_density);
+  const cutting::TetComplex complex(stuff_solid(field, row.cell), mesh_density);
   const TriangleMesh fine = isosurface(field, row.surface_cell);
-  const Skin skin(complex, std::make_shared<const OuterShape>(complex, fine));
-  const TriangleMesh own = drawn(Skin(complex), complex), shaped = drawn(skin, complex);
+  const cutting::Skin skin(complex, std::make_shared<const cutting::OuterShape>(complex, fine));
+  const TriangleMesh own = drawn(cutting::Skin(complex), complex), shaped = drawn(skin, complex);
   const Apart to = apart(shaped, fine), from = apart(fine, shaped), before = apart(fine, own);
   RecordProperty(
       "mm", fmt::format("most {:.3f} {:.3f}, rms {:.3f} {:.3f}; the boundary: {:.3f}, {:.3f}", 1e3 * to.most,
@@ -124,8 +124,8 @@ TEST(OuterShape, OfTheCtLiverIsItsFineSurface) {
   liver.geometry.surface_cell = 0.006;
   if (liver.geometry.volume.empty()) GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
   const Anatomy anatomy = make_anatomy(liver, {}, {});
-  const TetComplex complex(anatomy.tets, mesh_density);
-  const Skin skin(complex, std::make_shared<const OuterShape>(complex, anatomy.surface));
+  const cutting::TetComplex complex(anatomy.tets, mesh_density);
+  const cutting::Skin skin(complex, std::make_shared<const cutting::OuterShape>(complex, anatomy.surface));
   const TriangleMesh shaped = drawn(skin, complex);
   const Apart there = apart(anatomy.surface, shaped), back = apart(shaped, anatomy.surface);
   const auto mm = [](const Apart& a) { return fmt::format("{:.2f}, {:.2f}", 1e3 * a.most, 1e3 * a.rms); };
@@ -139,20 +139,20 @@ TEST(OuterShape, OfTheCtLiverIsItsFineSurface) {
 // A small cut in one side leaves the rest to the bit as it was drawn, in the same slots; where it is, the
 // outside stays as near to the fine surface as the boundary was.
 TEST(OuterShape, StaysWhereTheCutIsNot) {
-  TetComplex complex(ball_mesh(0.012), mesh_density);
+  cutting::TetComplex complex(ball_mesh(0.012), mesh_density);
   const TriangleMesh fine = surface_of("ball", 0.006);
-  Skin skin(complex, std::make_shared<const OuterShape>(complex, fine));
-  const std::vector<Skin::Triangle> before(skin.triangles().begin(), skin.triangles().end());
-  const Apart boundary = apart(drawn(Skin(complex), complex), fine);
-  TetTree tree;
+  cutting::Skin skin(complex, std::make_shared<const cutting::OuterShape>(complex, fine));
+  const std::vector<cutting::Skin::Triangle> before(skin.triangles().begin(), skin.triangles().end());
+  const Apart boundary = apart(drawn(cutting::Skin(complex), complex), fine);
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   const double middle = mesh_size / 2, deep = 0.8 * mesh_size;
-  BladeStroke blade =
-      begin_stroke(std::vector<Vec3>{{deep, 0.3 * mesh_size, middle}, {0.2, 0.3 * mesh_size, middle}});
-  const CutResult cut = cut_and_carry(
+  cutting::BladeStroke blade = cutting::begin_stroke(
+      std::vector<Vec3>{{deep, 0.3 * mesh_size, middle}, {0.2, 0.3 * mesh_size, middle}});
+  const cutting::CutResult cut = cut_and_carry(
       complex, tree, x, {{deep, 0.6 * mesh_size, middle}, {0.2, 0.6 * mesh_size, middle}}, blade);
   ASSERT_FALSE(cut.ops.empty());
-  const Skin::Change change = skin.follow(complex, touched_by(complex, cut.ops));
+  const cutting::Skin::Change change = skin.follow(complex, cutting::touched_by(complex, cut.ops));
   const TriangleMesh now = drawn(skin, complex);
   std::size_t far = 0;
   for (std::uint32_t slot = 0; slot < before.size(); ++slot) {
@@ -171,17 +171,18 @@ TEST(OuterShape, StaysWhereTheCutIsNot) {
 // Both sides of a cut right through are drawn at the same places where they meet the outside, on the fine
 // surface: nothing gapes or overlaps there.
 TEST(OuterShape, WallsMeetTheOutside) {
-  TetComplex complex(ball_mesh(0.016), mesh_density);
-  Skin skin(complex, std::make_shared<const OuterShape>(complex, surface_of("ball", 0.008)));
-  TetTree tree;
+  cutting::TetComplex complex(ball_mesh(0.016), mesh_density);
+  cutting::Skin skin(complex,
+                     std::make_shared<const cutting::OuterShape>(complex, surface_of("ball", 0.008)));
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   const Stroke stroke = across({0.5, 0.53, 0.5}, {0, 1, 0}, 1);
-  BladeStroke blade = begin_stroke(stroke[0]);
+  cutting::BladeStroke blade = cutting::begin_stroke(stroke[0]);
   cut_and_carry(complex, tree, x, stroke[1], blade);
   skin.update(complex);
   const TriangleMesh now = drawn(skin, complex);
   std::vector<std::uint8_t> kinds(now.positions.size(), 0);
-  for (const Skin::Triangle& t : skin.triangles())
+  for (const cutting::Skin::Triangle& t : skin.triangles())
     if (!t.gone())
       for (const std::uint32_t corner : t.corners) kinds[corner] |= t.inner ? 2 : 1;
   std::vector<Vec3> seam;
@@ -196,11 +197,12 @@ TEST(OuterShape, WallsMeetTheOutside) {
 }
 
 TEST(OuterShape, IsNoneWhereTheSurfaceIsTheBoundary) {
-  const TetComplex complex(shaken_box(4), mesh_density);
-  EXPECT_TRUE(OuterShape(complex, drawn(Skin(complex), complex)).is_boundary());
-  EXPECT_TRUE(OuterShape(complex, {}).is_boundary());
+  const cutting::TetComplex complex(shaken_box(4), mesh_density);
+  EXPECT_TRUE(cutting::OuterShape(complex, drawn(cutting::Skin(complex), complex)).is_boundary());
+  EXPECT_TRUE(cutting::OuterShape(complex, {}).is_boundary());
   EXPECT_FALSE(
-      OuterShape(TetComplex(ball_mesh(0.016), mesh_density), surface_of("ball", 0.008)).is_boundary());
+      cutting::OuterShape(cutting::TetComplex(ball_mesh(0.016), mesh_density), surface_of("ball", 0.008))
+          .is_boundary());
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ Stroke random_stroke(Random& random) {
   return stroke;
 }
 
-void knead(std::vector<Vec3>& x, const TetComplex& complex, Random& random) {
+void knead(std::vector<Vec3>& x, const cutting::TetComplex& complex, Random& random) {
   const double bend = random.uniform(-8, 8), squeeze = random.uniform(0.3, 1.2),
                push = random.uniform(-0.04, 0.04);
   const Vec3 hit = in_mesh(random, 0.5);
-  for (NodeId i = 0; i < x.size(); ++i) {
+  for (cutting::NodeId i = 0; i < x.size(); ++i) {
     const Vec3& r = complex.rest(i);
     x[i] = {r[0], squeeze * r[1] + bend * r[0] * r[0], r[2]};
     if ((r - hit).norm() < 0.03)
@@ -80,25 +80,25 @@ TEST_P(RandomStrokes, LeaveTheMeshSoundAndCanBeTakenBack) {
                        : GetParam().mesh == "ball" ? ball_mesh(0.025)
                                                    : single_tet();
   Random random(seed);
-  TetComplex complex(mesh, mesh_density);
+  cutting::TetComplex complex(mesh, mesh_density);
   const Whole before = whole(complex);
-  TetTree tree;
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   struct Cut {
     std::uint64_t hash_before = 0;
-    std::vector<TopologyOp> ops;
+    std::vector<cutting::TopologyOp> ops;
     bool is_hashed = false;  // each of the first strokes' cuts, and each later stroke's first
   };
   std::vector<Cut> log;
   for (unsigned i = 0; i < strokes; ++i) {
     const Stroke stroke = random_stroke(random);
-    BladeStroke state = begin_stroke(stroke.front());
+    cutting::BladeStroke state = cutting::begin_stroke(stroke.front());
     bool begins = true;
-    std::uint64_t hash = content_hash(complex);
+    std::uint64_t hash = cutting::content_hash(complex);
     for (std::size_t tick = 1; tick < stroke.size(); ++tick) {
       if (random.below(2) == 0) knead(x, complex, random);
-      if (i < close_look) hash = content_hash(complex);
-      CutResult result = cut_and_carry(complex, tree, x, stroke[tick], state);
+      if (i < close_look) hash = cutting::content_hash(complex);
+      cutting::CutResult result = cut_and_carry(complex, tree, x, stroke[tick], state);
       if (result.ops.empty()) continue;
       const bool first = std::exchange(begins, false);
       log.push_back({hash, std::move(result.ops), first || i < close_look});
@@ -108,11 +108,11 @@ TEST_P(RandomStrokes, LeaveTheMeshSoundAndCanBeTakenBack) {
     }
   }
   RecordProperty("tets", static_cast<int>(complex.tets()));
-  RecordProperty("pieces", static_cast<int>(pieces(complex).size()));
+  RecordProperty("pieces", static_cast<int>(cutting::pieces(complex).size()));
   for (std::size_t i = log.size(); i-- > 0;) {
     for (std::size_t k = log[i].ops.size(); k-- > 0;) complex.take_back(log[i].ops[k]);
     if (!log[i].is_hashed) continue;
-    ASSERT_EQ(content_hash(complex), log[i].hash_before) << "cut " << i << " taken back";
+    ASSERT_EQ(cutting::content_hash(complex), log[i].hash_before) << "cut " << i << " taken back";
   }
   EXPECT_EQ(complex.tets(), mesh.tets.size());
 }

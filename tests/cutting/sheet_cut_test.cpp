@@ -20,19 +20,19 @@ Anatomy square(double side, double cell) {
   return make_sheet({side, thickness, side}, cell);
 }
 
-TetComplex complex_of(const Anatomy& sheet, std::vector<std::uint8_t> held = {}) {
-  return TetComplex::of_sheet(sheet, density, std::move(held));
+cutting::TetComplex complex_of(const Anatomy& sheet, std::vector<std::uint8_t> held = {}) {
+  return cutting::TetComplex::of_sheet(sheet, density, std::move(held));
 }
 
-double total_mass(const TetComplex& complex) {
+double total_mass(const cutting::TetComplex& complex) {
   double sum = 0;
-  for (const NodeId node : node_ids(complex)) sum += complex.mass(node);
+  for (const cutting::NodeId node : cutting::node_ids(complex)) sum += complex.mass(node);
   return sum;
 }
 
-double total_volume(const TetComplex& complex) {
+double total_volume(const cutting::TetComplex& complex) {
   double sum = 0;
-  for (const TetId t : tet_ids(complex)) sum += complex.volume(t);
+  for (const cutting::TetId t : cutting::tet_ids(complex)) sum += complex.volume(t);
   return sum;
 }
 
@@ -50,22 +50,22 @@ Stroke drawn(const Vec3& from, const Vec3& to, int ticks) {
 struct CutSheet {
   explicit CutSheet(const Anatomy& sheet) : complex(complex_of(sheet)), x(rest_positions(complex)) {}
   void make(const Stroke& stroke) {
-    BladeStroke state = begin_stroke(stroke.front());
+    cutting::BladeStroke state = cutting::begin_stroke(stroke.front());
     for (std::size_t i = 1; i < stroke.size(); ++i) {
-      const CutResult result = cut_and_carry(complex, tree, x, stroke[i], state);
+      const cutting::CutResult result = cut_and_carry(complex, tree, x, stroke[i], state);
       ops.insert(ops.end(), result.ops.begin(), result.ops.end());
       least_angle = std::min(least_angle, result.least_dihedral_deg);
     }
   }
-  TetComplex complex;
-  TetTree tree;
+  cutting::TetComplex complex;
+  cutting::TetTree tree;
   std::vector<Vec3> x;
-  std::vector<TopologyOp> ops;
+  std::vector<cutting::TopologyOp> ops;
   double least_angle = 180;
 };
 
 TEST(SheetMass, OfFreeEndsIsSharedByTheWayBetween) {
-  const EdgeMasses m = share_mass({2, false}, {4, false}, 0.25);
+  const cutting::EdgeMasses m = cutting::share_mass({2, false}, {4, false}, 0.25);
   const double node = 2.5, f = 6 / 8.5;
   EXPECT_DOUBLE_EQ(m.a, 2 * f);
   EXPECT_DOUBLE_EQ(m.b, 4 * f);
@@ -74,7 +74,8 @@ TEST(SheetMass, OfFreeEndsIsSharedByTheWayBetween) {
 }
 
 TEST(SheetMass, OfAFreeEndIsHalvedWhereTheOtherIsHeld) {
-  const EdgeMasses m = share_mass({2, true}, {4, false}, 0.9), n = share_mass({2, false}, {4, true}, 0.9);
+  const cutting::EdgeMasses m = cutting::share_mass({2, true}, {4, false}, 0.9),
+                            n = cutting::share_mass({2, false}, {4, true}, 0.9);
   EXPECT_EQ(m.a, 2);
   EXPECT_EQ(m.b, 2);
   EXPECT_EQ(m.node, 2);
@@ -84,12 +85,12 @@ TEST(SheetMass, OfAFreeEndIsHalvedWhereTheOtherIsHeld) {
 }
 
 TEST(SheetMass, BetweenHeldEndsIsAHeldNode) {
-  TetComplex complex = complex_of(square(0.1, 0.1), {1, 1, 0, 0});
+  cutting::TetComplex complex = complex_of(square(0.1, 0.1), {1, 1, 0, 0});
   const double whole = total_mass(complex);
-  complex.apply(SplitEdge{0, 1, 4, 0.5, 2, 1});
+  complex.apply(cutting::SplitEdge{0, 1, 4, 0.5, 2, 1});
   EXPECT_TRUE(complex.is_held(4));
   EXPECT_NEAR(total_mass(complex), whole, 1e-15 * whole);
-  complex.apply(SplitEdge{1, 3, 5, 0.5, 4, 1});  // one end held
+  complex.apply(cutting::SplitEdge{1, 3, 5, 0.5, 4, 1});  // one end held
   EXPECT_FALSE(complex.is_held(5));
   EXPECT_EQ(complex.mass(5), complex.mass(3));
   EXPECT_NEAR(total_mass(complex), whole, 1e-15 * whole);
@@ -101,26 +102,26 @@ TEST(SheetComplex, OneCellIsCutAcrossIntoTwo) {
   const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
   EXPECT_DOUBLE_EQ(volume, 0.1 * 0.1 * thickness);
   EXPECT_DOUBLE_EQ(mass, density * volume);
-  const std::uint64_t hash = content_hash(sheet.complex);
+  const std::uint64_t hash = cutting::content_hash(sheet.complex);
   sheet.make(drawn({0.01, 0, -0.08}, {0.01, 0, 0.08}, 1));  // along z at x = 0.01
-  EXPECT_EQ(pieces(sheet.complex).size(), 2U);
+  EXPECT_EQ(cutting::pieces(sheet.complex).size(), 2U);
   EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
   EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
   int on_cut = 0;
-  for (const NodeId node : node_ids(sheet.complex))
+  for (const cutting::NodeId node : cutting::node_ids(sheet.complex))
     if (node > 3) {
       EXPECT_NEAR(sheet.complex.rest(node).x(), 0.01, 1e-3);  // the blade leans by as much at most
       ++on_cut;
     }
   EXPECT_EQ(on_cut, 6);  // on two borders and the diagonal, each on both sides
   for (std::size_t i = sheet.ops.size(); i-- > 0;) sheet.complex.take_back(sheet.ops[i]);
-  EXPECT_EQ(content_hash(sheet.complex), hash);
+  EXPECT_EQ(cutting::content_hash(sheet.complex), hash);
 }
 
 TEST(SheetComplex, ANewNodeIsAndMovesAsTheEdgeDoesThere) {
-  const SplitEdge op{0, 3, 4, 0.25, 2, 2};
+  const cutting::SplitEdge op{0, 3, 4, 0.25, 2, 2};
   std::vector<Vec3> x = {{0, 0, 0}, {}, {}, {4, 8, -4}};
-  carry(op, x);
+  cutting::carry(op, x);
   EXPECT_EQ(x[4], Vec3(1, 2, -1));
 }
 
@@ -132,7 +133,7 @@ TEST(SheetComplex, StraightStrokesPartItWhateverTheirWay) {
       CutSheet sheet(square(0.1, 0.01));
       const double mass = total_mass(sheet.complex);
       sheet.make(drawn(off * side - 0.11 * way, off * side + 0.11 * way, ticks));
-      EXPECT_EQ(pieces(sheet.complex).size(), 2U) << "angle " << angle << ", " << ticks << " ticks";
+      EXPECT_EQ(cutting::pieces(sheet.complex).size(), 2U) << "angle " << angle << ", " << ticks << " ticks";
       EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
       EXPECT_GE(sheet.least_angle, 4.99);
     }
@@ -152,7 +153,7 @@ Anatomy bent(double radius, double cell) {
 }
 
 void expect_in_two(const CutSheet& sheet, double mass, double volume, const std::string& which) {
-  EXPECT_EQ(pieces(sheet.complex).size(), 2U) << which;
+  EXPECT_EQ(cutting::pieces(sheet.complex).size(), 2U) << which;
   EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
   EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
   EXPECT_GE(sheet.least_angle, 4.99);
@@ -220,14 +221,14 @@ TEST(SheetStrokes, ThroughCurvedSheetsOfAnySeed) {
 TEST(SheetComplex, ACutEndsInsideAndGoesOn) {
   CutSheet sheet(square(0.1, 0.01));
   const Stroke stroke = drawn({0.003, 0, -0.06}, {0.003, 0, 0.06}, 40);
-  BladeStroke state = begin_stroke(stroke.front());
+  cutting::BladeStroke state = cutting::begin_stroke(stroke.front());
   std::size_t opened = 0, parted_at = 0;
   for (std::size_t i = 1; i < stroke.size(); ++i) {
     opened += cut_and_carry(sheet.complex, sheet.tree, sheet.x, stroke[i], state).slit_faces;
-    if (parted_at == 0 && pieces(sheet.complex).size() == 2) parted_at = i;
+    if (parted_at == 0 && cutting::pieces(sheet.complex).size() == 2) parted_at = i;
     if (i == 20) {
       EXPECT_GE(opened, 4U);  // 6 cm of cells of 1 cm
-      EXPECT_EQ(pieces(sheet.complex).size(), 1U);
+      EXPECT_EQ(cutting::pieces(sheet.complex).size(), 1U);
     }
   }
   EXPECT_GE(parted_at, 36U);
@@ -235,25 +236,25 @@ TEST(SheetComplex, ACutEndsInsideAndGoesOn) {
 
 /// Who neighbours whom, and masses, as going through the operations afresh has them.
 void expect_as_rebuilt(const CutSheet& sheet, const Anatomy& uncut) {
-  TetComplex again = complex_of(uncut);
-  for (const TopologyOp& op : sheet.ops) again.apply(op);
-  EXPECT_EQ(content_hash(again), content_hash(sheet.complex));
-  std::vector<std::vector<TetId>> star(sheet.complex.node_end());
-  for (const TetId t : tet_ids(sheet.complex)) {
+  cutting::TetComplex again = complex_of(uncut);
+  for (const cutting::TopologyOp& op : sheet.ops) again.apply(op);
+  EXPECT_EQ(cutting::content_hash(again), cutting::content_hash(sheet.complex));
+  std::vector<std::vector<cutting::TetId>> star(sheet.complex.node_end());
+  for (const cutting::TetId t : cutting::tet_ids(sheet.complex)) {
     const auto c = sheet.complex.corners(t);
-    for (const NodeId node : c) star[node].push_back(t);
+    for (const cutting::NodeId node : c) star[node].push_back(t);
     for (std::size_t k = 0; k < 3; ++k) {
-      const TetId beyond = sheet.complex.neighbor(t, k);
-      if (beyond == TetComplex::none) continue;
+      const cutting::TetId beyond = sheet.complex.neighbor(t, k);
+      if (beyond == cutting::TetComplex::none) continue;
       ASSERT_TRUE(sheet.complex.has_tet(beyond));
-      EXPECT_TRUE(has_corner(sheet.complex, beyond, c[(k + 1) % 3]));
-      EXPECT_TRUE(has_corner(sheet.complex, beyond, c[(k + 2) % 3]));
+      EXPECT_TRUE(cutting::has_corner(sheet.complex, beyond, c[(k + 1) % 3]));
+      EXPECT_TRUE(cutting::has_corner(sheet.complex, beyond, c[(k + 2) % 3]));
     }
     const Vec3 n = (sheet.complex.rest(c[1]) - sheet.complex.rest(c[0]))
                        .cross(sheet.complex.rest(c[2]) - sheet.complex.rest(c[0]));
     EXPECT_GT(n.y(), 0) << "triangle " << t << " turned over";
   }
-  for (const NodeId node : node_ids(sheet.complex)) {
+  for (const cutting::NodeId node : cutting::node_ids(sheet.complex)) {
     const auto is = sheet.complex.star(node);
     EXPECT_TRUE(std::equal(is.begin(), is.end(), star[node].begin(), star[node].end()));
     EXPECT_GT(sheet.complex.mass(node), 0);
@@ -267,11 +268,11 @@ void make_random_strokes(unsigned seed) {
   const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
   std::vector<std::pair<std::uint64_t, std::size_t>> before;  // hash, operations
   for (int i = 0; i < 400; ++i) {
-    before.emplace_back(content_hash(sheet.complex), sheet.ops.size());
+    before.emplace_back(cutting::content_hash(sheet.complex), sheet.ops.size());
     const auto place = [&] { return Vec3(random.point(1).cwiseProduct(Vec3(0.07, 0.01, 0.07))); };
     const Vec3 from = place(), to = i % 10 == 0 ? Vec3(from + Vec3(1e-6, 0, 0)) : place();
     sheet.make(drawn(from, to, 1 + static_cast<int>(random.below(8))));
-    for (const NodeId node : node_ids(sheet.complex))  // it moves
+    for (const cutting::NodeId node : cutting::node_ids(sheet.complex))  // it moves
       sheet.x[node] =
           sheet.complex.rest(node) + Vec3(0, 3 * sheet.complex.rest(node).x() * random.uniform(0, 0.01), 0);
     ASSERT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass) << "after stroke " << i;
@@ -279,11 +280,11 @@ void make_random_strokes(unsigned seed) {
     if (i % 50 == 49) expect_as_rebuilt(sheet, uncut);
   }
   EXPECT_GE(sheet.least_angle, 4.99);
-  EXPECT_GT(pieces(sheet.complex).size(), 10U);
+  EXPECT_GT(cutting::pieces(sheet.complex).size(), 10U);
   std::size_t left = sheet.ops.size();
   for (std::size_t i = before.size(); i-- > 0;) {
     while (left > before[i].second) sheet.complex.take_back(sheet.ops[--left]);
-    ASSERT_EQ(content_hash(sheet.complex), before[i].first) << "stroke " << i << " taken back";
+    ASSERT_EQ(cutting::content_hash(sheet.complex), before[i].first) << "stroke " << i << " taken back";
   }
 }
 

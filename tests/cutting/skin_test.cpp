@@ -15,12 +15,12 @@
 namespace prosector {
 namespace {
 
-bool is_live(const Skin::Triangle& t) {
+bool is_live(const cutting::Skin::Triangle& t) {
   return t.corners[0] != t.corners[1];
 }
 
 // Every edge belongs to two triangles that run along it in opposite directions.
-::testing::AssertionResult is_closed(const Skin& skin) {
+::testing::AssertionResult is_closed(const cutting::Skin& skin) {
   std::map<std::array<std::uint32_t, 2>, int> directed;
   for (const auto& t : skin.triangles()) {
     if (!is_live(t)) continue;
@@ -35,7 +35,7 @@ bool is_live(const Skin::Triangle& t) {
   return ::testing::AssertionSuccess();
 }
 
-Vec3 at(const Skin& skin, const TetComplex& complex, std::uint32_t vertex) {
+Vec3 at(const cutting::Skin& skin, const cutting::TetComplex& complex, std::uint32_t vertex) {
   const auto& v = skin.vertices()[vertex];
   Vec3 x = Vec3::Zero();
   for (std::size_t k = 0; k < 4; ++k)
@@ -44,7 +44,7 @@ Vec3 at(const Skin& skin, const TetComplex& complex, std::uint32_t vertex) {
 }
 
 // By the divergence theorem.
-double enclosed(const Skin& skin, const TetComplex& complex) {
+double enclosed(const cutting::Skin& skin, const cutting::TetComplex& complex) {
   double volume = 0;
   for (const auto& t : skin.triangles())
     if (is_live(t))
@@ -55,9 +55,9 @@ double enclosed(const Skin& skin, const TetComplex& complex) {
 }
 
 struct Replica {
-  std::vector<Skin::Vertex> vertices;
-  std::vector<Skin::Triangle> triangles;
-  void apply(const Skin::Change& change) {
+  std::vector<cutting::Skin::Vertex> vertices;
+  std::vector<cutting::Skin::Triangle> triangles;
+  void apply(const cutting::Skin::Change& change) {
     ASSERT_EQ(change.first_vertex, vertices.size());
     vertices.insert(vertices.end(), change.vertices.begin(), change.vertices.end());
     for (std::size_t i = 0; i < change.slots.size(); ++i) {
@@ -67,14 +67,14 @@ struct Replica {
   }
 };
 
-std::vector<Skin::Triangle> live(const Skin& skin) {
-  std::vector<Skin::Triangle> out(skin.triangles().begin(), skin.triangles().end());
+std::vector<cutting::Skin::Triangle> live(const cutting::Skin& skin) {
+  std::vector<cutting::Skin::Triangle> out(skin.triangles().begin(), skin.triangles().end());
   while (!out.empty() && !is_live(out.back())) out.pop_back();
   return out;
 }
 
-::testing::AssertionResult same(const Skin& followed, const Skin::Change& a, const Skin& updated,
-                                const Skin::Change& b) {
+::testing::AssertionResult same(const cutting::Skin& followed, const cutting::Skin::Change& a,
+                                const cutting::Skin& updated, const cutting::Skin::Change& b) {
   if (!std::ranges::equal(followed.vertices(), updated.vertices()) ||
       !std::ranges::equal(followed.triangles(), updated.triangles()))
     return ::testing::AssertionFailure() << "another skin";
@@ -92,25 +92,26 @@ class Skins : public ::testing::TestWithParam<NamedMesh> {};
 TEST_P(Skins, StayClosedAndComeBack) {
   for (const NamedStrokes& row : strokes_to_make()) {
     SCOPED_TRACE(row.name);
-    TetComplex complex(GetParam().mesh, mesh_density);
-    Skin skin(complex, std::make_shared<const OuterShape>(complex, GetParam().surface)), updated = skin;
+    cutting::TetComplex complex(GetParam().mesh, mesh_density);
+    cutting::Skin skin(complex, std::make_shared<const cutting::OuterShape>(complex, GetParam().surface)),
+        updated = skin;
     const bool is_boundary = GetParam().surface.triangles.empty();
     const double volume = is_boundary ? whole(complex).volume : enclosed(skin, complex);
     Replica replica;
     replica.vertices.assign(skin.vertices().begin(), skin.vertices().end());
     replica.triangles.assign(skin.triangles().begin(), skin.triangles().end());
-    TetTree tree;
+    cutting::TetTree tree;
     std::vector<Vec3> x = rest_positions(complex);
-    std::vector<CutResult> cuts;
-    std::vector<std::vector<TetId>> touched;
-    std::vector<std::vector<Skin::Triangle>> before;
+    std::vector<cutting::CutResult> cuts;
+    std::vector<std::vector<cutting::TetId>> touched;
+    std::vector<std::vector<cutting::Skin::Triangle>> before;
     for (const Stroke& stroke : row.strokes) {
-      BladeStroke state = begin_stroke(stroke.front());
+      cutting::BladeStroke state = cutting::begin_stroke(stroke.front());
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         before.push_back(live(skin));
         cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
-        touched.push_back(touched_by(complex, cuts.back().ops));
-        const Skin::Change change = skin.follow(complex, touched.back());
+        touched.push_back(cutting::touched_by(complex, cuts.back().ops));
+        const cutting::Skin::Change change = skin.follow(complex, touched.back());
         replica.apply(change);
         ASSERT_TRUE(is_closed(skin)) << "tick " << i;
         ASSERT_TRUE(same(skin, change, updated, updated.update(complex))) << "tick " << i;
@@ -123,7 +124,7 @@ TEST_P(Skins, StayClosedAndComeBack) {
                            skin.triangles().end()));
     for (std::size_t i = cuts.size(); i-- > 0;) {
       for (std::size_t k = cuts[i].ops.size(); k-- > 0;) complex.take_back(cuts[i].ops[k]);
-      const Skin::Change change = skin.follow(complex, touched[i]);
+      const cutting::Skin::Change change = skin.follow(complex, touched[i]);
       ASSERT_EQ(live(skin), before[i]) << "cut " << i << " taken back";
       ASSERT_TRUE(same(skin, change, updated, updated.update(complex))) << "cut " << i << " taken back";
     }
@@ -132,12 +133,12 @@ TEST_P(Skins, StayClosedAndComeBack) {
 
 // A cut right through a box lays bare twice its section.
 TEST(Skin, KnowsWhatACutLaidBare) {
-  TetComplex complex(box_mesh(4), mesh_density);
-  Skin skin(complex);
-  TetTree tree;
+  cutting::TetComplex complex(box_mesh(4), mesh_density);
+  cutting::Skin skin(complex);
+  cutting::TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
   const Stroke stroke = across({0.5, 0.57, 0.5}, {0, 1, 0}, 1);
-  BladeStroke state = begin_stroke(stroke[0]);
+  cutting::BladeStroke state = cutting::begin_stroke(stroke[0]);
   cut_and_carry(complex, tree, x, stroke[1], state);
   skin.update(complex);
   double inner = 0, outer = 0;

@@ -17,7 +17,7 @@ using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
-constexpr TetId none = TetComplex::none;
+constexpr cutting::TetId none = cutting::TetComplex::none;
 
 class Sets {
  public:
@@ -32,20 +32,20 @@ class Sets {
   std::vector<std::size_t> root_;
 };
 
-AssertionResult caches_are_as_rebuilt(const TetComplex& complex) {
-  std::map<std::array<NodeId, 3>, std::vector<std::pair<TetId, std::size_t>>> faces;
-  std::vector<std::vector<TetId>> star(complex.node_end());
-  for (const TetId t : tet_ids(complex))
+AssertionResult caches_are_as_rebuilt(const cutting::TetComplex& complex) {
+  std::map<std::array<cutting::NodeId, 3>, std::vector<std::pair<cutting::TetId, std::size_t>>> faces;
+  std::vector<std::vector<cutting::TetId>> star(complex.node_end());
+  for (const cutting::TetId t : cutting::tet_ids(complex))
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& c = complex.corners(t);
       if (!complex.has_node(c[k])) return AssertionFailure() << "tet " << t << " has a node that is gone";
       star[c[k]].push_back(t);
-      std::array<NodeId, 3> key{};
-      for (std::size_t i = 0; i < 3; ++i) key[i] = c[TetComplex::face[k][i]];
+      std::array<cutting::NodeId, 3> key{};
+      for (std::size_t i = 0; i < 3; ++i) key[i] = c[cutting::TetComplex::face[k][i]];
       std::sort(key.begin(), key.end());
       faces[key].emplace_back(t, k);
     }
-  for (NodeId i = 0; i < complex.node_end(); ++i)
+  for (cutting::NodeId i = 0; i < complex.node_end(); ++i)
     if (!std::equal(star[i].begin(), star[i].end(), complex.star(i).begin(), complex.star(i).end()))
       return AssertionFailure() << "the star of node " << i << " is not as rebuilt";
   for (const auto& [key, sides] : faces) {
@@ -69,8 +69,8 @@ AssertionResult caches_are_as_rebuilt(const TetComplex& complex) {
 // Boundary faces, each edge matched with the face met on the way round it through the tetrahedra.
 class Boundary {
  public:
-  explicit Boundary(const TetComplex& complex) : complex_(complex) {
-    for (const TetId t : tet_ids(complex))
+  explicit Boundary(const cutting::TetComplex& complex) : complex_(complex) {
+    for (const cutting::TetId t : cutting::tet_ids(complex))
       for (std::size_t k = 0; k < 4; ++k)
         if (complex.neighbor(t, k) == none) {
           index_[{t, k}] = faces_.size();
@@ -106,18 +106,18 @@ class Boundary {
  private:
   static constexpr std::size_t npos = SIZE_MAX;
 
-  NodeId node(std::size_t f, std::size_t i) const {
+  cutting::NodeId node(std::size_t f, std::size_t i) const {
     const auto [t, k] = faces_[f];
-    return complex_.corners(t)[TetComplex::face[k][i]];
+    return complex_.corners(t)[cutting::TetComplex::face[k][i]];
   }
   std::pair<std::size_t, std::size_t> partner(std::size_t f, std::size_t e) const {
-    const NodeId a = node(f, e), b = node(f, (e + 1) % 3);
+    const cutting::NodeId a = node(f, e), b = node(f, (e + 1) % 3);
     auto [t, k] = faces_[f];
     for (int steps = 0; steps < 1000; ++steps) {
       std::size_t other = 4;  // the tetrahedron's other face at a–b
       for (std::size_t i = 0; i < 4; ++i)
         if (i != k && complex_.corners(t)[i] != a && complex_.corners(t)[i] != b) other = i;
-      const TetId next = complex_.neighbor(t, other);
+      const cutting::TetId next = complex_.neighbor(t, other);
       if (next == none) {
         const std::size_t g = index_.at({t, other});
         for (std::size_t h = 0; h < 3; ++h)
@@ -130,18 +130,18 @@ class Boundary {
     return {npos, 0};
   }
 
-  const TetComplex& complex_;
-  std::vector<std::pair<TetId, std::size_t>> faces_;
-  std::map<std::pair<TetId, std::size_t>, std::size_t> index_;
+  const cutting::TetComplex& complex_;
+  std::vector<std::pair<cutting::TetId, std::size_t>> faces_;
+  std::map<std::pair<cutting::TetId, std::size_t>, std::size_t> index_;
 };
 
-AssertionResult nodes_are_parted(const TetComplex& complex) {
-  for (const NodeId node : node_ids(complex)) {
+AssertionResult nodes_are_parted(const cutting::TetComplex& complex) {
+  for (const cutting::NodeId node : cutting::node_ids(complex)) {
     const auto star = complex.star(node);
     Sets sets(star.size());
     for (std::size_t i = 0; i < star.size(); ++i)
       for (std::size_t k = 0; k < 4; ++k) {
-        const TetId beyond = complex.neighbor(star[i], k);
+        const cutting::TetId beyond = complex.neighbor(star[i], k);
         if (beyond == none || complex.corners(star[i])[k] == node) continue;
         sets.join(
             i, static_cast<std::size_t>(std::lower_bound(star.begin(), star.end(), beyond) - star.begin()));
@@ -155,22 +155,22 @@ AssertionResult nodes_are_parted(const TetComplex& complex) {
 
 }  // namespace
 
-Whole whole(const TetComplex& complex) {
+Whole whole(const cutting::TetComplex& complex) {
   Whole w;
   double cosine = -1;
-  for (const TetId t : tet_ids(complex)) {
+  for (const cutting::TetId t : cutting::tet_ids(complex)) {
     const auto& c = complex.corners(t);
     w.volume += complex.volume(t);
-    cosine = std::max(cosine, cos_least_dihedral({complex.rest(c[0]), complex.rest(c[1]), complex.rest(c[2]),
-                                                  complex.rest(c[3])}));
+    cosine = std::max(cosine, cutting::cos_least_dihedral({complex.rest(c[0]), complex.rest(c[1]),
+                                                           complex.rest(c[2]), complex.rest(c[3])}));
   }
-  for (const NodeId i : node_ids(complex)) w.mass += complex.mass(i);
+  for (const cutting::NodeId i : cutting::node_ids(complex)) w.mass += complex.mass(i);
   w.least_dihedral_deg = std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi;
   return w;
 }
 
-AssertionResult is_sound(const TetComplex& complex, const Whole& before) {
-  for (const TetId t : tet_ids(complex))
+AssertionResult is_sound(const cutting::TetComplex& complex, const Whole& before) {
+  for (const cutting::TetId t : cutting::tet_ids(complex))
     if (!(complex.volume(t) > 0))
       return AssertionFailure() << "tet " << t << " has a volume of " << complex.volume(t);
   const Whole now = whole(complex);
@@ -178,7 +178,7 @@ AssertionResult is_sound(const TetComplex& complex, const Whole& before) {
     return AssertionFailure() << "volume " << before.volume << " became " << now.volume;
   if (std::abs(now.mass - before.mass) > 1e-12 * before.mass)
     return AssertionFailure() << "mass " << before.mass << " became " << now.mass;
-  const double floor = std::min(before.least_dihedral_deg, least_dihedral_deg);
+  const double floor = std::min(before.least_dihedral_deg, cutting::least_dihedral_deg);
   if (now.least_dihedral_deg < floor - 1e-6)
     return AssertionFailure() << "a dihedral angle of " << now.least_dihedral_deg << " deg";
   if (auto good = caches_are_as_rebuilt(complex); !good) return good;

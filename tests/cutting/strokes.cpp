@@ -90,16 +90,16 @@ std::vector<NamedStrokes> strokes_to_make() {
   return table;
 }
 
-std::vector<Vec3> rest_positions(const TetComplex& complex) {
+std::vector<Vec3> rest_positions(const cutting::TetComplex& complex) {
   std::vector<Vec3> x;
-  for (NodeId i = 0; i < complex.node_end(); ++i) x.push_back(complex.rest(i));
+  for (cutting::NodeId i = 0; i < complex.node_end(); ++i) x.push_back(complex.rest(i));
   return x;
 }
 
-CutResult cut_and_carry(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
-                        const std::vector<Vec3>& edge, BladeStroke& stroke) {
-  CutResult result = cut(complex, tree, x, edge, stroke);
-  for (const TopologyOp& op : result.ops) carry(op, x);
+cutting::CutResult cut_and_carry(cutting::TetComplex& complex, cutting::TetTree& tree, std::vector<Vec3>& x,
+                                 const std::vector<Vec3>& edge, cutting::BladeStroke& stroke) {
+  cutting::CutResult result = cutting::cut(complex, tree, x, edge, stroke);
+  for (const cutting::TopologyOp& op : result.ops) cutting::carry(op, x);
   return result;
 }
 

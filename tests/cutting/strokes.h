@@ -23,9 +23,9 @@ std::vector<NamedStrokes> strokes_to_make();
 Stroke across(const Vec3& middle, const Vec3& normal, int ticks);
 
 /// Cuts, and puts the nodes that it makes in their places. `x`: m, by node id; grows.
-CutResult cut_and_carry(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
-                        const std::vector<Vec3>& edge, BladeStroke& stroke);
+cutting::CutResult cut_and_carry(cutting::TetComplex& complex, cutting::TetTree& tree, std::vector<Vec3>& x,
+                                 const std::vector<Vec3>& edge, cutting::BladeStroke& stroke);
 
-std::vector<Vec3> rest_positions(const TetComplex& complex);
+std::vector<Vec3> rest_positions(const cutting::TetComplex& complex);
 
 }  // namespace prosector

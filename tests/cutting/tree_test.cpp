@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-std::vector<TetId> sorted(std::vector<TetId> tets) {
+std::vector<cutting::TetId> sorted(std::vector<cutting::TetId> tets) {
   std::sort(tets.begin(), tets.end());
   return tets;
 }
@@ -22,34 +22,34 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
   std::size_t found = 0;
   for (const NamedStrokes& row : strokes_to_make()) {
     SCOPED_TRACE(row.name);
-    TetComplex complex(GetParam().mesh, mesh_density);
-    TetTree tree, followed;
+    cutting::TetComplex complex(GetParam().mesh, mesh_density);
+    cutting::TetTree tree, followed;
     std::vector<Vec3> x = rest_positions(complex);
     const auto answers_as_rebuilt = [&](const std::vector<Vec3>& edge, const std::vector<Vec3>& next) {
       const Vec3 low = Vec3::Constant(-1), high = Vec3::Constant(1);  // m: all of the mesh
-      TetTree rebuilt;
+      cutting::TetTree rebuilt;
       rebuilt.update(complex, x, low, high);
       followed.update(complex, x, low, high);
       const std::vector<std::size_t> one_part(edge.size(), 0);
-      for (const SweptSurface sheet(edge, next, one_part);
-           const SweptSurface::Piece& piece : sheet.pieces()) {
-        std::vector<TetId> a, b;
+      for (const cutting::SweptSurface sheet(edge, next, one_part);
+           const cutting::SweptSurface::Piece& piece : sheet.pieces()) {
+        std::vector<cutting::TetId> a, b;
         followed.query(piece, a);
         rebuilt.query(piece, b);
         EXPECT_EQ(sorted(a), sorted(b));
         found += a.size();
       }
-      for (NodeId node = 0; node < complex.node_end(); node += 7) {
-        std::vector<TetId> a, b;
+      for (cutting::NodeId node = 0; node < complex.node_end(); node += 7) {
+        std::vector<cutting::TetId> a, b;
         followed.query(x[node], x[node], a);
         rebuilt.query(x[node], x[node], b);
         EXPECT_EQ(sorted(a), sorted(b));
         found += a.size();
       }
     };
-    std::vector<CutResult> cuts;
+    std::vector<cutting::CutResult> cuts;
     for (const Stroke& stroke : row.strokes) {
-      BladeStroke state = begin_stroke(stroke.front());
+      cutting::BladeStroke state = cutting::begin_stroke(stroke.front());
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
         if (!cuts.back().ops.empty()) answers_as_rebuilt(stroke[i - 1], stroke[i]);

@@ -48,10 +48,10 @@ TEST(FeltPanel, AButtonGivesWayByItsSpringUntilItIsHome) {
       return force_on(panel, pointing_at(panel, control.x, control.y, control.height - pressed));
     };
     EXPECT_EQ(at(-0.001), 0) << "not yet";
-    EXPECT_NEAR(at(0.003), 0.003 * button_stiffness, 1e-9);
+    EXPECT_NEAR(at(0.003), 0.003 * panel::button_stiffness, 1e-9);
     const double home = at(control.travel), beyond = at(control.travel + 0.0005);
-    EXPECT_NEAR(home, control.travel * button_stiffness, 1e-9);
-    EXPECT_GT((beyond - home) / 0.0005, 4 * button_stiffness) << "the stop is the click";
+    EXPECT_NEAR(home, control.travel * panel::button_stiffness, 1e-9);
+    EXPECT_GT((beyond - home) / 0.0005, 4 * panel::button_stiffness) << "the stop is the click";
   }
 }
 

@@ -69,7 +69,7 @@ VecX load_of_touches(const Simulation& simulation, BodyId body) {
 }
 
 /// The body where a static solution has it under a load, m.
-VecX at_rest_under(const SoftBody& body, const VecX& load) {
+VecX at_rest_under(const soft::SoftBody& body, const VecX& load) {
   StaticBody still(body.desc(), body.anatomy());
   still.tie(body.attachment_stiffness() - still.matter().ties);
   const StaticAnswer answer = still.settle(load);
@@ -135,7 +135,7 @@ TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
 
 TEST_F(Felt, TheBlockIsWhereAStaticSolutionUnderTheTouchesHasIt) {
   press(-0.006);
-  const SoftBody& body = simulation.soft(0);
+  const soft::SoftBody& body = simulation.soft(0);
   const VecX moved = simulation.soft_state(0).motion.x - body.rest();
   const VecX there = at_rest_under(body, load_of_touches(simulation, 0)) - body.rest();
   EXPECT_GT(there.lpNorm<Eigen::Infinity>(), 3e-3);
@@ -200,7 +200,7 @@ TEST(FeltLiver, IsWhereAStaticSolutionUnderTheTouchesHasIt) {
   for (int k = 0; k <= 60; ++k) c.step(moved_to(at(-0.03 + 0.048 * k / 60), 40));
   c.settle(moved_to(at(0.018), 40));
 
-  const SoftBody& body = c.simulation.soft(liver);
+  const soft::SoftBody& body = c.simulation.soft(liver);
   const VecX load = load_of_touches(c.simulation, liver);
   EXPECT_GT(load.reshaped(3, body.nodes()).rowwise().sum().norm(), 0.1) << "N";
   const VecX moved = c.simulation.soft_state(liver).motion.x - before;
@@ -253,7 +253,7 @@ TEST(TissueCompliance, IsThatOfAStaticSolution) {
         return scene;
       }(),
       options());
-  const SoftBody& body = simulation.soft(0);
+  const soft::SoftBody& body = simulation.soft(0);
   Patch patch;
   const std::uint32_t top = [&] {  // the node in the middle of the top
     std::uint32_t best = 0;
@@ -267,8 +267,8 @@ TEST(TissueCompliance, IsThatOfAStaticSolution) {
     }
     return best;
   }();
-  ContactSide side;
-  side.kind = ContactSide::Kind::soft;
+  contact::ContactSide side;
+  side.kind = contact::ContactSide::Kind::soft;
   side.nodes = 1;
   side.node[0] = top;
   side.weight[0] = 1;

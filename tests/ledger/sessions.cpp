@@ -169,15 +169,15 @@ Session parts_and_panels() {
     const Vec3 at(0, 0.14 - 0.001 * std::min(tick, 60), 0.04);
     TickInput input = tick == 0 ? appear(at) : target(at);
     input.heads = {{somebody, {0, 0.5, 0.4}}};
-    const auto panel = [&](PanelEvent::Kind kind, PanelControl control, double value) {
+    const auto panel = [&](panel::PanelEvent::Kind kind, PanelControl control, double value) {
       input.panels.push_back({kind, somebody, 2, control, value});
     };
     const auto part = [&](PartEvent::Kind kind, BodyId body, double value = 0) {
       input.parts.push_back({kind, somebody, body, {}, value});
     };
-    if (tick == 10) panel(PanelEvent::Kind::open, PanelControl::attach, 0);
-    if (tick == 20) panel(PanelEvent::Kind::set, PanelControl::stiffness, 0.8);
-    if (tick == 30) panel(PanelEvent::Kind::set, PanelControl::light_shaft, 1);
+    if (tick == 10) panel(panel::PanelEvent::Kind::open, PanelControl::attach, 0);
+    if (tick == 20) panel(panel::PanelEvent::Kind::set, PanelControl::stiffness, 0.8);
+    if (tick == 30) panel(panel::PanelEvent::Kind::set, PanelControl::light_shaft, 1);
     if (tick == 40) part(PartEvent::Kind::detach, 1);
     if (tick == 60) part(PartEvent::Kind::detach, 2);
     if (tick == 80) part(PartEvent::Kind::attach, 2);
@@ -252,9 +252,9 @@ Session models_of_solids() {
   Session out = session("models", 80, {"pressed", "substeps", "reset"});
   out.scene.rigid = {table()};
   double x = -1, z = -0.6;
-  for (const ModelRow& model : models()) {
+  for (const soft::ModelRow& model : soft::models()) {
     if (!model.tets) continue;
-    for (const std::string& integrator : integrators_for(model)) {
+    for (const std::string& integrator : soft::integrators_for(model)) {
       SoftDesc soft = block(model.name + " " + integrator);
       soft.configuration.model = model.name;
       soft.configuration.integrator = integrator;

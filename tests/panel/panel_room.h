@@ -17,33 +17,34 @@ inline constexpr ParticipantId ada = 5, eve = 9;
 inline constexpr BodyId liver = 3, kidney = 4, table = 0;
 
 /// Bodies that do what their panel says.
-struct Bodies : PanelSubjects {
-  std::map<BodyId, ShownControls> parts = {{liver, {1, 0, 0, 0, 1, 0.5}}, {kidney, {1, 0, 0, 0, 1, 0.5}}};
+struct Bodies : panel::PanelSubjects {
+  std::map<BodyId, panel::ShownControls> parts = {{liver, {1, 0, 0, 0, 1, 0.5}},
+                                                  {kidney, {1, 0, 0, 0, 1, 0.5}}};
   bool has_panel(BodyId body) const override { return parts.contains(body); }
   std::pair<Vec3, Vec3> box(BodyId) const override { return {{-0.05, 1, -0.05}, {0.05, 1.1, 0.05}}; }
-  ShownControls shown(BodyId body) const override { return parts.at(body); }
+  panel::ShownControls shown(BodyId body) const override { return parts.at(body); }
   std::optional<BodyId> first() const override { return parts.begin()->first; }
 };
 
 struct Room {
   Bodies bodies;
-  PanelWorld world{tick};
-  std::vector<PanelAction> actions;
+  panel::PanelWorld world{tick};
+  std::vector<panel::PanelAction> actions;
 
-  void step(std::vector<PanelHand> hands) {
+  void step(std::vector<panel::PanelHand> hands) {
     std::sort(hands.begin(), hands.end(), [](const auto& a, const auto& b) { return a.who < b.who; });
-    for (const PanelAction& action : world.step(hands, bodies)) {
+    for (const panel::PanelAction& action : world.step(hands, bodies)) {
       actions.push_back(action);
       bodies.parts[action.body][index_of(action.control)] = action.value;
     }
     world.show(bodies);
   }
-  void step(const PanelHand& hand, int times = 1) {
+  void step(const panel::PanelHand& hand, int times = 1) {
     for (int i = 0; i < times; ++i) step(std::vector{hand});
   }
-  void event(PanelEvent::Kind kind, ParticipantId who, BodyId body = 0,
+  void event(panel::PanelEvent::Kind kind, ParticipantId who, BodyId body = 0,
              PanelControl control = PanelControl::attach, double value = 0) {
-    world.take(PanelEvent{kind, who, body, control, value}, bodies);
+    world.take(panel::PanelEvent{kind, who, body, control, value}, bodies);
   }
   std::vector<std::uint8_t> saved() const {
     ByteWriter out;
@@ -54,15 +55,15 @@ struct Room {
 };
 
 /// Reads a saved world, all of its bytes. Throws InputError.
-inline void load(PanelWorld& world, std::span<const std::uint8_t> bytes, std::size_t bodies) {
+inline void load(panel::PanelWorld& world, std::span<const std::uint8_t> bytes, std::size_t bodies) {
   ByteReader in(bytes, "panels");
   RecordReader io(in);
   world.load(io, bodies);
   in.end();
 }
 
-inline PanelHand hand(ParticipantId who, std::optional<BodyId> touches = {}) {
-  PanelHand out;
+inline panel::PanelHand hand(ParticipantId who, std::optional<BodyId> touches = {}) {
+  panel::PanelHand out;
   out.who = {who, right_hand};
   out.palm = {0, 1.1, 0.3};
   out.fingers = {finger_at({0, 1.1, 0.2})};
@@ -72,9 +73,9 @@ inline PanelHand hand(ParticipantId who, std::optional<BodyId> touches = {}) {
 }
 
 /// A hand whose fingertip is somewhere before somebody's panel.
-inline PanelHand at_panel(const Room& room, ParticipantId who, const Capsule& in_panel) {
+inline panel::PanelHand at_panel(const Room& room, ParticipantId who, const panel::Capsule& in_panel) {
   const Pose pose = room.world.panels().front().pose;
-  PanelHand out = hand(who);
+  panel::PanelHand out = hand(who);
   out.palm = pose * Vec3(0, 0, 0.1);
   out.fingers = {{pose * in_panel.a, pose * in_panel.b, in_panel.radius}};
   return out;
@@ -87,7 +88,7 @@ inline void press(Room& room, ParticipantId who, PanelControl control) {
 }
 
 inline int moment() {
-  return static_cast<int>(std::ceil(touch_moment / tick));
+  return static_cast<int>(std::ceil(panel::touch_moment / tick));
 }
 
 }  // namespace prosector::test

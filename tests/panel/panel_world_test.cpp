@@ -10,7 +10,7 @@ namespace {
 
 TEST(PanelWorld, ATouchForAMomentCallsUpThePanelOfThePart) {
   Room room;
-  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.world.take(panel::HeadPlace{ada, {0, 1.5, 0.7}});
   room.step(hand(ada, liver), moment() - 1);
   EXPECT_TRUE(room.world.panels().empty());
   room.step(hand(ada, liver));
@@ -25,7 +25,7 @@ TEST(PanelWorld, ATouchForAMomentCallsUpThePanelOfThePart) {
 TEST(PanelWorld, OnlyPartsHaveOne) {
   Room room;
   room.step(hand(ada, table), 100);
-  room.event(PanelEvent::Kind::open, ada, table);
+  room.event(panel::PanelEvent::Kind::open, ada, table);
   EXPECT_TRUE(room.world.panels().empty());
 }
 
@@ -44,7 +44,7 @@ TEST(PanelWorld, TouchingElsewhereMovesOrClosesIt) {
 TEST(PanelWorld, GoesAfterAWhileWithoutTouch) {
   Room room;
   room.step(hand(ada, liver), moment());
-  const int time_limit = static_cast<int>(std::ceil(panel_timeout / tick));
+  const int time_limit = static_cast<int>(std::ceil(panel::panel_timeout / tick));
   room.step(hand(ada, liver), 2 * time_limit);
   EXPECT_EQ(room.world.panels().size(), 1u) << "while the part is touched it stays";
   room.step(hand(ada), time_limit - 1);
@@ -57,14 +57,14 @@ TEST(PanelWorld, GoesWithItsPart) {
   Room room;
   room.step(hand(ada, liver), moment());
   room.bodies.parts.erase(liver);
-  room.step(std::vector<PanelHand>{});
+  room.step(std::vector<panel::PanelHand>{});
   EXPECT_TRUE(room.world.panels().empty());
 }
 
 TEST(PanelWorld, AClosedOneComesBackOnlyWithANewTouch) {
   Room room;
   room.step(hand(ada, liver), moment());
-  room.event(PanelEvent::Kind::close, ada);
+  room.event(panel::PanelEvent::Kind::close, ada);
   room.step(hand(ada, liver), 200);
   EXPECT_TRUE(room.world.panels().empty());
   room.step(hand(ada), moment());
@@ -76,7 +76,7 @@ TEST(PanelWorld, AButtonActsOncePerPress) {
   for (std::size_t k = 0; k < 5; ++k) {
     const PanelControl control = panel_controls[k].control;
     Room room;
-    room.event(PanelEvent::Kind::open, ada, liver);
+    room.event(panel::PanelEvent::Kind::open, ada, liver);
     const double before = room.bodies.parts[liver][k];
     press(room, ada, control);
     ASSERT_EQ(room.actions.size(), 1u) << panel_controls[k].label;
@@ -93,7 +93,7 @@ TEST(PanelWorld, AButtonActsOncePerPress) {
 
 TEST(PanelWorld, TremblingAtTheStopIsOnePress) {
   Room room;
-  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
   for (int i = 0; i < 120; ++i)
     room.step(at_panel(room, ada, over(PanelControl::light_shaft, 0.0035 + 0.001 * std::sin(1.3 * i))));
   EXPECT_EQ(room.actions.size(), 1u);
@@ -101,7 +101,7 @@ TEST(PanelWorld, TremblingAtTheStopIsOnePress) {
 
 TEST(PanelWorld, WhatAFingerTouchesIsTouchedAndBack) {
   Room room;
-  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
   for (const double height : {0.03, 0.015, 0.008, 0.008})
     room.step(at_panel(room, ada, over(PanelControl::hide_others, height)));
   const auto touched = [&] {
@@ -115,7 +115,7 @@ TEST(PanelWorld, WhatAFingerTouchesIsTouchedAndBack) {
 
 TEST(PanelWorld, AnybodysFingerWorksIt) {
   Room room;
-  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
   press(room, eve, PanelControl::transparency);
   ASSERT_EQ(room.actions.size(), 1u);
   EXPECT_EQ(room.actions[0].participant, ada) << "it is her panel";
@@ -123,9 +123,9 @@ TEST(PanelWorld, AnybodysFingerWorksIt) {
 
 TEST(PanelWorld, AHandBehindTheBoardWorksNothing) {
   Room room;
-  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
   for (const double height : {-0.05, -0.03, -0.01, 0.01, 0.02, 0.0}) {
-    PanelHand reaching = at_panel(room, ada, over(PanelControl::attach, height));
+    panel::PanelHand reaching = at_panel(room, ada, over(PanelControl::attach, height));
     reaching.palm = room.world.panels()[0].pose * Vec3(0, 0, -0.1);
     room.step(reaching);
   }
@@ -137,10 +137,10 @@ TEST(PanelWorld, AFingerThatPassesUnderTheFrontFromBesideItWorksNothingUntilItHa
     for (const double height : {-0.05, -0.03, -0.015})
       for (const Vec3& from : {Vec3(0.4, 0, 0), Vec3(-0.4, 0, 0), Vec3(0, 0.4, 0), Vec3(0, -0.4, 0)}) {
         Room room;
-        room.event(PanelEvent::Kind::open, ada, liver);
-        Capsule finger = over(control.control, height);
+        room.event(panel::PanelEvent::Kind::open, ada, liver);
+        panel::Capsule finger = over(control.control, height);
         const auto move_to = [&](const Vec3& way) {
-          const Capsule at{finger.a + way, finger.b + way, finger.radius};
+          const panel::Capsule at{finger.a + way, finger.b + way, finger.radius};
           room.step(at_panel(room, ada, at));
         };
         for (int i = 40; i >= -40; --i) move_to(i / 40.0 * from);
@@ -156,7 +156,7 @@ TEST(PanelWorld, AFingerThatPassesUnderTheFrontFromBesideItWorksNothingUntilItHa
 
 TEST(PanelWorld, TheSliderSetsAndShowsTheStiffness) {
   Room room;
-  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
   const auto k = index_of(PanelControl::stiffness);
   const Vec3 beside = control_face(panel_controls[k], 0.5) - Vec3(0.03, 0, 0.012);
   for (int i = 0; i <= 40; ++i) room.step(at_panel(room, ada, finger_at(beside + Vec3(0.001 * i, 0, 0))));
@@ -173,29 +173,29 @@ TEST(PanelWorld, TheSliderSetsAndShowsTheStiffness) {
 
 TEST(PanelWorld, CommandsDoWhatFingersDo) {
   Room room;
-  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
-  room.step(std::vector<PanelHand>{});
+  room.event(panel::PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
+  room.step(std::vector<panel::PanelHand>{});
   EXPECT_TRUE(room.actions.empty()) << "no panel, no control";
-  room.event(PanelEvent::Kind::open, ada, liver);
-  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
-  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::stiffness, 0.8);
-  room.event(PanelEvent::Kind::set, eve, 0, PanelControl::attach, 0);
-  room.step(std::vector<PanelHand>{});
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
+  room.event(panel::PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
+  room.event(panel::PanelEvent::Kind::set, ada, 0, PanelControl::stiffness, 0.8);
+  room.event(panel::PanelEvent::Kind::set, eve, 0, PanelControl::attach, 0);
+  room.step(std::vector<panel::PanelHand>{});
   ASSERT_EQ(room.actions.size(), 2u);
   EXPECT_EQ(room.actions[0].control, PanelControl::light_shaft);
   EXPECT_EQ(room.actions[1].value, 0.8);
   const Panel seen = room.world.panels()[0];
   EXPECT_TRUE(seen.controls[index_of(PanelControl::light_shaft)].touched);
   EXPECT_GT(seen.controls[index_of(PanelControl::light_shaft)].position, 0) << "it is seen going in";
-  for (int i = 0; i < 60; ++i) room.step(std::vector<PanelHand>{});
+  for (int i = 0; i < 60; ++i) room.step(std::vector<panel::PanelHand>{});
   EXPECT_EQ(room.actions.size(), 2u);
   EXPECT_FALSE(room.world.panels()[0].controls[index_of(PanelControl::light_shaft)].touched);
   EXPECT_EQ(room.world.panels()[0].controls[index_of(PanelControl::light_shaft)].position, 0);
 }
 
 /// A hand with its palm at a place of the world, open or closed.
-PanelHand palm_at(ParticipantId who, const Vec3& at, bool fist) {
-  PanelHand out = hand(who);
+panel::PanelHand palm_at(ParticipantId who, const Vec3& at, bool fist) {
+  panel::PanelHand out = hand(who);
   out.palm = at;
   out.fingers = {{at, at + Vec3(0, 0, 0.02), 0.008}};
   out.fist = fist;
@@ -208,8 +208,8 @@ struct RoomWithPanel : Room {
   Pose first;
   Vec3 head;
   RoomWithPanel() {
-    world.take(HeadPlace{ada, eyes});
-    event(PanelEvent::Kind::open, ada, liver);
+    world.take(panel::HeadPlace{ada, eyes});
+    event(panel::PanelEvent::Kind::open, ada, liver);
     first = world.panels()[0].pose;
     head = first * Vec3(0.05, panel_head_bottom + 0.01, 0.02);
   }
@@ -240,7 +240,7 @@ TEST(PanelWorld, AFistAtItsHeadCarriesItFacingItsReader) {
 
 TEST(PanelWorld, APointerPutsItWhereNoFistCarriesIt) {
   RoomWithPanel room;
-  PanelEvent put{.kind = PanelEvent::Kind::put, .participant = ada, .at = {0.3, 1.3, -0.1}};
+  panel::PanelEvent put{.kind = panel::PanelEvent::Kind::put, .participant = ada, .at = {0.3, 1.3, -0.1}};
   room.world.take(put, room.bodies);
   EXPECT_EQ(room.pose().p, put.at);
   EXPECT_GT((room.pose().q * Vec3::UnitZ()).dot((room.eyes - put.at).normalized()), 0.9999);
@@ -249,7 +249,7 @@ TEST(PanelWorld, APointerPutsItWhereNoFistCarriesIt) {
     room.world.take(put, room.bodies);
     EXPECT_EQ(room.pose().p, Vec3(0.3, 1.3, -0.1));
   }
-  PanelEvent back{.kind = PanelEvent::Kind::put_back, .participant = ada};
+  panel::PanelEvent back{.kind = panel::PanelEvent::Kind::put_back, .participant = ada};
   room.world.take(back, room.bodies);
   EXPECT_EQ(room.pose().p, room.first.p);
   EXPECT_EQ(room.pose().q.coeffs(), room.first.q.coeffs());
@@ -285,7 +285,7 @@ TEST(PanelWorld, TwoFistsInOnePlacePutItBack) {
 TEST(PanelWorld, AHandAtItsHeadPressesNothing) {
   RoomWithPanel room;
   for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
-    PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
+    panel::PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
     closing.palm = room.head;
     room.step(closing);
   }
@@ -299,7 +299,7 @@ TEST(PanelWorld, AHandAtItsHeadPressesNothing) {
 std::size_t presses_while_closing(double bend, const Vec3& second_finger) {
   RoomWithPanel room;
   for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
-    PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
+    panel::PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
     closing.fingers.push_back(
         {room.first * second_finger, room.first * (second_finger + Vec3(0, 0, 0.02)), 0.008});
     closing.bend = bend;
@@ -319,7 +319,7 @@ TEST(PanelWorld, AHandWithAStretchedFingerPressesWhereverItsOthersAre) {
   RoomWithPanel room;
   const Vec3 at_head(0, panel_head_bottom + 0.005, 0.02);
   for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
-    PanelHand pointing = at_panel(room, ada, over(PanelControl::attach, height));
+    panel::PanelHand pointing = at_panel(room, ada, over(PanelControl::attach, height));
     pointing.fingers.push_back({room.first * at_head, room.first * (at_head + Vec3(0, 0, 0.02)), 0.008});
     pointing.bend = 0.1;
     room.step(pointing);
@@ -343,25 +343,25 @@ TEST(PanelWorld, AFistElsewhereOrThatComesClosedCarriesNothing) {
 
 TEST(PanelWorld, StaysWhileAFingerPointsAtIt) {
   RoomWithPanel room;
-  PanelHand pointing = hand(ada, kidney);
+  panel::PanelHand pointing = hand(ada, kidney);
   const auto point = [&](double aside) {
     const Vec3 tip(aside, 0, 0.2);
     pointing.index = {room.first * tip, room.first * (tip + Vec3(0, 0, 0.02)), 0.008};
   };
   point(0.1);
-  room.step(pointing, 3 * static_cast<int>(std::ceil(panel_timeout / tick)));
+  room.step(pointing, 3 * static_cast<int>(std::ceil(panel::panel_timeout / tick)));
   ASSERT_EQ(room.world.panels().size(), 1u);
   EXPECT_EQ(room.world.panels()[0].body, liver) << "although another part is touched";
   point(0.2);
-  room.step(pointing, static_cast<int>(std::ceil(pinned_by_hand / tick)) + moment());
+  room.step(pointing, static_cast<int>(std::ceil(panel::pinned_by_hand / tick)) + moment());
   ASSERT_EQ(room.world.panels().size(), 1u);
   EXPECT_EQ(room.world.panels()[0].body, kidney) << "beside it, it goes as ever";
 }
 
 TEST(PanelWorld, StaysForAWhileWhenItIsAskedForAgain) {
   RoomWithPanel room;
-  room.event(PanelEvent::Kind::open, ada, liver);
-  room.step(hand(ada, kidney), static_cast<int>(std::ceil(pinned_from_afar / tick)) - 1);
+  room.event(panel::PanelEvent::Kind::open, ada, liver);
+  room.step(hand(ada, kidney), static_cast<int>(std::ceil(panel::pinned_from_afar / tick)) - 1);
   EXPECT_EQ(room.world.panels()[0].body, liver);
   room.step(hand(ada, kidney), moment());
   EXPECT_EQ(room.world.panels()[0].body, kidney);
@@ -373,7 +373,7 @@ TEST(PanelWorld, GoesOnTheSameAfterRestoreWhileItIsCarried) {
   room.step(palm_at(ada, room.head, true), 3);
   Room restored;
   load(restored.world, room.saved(), 10);
-  const auto both = [&](const PanelHand& hand) {
+  const auto both = [&](const panel::PanelHand& hand) {
     room.step(hand);
     restored.step(hand);
     EXPECT_EQ(restored.saved(), room.saved());
@@ -387,14 +387,14 @@ TEST(PanelWorld, GoesOnTheSameAfterRestoreWhileItIsCarried) {
 
 TEST(PanelWorld, GoesOnTheSameAfterRestore) {
   Room room;
-  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.world.take(panel::HeadPlace{ada, {0, 1.5, 0.7}});
   room.step(hand(ada, liver), moment());
   for (const double height : {0.03, 0.012, 0.007})
     room.step(at_panel(room, ada, over(PanelControl::attach, height)));
   Room restored;
   load(restored.world, room.saved(), 10);
   for (const double height : {0.004, -0.002, 0.01, 0.02}) {
-    const PanelHand finger = at_panel(room, ada, over(PanelControl::attach, height));
+    const panel::PanelHand finger = at_panel(room, ada, over(PanelControl::attach, height));
     room.step(finger);
     restored.step(finger);
     EXPECT_EQ(restored.saved(), room.saved()) << height;
@@ -424,10 +424,10 @@ TEST(PanelWorld, BrokenStatesAreRefused) {
 TEST(PanelWorld, SomeoneGoneLeavesNothing) {
   Room room;
   const auto empty = room.saved();
-  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.world.take(panel::HeadPlace{ada, {0, 1.5, 0.7}});
   room.step(hand(ada, liver), moment());
-  room.event(PanelEvent::Kind::close, ada);
-  room.step(std::vector<PanelHand>{});
+  room.event(panel::PanelEvent::Kind::close, ada);
+  room.step(std::vector<panel::PanelHand>{});
   EXPECT_EQ(room.saved(), empty);
 }
 

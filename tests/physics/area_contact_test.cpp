@@ -22,15 +22,15 @@ namespace {
 
 /// Sums f over the rule's points of a triangle, by their shares.
 template <class F>
-double integral(Division division, const F& f) {
+double integral(contact::Division division, const F& f) {
   double sum = 0;
-  for (Eigen::Index k = 0; k < 3; ++k) sum += corner_share(division) * f(Vec3(Vec3::Unit(k)));
-  for (const AreaPoint& p : face_points(division)) sum += p.share * f(p.weights);
+  for (Eigen::Index k = 0; k < 3; ++k) sum += contact::corner_share(division) * f(Vec3(Vec3::Unit(k)));
+  for (const contact::AreaPoint& p : contact::face_points(division)) sum += p.share * f(p.weights);
   return sum;
 }
 
 TEST(AreaRule, IsExactForQuadraticFunctions) {
-  for (const Division division : {Division::whole, Division::quarters}) {
+  for (const contact::Division division : {contact::Division::whole, contact::Division::quarters}) {
     EXPECT_NEAR(integral(division, [](const Vec3&) { return 1; }), 1, 1e-14);
     EXPECT_NEAR(integral(division, [](const Vec3& w) { return w[0]; }), 1. / 3, 1e-14);
     EXPECT_NEAR(integral(division, [](const Vec3& w) { return w[1] * w[1]; }), 1. / 6, 1e-14);
@@ -39,28 +39,29 @@ TEST(AreaRule, IsExactForQuadraticFunctions) {
 }
 
 TEST(AreaRule, CornersShareAnEvenPressure) {
-  EXPECT_NEAR(integral(Division::corners, [](const Vec3& w) { return w[0]; }), 1. / 3, 1e-14);
-  EXPECT_TRUE(face_points(Division::corners).empty());
+  EXPECT_NEAR(integral(contact::Division::corners, [](const Vec3& w) { return w[0]; }), 1. / 3, 1e-14);
+  EXPECT_TRUE(contact::face_points(contact::Division::corners).empty());
 }
 
 TEST(AreaRule, NumbersOfPointsDiffer) {
-  const std::size_t whole = face_points(Division::whole).size(),
-                    quarters = face_points(Division::quarters).size();
-  EXPECT_LE(first_face_point(Division::whole) + whole, first_face_point(Division::quarters));
-  EXPECT_EQ(first_face_point(Division::quarters) + quarters, most_face_points);
-  EXPECT_EQ(places_on_quarters().size(), quarters);
+  const std::size_t whole = contact::face_points(contact::Division::whole).size(),
+                    quarters = contact::face_points(contact::Division::quarters).size();
+  EXPECT_LE(contact::first_face_point(contact::Division::whole) + whole,
+            contact::first_face_point(contact::Division::quarters));
+  EXPECT_EQ(contact::first_face_point(contact::Division::quarters) + quarters, contact::most_face_points);
+  EXPECT_EQ(contact::places_on_quarters().size(), quarters);
 }
 
 TEST(AreaRule, IsAsFineAsWhatPressesIsRound) {
-  EXPECT_EQ(division_for(1e-4, 0, false), Division::corners);
-  EXPECT_EQ(division_for(1e-4, 0, true), Division::whole);
-  EXPECT_EQ(division_for(1e-6, 2 / 0.01, false), Division::whole);
-  EXPECT_EQ(division_for(1e-4, 2 / 0.01, false), Division::quarters);
+  EXPECT_EQ(contact::division_for(1e-4, 0, false), contact::Division::corners);
+  EXPECT_EQ(contact::division_for(1e-4, 0, true), contact::Division::whole);
+  EXPECT_EQ(contact::division_for(1e-6, 2 / 0.01, false), contact::Division::whole);
+  EXPECT_EQ(contact::division_for(1e-4, 2 / 0.01, false), contact::Division::quarters);
 }
 
 // Energy, slope and share are derivatives of each other, and the energy is the mean over the area.
 TEST(EvenSpring, IsTheMeanOverTheArea) {
-  const EvenSpring area{1, 0.3};
+  const contact::EvenSpring area{1, 0.3};
   constexpr double step = 1e-6;
   for (double g = -0.5; g < 0.5; g += 0.0501) {
     EXPECT_NEAR((area.energy(g + step) - area.energy(g - step)) / (2 * step), area.slope(g), 1e-8) << g;
@@ -73,7 +74,7 @@ TEST(EvenSpring, IsTheMeanOverTheArea) {
 }
 
 TEST(EvenSpring, WithoutSpreadIsASpring) {
-  const EvenSpring point{1, 0};
+  const contact::EvenSpring point{1, 0};
   EXPECT_DOUBLE_EQ(point.slope(-0.2), -0.2);
   EXPECT_DOUBLE_EQ(point.energy(-0.2), 0.02);
   EXPECT_DOUBLE_EQ(point.stiffness(-0.2), 1);
@@ -91,7 +92,7 @@ SoftDesc tissue(const std::string& element) {
 }
 
 Tissue tissue_of(const SoftDesc& desc) {
-  return Tissue(0, std::make_unique<SoftBody>(desc, make_block({0.1, 0.06, 0.1}, {3, 2, 3})), {});
+  return Tissue(0, std::make_unique<soft::SoftBody>(desc, make_block({0.1, 0.06, 0.1}, {3, 2, 3})), {});
 }
 
 // An even pressure on all faces balances itself, and each node has its share of it: of a quadratic face's
@@ -101,9 +102,9 @@ TEST(SurfacePoint, EvenPressureLoadsNodesAsItMust) {
     const Tissue made = tissue_of(tissue(element));
     const TriangleMesh& surface = made.anatomy().surface;
     const auto nodes = static_cast<std::size_t>(made.solver->nodes());
-    for (const Division division : {Division::whole, Division::quarters}) {
+    for (const contact::Division division : {contact::Division::whole, contact::Division::quarters}) {
       std::vector<double> load(nodes, 0);
-      const auto add = [&](const ContactSide& side, double share) {
+      const auto add = [&](const contact::ContactSide& side, double share) {
         double sum = 0;
         for (std::size_t k = 0; k < side.nodes; ++k) {
           load[side.node[k]] += share * side.weight[k];
@@ -112,9 +113,10 @@ TEST(SurfacePoint, EvenPressureLoadsNodesAsItMust) {
         EXPECT_NEAR(sum, 1, 1e-14);
       };
       for (std::uint32_t k = 0; k < 3; ++k)
-        add(surface_side(made, surface.triangles[0][k]), corner_share(division));
-      for (const AreaPoint& p : face_points(division)) add(surface_side(made, 0, p.weights), p.share);
-      const EdgeNodes* edges = made.solver->follower().edge_nodes();
+        add(surface_side(made, surface.triangles[0][k]), contact::corner_share(division));
+      for (const contact::AreaPoint& p : contact::face_points(division))
+        add(surface_side(made, 0, p.weights), p.share);
+      const soft::EdgeNodes* edges = made.solver->follower().edge_nodes();
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = made.anatomy().embedding.rows[surface.triangles[0][k]].node[0],
                             b = made.anatomy().embedding.rows[surface.triangles[0][(k + 1) % 3]].node[0];
@@ -146,8 +148,8 @@ TEST(SurfacePoint, ElementSizeIsNotTheSurfaces) {
   SoftDesc desc = tissue("tet10");
   Anatomy coarse = make_block({0.1, 0.1, 0.1}, {2, 2, 2}), fine = coarse;
   halve_surface(fine);
-  const Tissue a(0, std::make_unique<SoftBody>(desc, coarse), {}),
-      b(0, std::make_unique<SoftBody>(desc, fine), {});
+  const Tissue a(0, std::make_unique<soft::SoftBody>(desc, coarse), {}),
+      b(0, std::make_unique<soft::SoftBody>(desc, fine), {});
   EXPECT_NEAR(element_size(a, 0), 0.05, 1e-12);
   for (std::uint32_t t = 0; t < 4; ++t) EXPECT_NEAR(element_size(b, t), 0.05, 1e-12);
 }
@@ -160,7 +162,7 @@ TEST(SurfacePoint, ElementSizeIsNotToldByRounding) {
   for (SparseMap::Row& row : embedded.embedding.rows)
     for (double& weight : row.weight)
       if (std::abs(weight) < 1e-12) weight = 1e-17;
-  const Tissue made(0, std::make_unique<SoftBody>(desc, embedded), {});
+  const Tissue made(0, std::make_unique<soft::SoftBody>(desc, embedded), {});
   for (std::uint32_t t = 0; t < own.surface.triangles.size(); ++t)
     EXPECT_NEAR(element_size(made, t), 0.1 / 3, 1e-12);
 }
@@ -251,7 +253,7 @@ Vec3 momentum(const Simulation& simulation, BodyId soft) {
 
 Vec3 spin(const Simulation& simulation, BodyId soft) {
   const VecX& mass = simulation.soft(soft).node_mass();
-  const SoftBodyState& state = simulation.soft_state(soft);
+  const soft::SoftBodyState& state = simulation.soft_state(soft);
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index i = 0; i < mass.size(); ++i)
     sum += mass[i] * state.motion.x.segment<3>(3 * i).cross(Vec3(state.motion.v.segment<3>(3 * i)));

@@ -92,7 +92,7 @@ TEST_P(HeavyCube, StandsOnItsFootAndStaysThereWhenTouched) {
     const VecX& x = simulation.soft_state(1).motion.x;
     EXPECT_GT(volume_ratio(simulation, 1), 0.7) << when;
     EXPECT_LT(volume_ratio(simulation, 1), 1.3) << when;
-    EXPECT_EQ(inverted_share(simulation.soft(1).linear_tets(), x), 0) << when;
+    EXPECT_EQ(soft::inverted_share(simulation.soft(1).linear_tets(), x), 0) << when;
     double lowest = 1;
     for (Eigen::Index i = 0; i < x.size() / 3; ++i) lowest = std::min(lowest, x[3 * i + 1]);
     EXPECT_GT(lowest, -2e-3) << when << ": it is in the table";

@@ -30,9 +30,9 @@ Vec3 centre(const Simulation& simulation, BodyId soft) {
 
 constexpr std::uint32_t first_face = 100;
 
-Contact on_face(std::uint32_t triangle, double gap, double stiffness) {
-  Contact c;
-  c.a.kind = ContactSide::Kind::soft;
+contact::Contact on_face(std::uint32_t triangle, double gap, double stiffness) {
+  contact::Contact c;
+  c.a.kind = contact::ContactSide::Kind::soft;
   c.feature = first_face + triangle;
   c.gap = gap;
   c.stiffness = stiffness;
@@ -44,13 +44,13 @@ Contact on_face(std::uint32_t triangle, double gap, double stiffness) {
 TEST(ContactMemory, FaceStoresNoMoreForGrowingStronger) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> gaps(-0.004, 0.001), strengths(10, 1000);
-  ContactMemories memories;
+  contact::ContactMemories memories;
   const double h = 1e-6;  // s: rest gaps don't rise by themselves
   double stored = 0, gap = -0.002;
   for (int tick = 0; tick < 1000; ++tick) {
-    std::vector<Contact> contacts = {on_face(3, gap, strengths(random))};
-    rest(memories, first_face, h, contacts);
-    Contact& c = contacts.front();
+    std::vector<contact::Contact> contacts = {on_face(3, gap, strengths(random))};
+    contact::rest(memories, first_face, h, contacts);
+    contact::Contact& c = contacts.front();
     const auto energy = [&] { return c.stiffness * std::pow(std::min(c.gap, 0.0), 2) / 2; };
     EXPECT_LE(energy(), 1.0001 * stored + 1e-12) << tick;
     EXPECT_LE(c.rest, 0);
@@ -59,7 +59,7 @@ TEST(ContactMemory, FaceStoresNoMoreForGrowingStronger) {
     c.gap = gap - c.rest;
     stored = energy();
     c.force = c.stiffness * std::max(0.0, -c.gap);
-    keep(contacts, 0, memories);
+    contact::keep(contacts, 0, memories);
     EXPECT_EQ(memories.size(), c.force > 0 ? 1U : 0U);
   }
 }
@@ -70,12 +70,12 @@ TEST(ContactMemory, RestGapsAreNeverAboveZeroHoweverTheyAreRounded) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> gaps(-0.01, 0), exponents(0, 5);
   for (int trial = 0; trial < 10000; ++trial) {
-    std::vector<Contact> contacts = {on_face(3, gaps(random), std::pow(10, exponents(random)))};
+    std::vector<contact::Contact> contacts = {on_face(3, gaps(random), std::pow(10, exponents(random)))};
     contacts.front().force = 1e9;  // the vanished face bore more than the new one can
-    ContactMemories memories;
-    keep(contacts, 0, memories);
+    contact::ContactMemories memories;
+    contact::keep(contacts, 0, memories);
     contacts = {on_face(4, gaps(random), std::pow(10, exponents(random)))};
-    rest(memories, first_face, 1. / 60, contacts);
+    contact::rest(memories, first_face, 1. / 60, contacts);
     ASSERT_LE(contacts.front().rest, 0) << trial;
   }
 }
@@ -83,11 +83,11 @@ TEST(ContactMemory, RestGapsAreNeverAboveZeroHoweverTheyAreRounded) {
 TEST(ContactMemory, KeepsOnlyWhatACheckpointAccepts) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto kept = [](double force, double stiffness, double rest) {
-    std::vector<Contact> contacts = {on_face(3, -0.001, stiffness)};
+    std::vector<contact::Contact> contacts = {on_face(3, -0.001, stiffness)};
     contacts.front().force = force;
     contacts.front().rest = rest;
-    ContactMemories memories;
-    keep(contacts, 0, memories);
+    contact::ContactMemories memories;
+    contact::keep(contacts, 0, memories);
     return memories.size();
   };
   EXPECT_EQ(kept(1, 100, -0.001), 1U);
@@ -100,24 +100,24 @@ TEST(ContactMemory, KeepsOnlyWhatACheckpointAccepts) {
 }
 
 TEST(ContactMemory, NewFaceBearsWhatTheVanishedOneDid) {
-  std::vector<Contact> contacts = {on_face(3, -0.001, 500)};
+  std::vector<contact::Contact> contacts = {on_face(3, -0.001, 500)};
   contacts.front().force = 0.5;
-  ContactMemories memories;
-  keep(contacts, 0, memories);
+  contact::ContactMemories memories;
+  contact::keep(contacts, 0, memories);
   contacts = {on_face(4, -0.001, 800), on_face(5, -0.002, 1000)};
-  rest(memories, first_face, 1. / 60, contacts);
+  contact::rest(memories, first_face, 1. / 60, contacts);
   double force = 0;
-  for (const Contact& c : contacts) force -= c.stiffness * c.gap;
+  for (const contact::Contact& c : contacts) force -= c.stiffness * c.gap;
   EXPECT_NEAR(force, 0.5, 1e-12);
-  for (Contact& c : contacts) c.force = -c.stiffness * c.gap;
-  keep(contacts, 0, memories);
-  EXPECT_EQ(find(memories, contacts.front().b, first_face + 3), nullptr);
+  for (contact::Contact& c : contacts) c.force = -c.stiffness * c.gap;
+  contact::keep(contacts, 0, memories);
+  EXPECT_EQ(contact::find(memories, contacts.front().b, first_face + 3), nullptr);
   // Held there, each is the whole spring again in time.
   for (int tick = 0; tick < 300; ++tick) {
     contacts = {on_face(4, -0.001, 800), on_face(5, -0.002, 1000)};
-    rest(memories, first_face, 1. / 60, contacts);
-    for (Contact& c : contacts) c.force = -c.stiffness * c.gap + 1e-12;
-    keep(contacts, 0, memories);
+    contact::rest(memories, first_face, 1. / 60, contacts);
+    for (contact::Contact& c : contacts) c.force = -c.stiffness * c.gap + 1e-12;
+    contact::keep(contacts, 0, memories);
   }
   EXPECT_NEAR(contacts[1].gap, -0.002, 1e-8);
 }
@@ -358,20 +358,21 @@ TEST(RigidBlock, SolvesAsADenseMatrixDoes) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> number(-1, 1);
   const std::size_t bodies = 7;
-  const std::vector<RigidBlock::Pair> pairs = {{0, 3}, {2, 3}, {0, 3}, {5, 6}, {1, 6}, {0, 1}, {1, 3}};
-  RigidBlock block;
+  const std::vector<coupled::RigidBlock::Pair> pairs = {{0, 3}, {2, 3}, {0, 3}, {5, 6},
+                                                        {1, 6}, {0, 1}, {1, 3}};
+  coupled::RigidBlock block;
   block.begin(bodies, pairs);
   for (int round = 0; round < 3; ++round) {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(42, 42);
     block.set_zero();
     for (std::size_t b = 0; b < bodies; ++b) {
-      const Mat6 own = Mat6::NullaryExpr([&] { return number(random); });
-      const Mat6 diagonal = own * own.transpose() + 12 * Mat6::Identity();
+      const coupled::Mat6 own = coupled::Mat6::NullaryExpr([&] { return number(random); });
+      const coupled::Mat6 diagonal = own * own.transpose() + 12 * coupled::Mat6::Identity();
       block.add(b, diagonal);
       dense.block<6, 6>(6 * static_cast<Eigen::Index>(b), 6 * static_cast<Eigen::Index>(b)) += diagonal;
     }
     for (const auto& [a, b] : pairs) {
-      const Mat6 off = Mat6::NullaryExpr([&] { return number(random); });
+      const coupled::Mat6 off = coupled::Mat6::NullaryExpr([&] { return number(random); });
       block.add(a, b, off);
       const auto i = 6 * static_cast<Eigen::Index>(a), j = 6 * static_cast<Eigen::Index>(b);
       dense.block<6, 6>(i, j) += off;

@@ -131,7 +131,7 @@ TEST(ContactSample, OnTissueItTellsThePointAtRest) {
   const ContactSample& sample = simulation.hands()[0].contact;
   ASSERT_TRUE(sample.touching);
   EXPECT_EQ(sample.body, 1U);
-  const SoftBody& body = simulation.soft(1);
+  const soft::SoftBody& body = simulation.soft(1);
   const Anatomy& anatomy = body.anatomy();
   double nearest = 1;  // m: from where a face's point that rests there has come to
   for (const auto& corners : anatomy.surface.triangles) {

@@ -48,7 +48,8 @@ TEST_P(CrushedByItsWeight, BeginsAndStaysWholeAndTheAuthorHearsOfIt) {
   Simulation simulation(scene, compiled);
   const bool crushed = simulation.soft(ball).recovery().is_kept();
   EXPECT_EQ(said.find("its own weight crushes it") != std::string::npos, crushed) << said;
-  EXPECT_LT(inverted_share(simulation.soft(ball).linear_tets(), simulation.soft_state(ball).motion.x), 0.05);
+  EXPECT_LT(soft::inverted_share(simulation.soft(ball).linear_tets(), simulation.soft_state(ball).motion.x),
+            0.05);
   // From the cache as from the compiler.
   Simulation again(scene, compiled);
   std::filesystem::remove_all(folder);
@@ -95,7 +96,8 @@ TEST_P(CorotatedLinear, StaysWithinItsVolumeHoweverItIsTurned) {
   double most = 0;
   for (int tick = 0; tick < 120; ++tick) {
     simulation.step({});
-    most = std::max(most, volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x));
+    most = std::max(most,
+                    soft::volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x));
   }
   EXPECT_LT(most, 1.3);
 }

@@ -23,26 +23,29 @@ TetMesh bar(int across, int along) {
 
 /// Cut along y = 0 from one side, at x = −2 cm, to where the blade's edge stops.
 Anatomy cut_bar(const TetMesh& mesh, double to_x) {
-  Organ organ(0, with_boundary(mesh), 1000);
+  organs::Organ organ(0, with_boundary(mesh), 1000);
   const auto edge_at = [](double x) { return std::vector<Vec3>{{x, 0, -0.03}, {x, 0, 0}, {x, 0, 0.03}}; };
   constexpr double from_x = -0.03;
   constexpr int ticks = 8;
-  BladeStroke stroke = begin_stroke(edge_at(from_x));
+  cutting::BladeStroke stroke = cutting::begin_stroke(edge_at(from_x));
   for (int tick = 1; tick <= ticks; ++tick) {
     std::vector<Vec3> rest;
-    for (NodeId node = 0; node < organ.complex().node_end(); ++node)
+    for (cutting::NodeId node = 0; node < organ.complex().node_end(); ++node)
       rest.push_back(organ.complex().rest(node));
     organ.cut(rest, edge_at(from_x + tick * (to_x - from_x) / ticks), stroke, 1, 1);
   }
   organ.regroup(1);
-  const auto height = [](const OrganPiece& piece) {
+  const auto height = [](const organs::OrganPiece& piece) {
     double sum = 0;
     for (const Vec3& x : piece.mesh.mesh.positions) sum += x.y();
     return sum / static_cast<double>(piece.mesh.mesh.positions.size());
   };
-  const auto upper = [&](const OrganPiece& a, const OrganPiece& b) { return height(a) < height(b); };
+  const auto upper = [&](const organs::OrganPiece& a, const organs::OrganPiece& b) {
+    return height(a) < height(b);
+  };
   Numbering numbering;
-  return anatomy_of(organ, *std::max_element(organ.pieces().begin(), organ.pieces().end(), upper), numbering);
+  return organs::anatomy_of(organ, *std::max_element(organ.pieces().begin(), organ.pieces().end(), upper),
+                            numbering);
 }
 
 /// What cutting does by hand: nodes on the plane up to x are one for each side.
@@ -81,7 +84,7 @@ Rest rest_of(const Anatomy& anatomy) {
   CompileOptions with = options();
   with.anatomy = [&](const SoftDesc&) { return anatomy; };
   const Simulation simulation(scene, with);
-  const SoftBody& body = simulation.soft(0);
+  const soft::SoftBody& body = simulation.soft(0);
   const VecX& x = simulation.soft_state(0).motion.x;
   Rest out;
   out.tets = anatomy.tets.tets.size();

@@ -92,7 +92,7 @@ TEST(CutSurface, BothSidesAreClosedAndFillTheWhole) {
     for (int i = 0; i < 60; ++i) {
       const Vec3 point = 0.03 * Vec3(x(random), x(random), x(random));
       const Vec3 normal = Vec3(x(random), x(random), x(random)).normalized();
-      const CutSurface cut = cut_surface(mesh, point, normal);
+      const rigid::CutSurface cut = rigid::cut_surface(mesh, point, normal);
       EXPECT_TRUE(closed(cut.above));
       EXPECT_TRUE(closed(cut.below));
       EXPECT_NEAR(volume(cut.above) + volume(cut.below), whole, 1e-9 * whole);
@@ -106,7 +106,7 @@ TEST(CutSurface, AxisAlignedThroughVerticesAndFaces) {
   for (const TriangleMesh& mesh : solids())
     for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)})
       for (const double at : {0.0, 0.03, 0.05, -0.05, 0.1}) {
-        const CutSurface cut = cut_surface(mesh, at * normal, normal);
+        const rigid::CutSurface cut = rigid::cut_surface(mesh, at * normal, normal);
         EXPECT_TRUE(closed(cut.above));
         EXPECT_TRUE(closed(cut.below));
         EXPECT_NEAR(volume(cut.above) + volume(cut.below), volume(mesh), 1e-6 * volume(mesh));
@@ -114,7 +114,8 @@ TEST(CutSurface, AxisAlignedThroughVerticesAndFaces) {
 }
 
 TEST(CutSurface, ABoxInHalvesIsTwoBoxes) {
-  const CutSurface cut = cut_surface(primitive("box", {0.1, 0.06, 0.2}), {0.025, 0, 0}, {2, 0, 0});
+  const rigid::CutSurface cut =
+      rigid::cut_surface(primitive("box", {0.1, 0.06, 0.2}), {0.025, 0, 0}, {2, 0, 0});
   EXPECT_NEAR(volume(cut.above), 0.025 * 0.06 * 0.2, 1e-12);
   EXPECT_NEAR(volume(cut.below), 0.075 * 0.06 * 0.2, 1e-12);
 }
@@ -125,7 +126,7 @@ TEST(CutSurface, WhatIsOpenIsRefused) {
   int refused = 0;
   for (const Vec3& normal : {Vec3(1, 0.1, 0.2), Vec3(0.1, 1, 0.2), Vec3(0.2, 0.1, 1)}) {
     try {
-      cut_surface(open, {0, 0, 0}, normal);
+      rigid::cut_surface(open, {0, 0, 0}, normal);
     } catch (const InputError&) {
       ++refused;
     }
@@ -135,7 +136,7 @@ TEST(CutSurface, WhatIsOpenIsRefused) {
 
 TEST(CutSurface, APlaneBesideItLeavesItWhole) {
   const TriangleMesh box = primitive("box", {0.1, 0.1, 0.1});
-  const CutSurface cut = cut_surface(box, {0, 0.2, 0}, {0, 1, 0});
+  const rigid::CutSurface cut = rigid::cut_surface(box, {0, 0.2, 0}, {0, 1, 0});
   EXPECT_TRUE(cut.above.triangles.empty());
   EXPECT_NEAR(volume(cut.below), 1e-3, 1e-12);
 }

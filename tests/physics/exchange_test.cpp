@@ -15,7 +15,7 @@ namespace {
 
 constexpr double block_mass = 0.6;
 
-Vec3 momentum(const SoftBody& body, const SoftBodyState& state) {
+Vec3 momentum(const soft::SoftBody& body, const soft::SoftBodyState& state) {
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     sum += body.node_mass()[i] * state.motion.v.segment<3>(3 * i);
@@ -84,19 +84,19 @@ TEST(Exchange, AFastPlatesImpulseIsWhatTheTissueGot) {
 // own.
 TEST(Exchange, AShortenedStepTellsTheWholeForce) {
   constexpr double h = 1.0 / 60;
-  SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {2, 2, 2}));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {2, 2, 2}));
+  soft::SoftBodyState state = body.initial_state();
   const auto exchanged = [&](double length, bool balanced, bool all_held) {
-    Island island;
+    coupled::Island island;
     island.soft.push_back({0, &body, &state});
-    Contact& pressed = island.contacts.emplace_back();
-    pressed.a.kind = ContactSide::Kind::soft;
+    contact::Contact& pressed = island.contacts.emplace_back();
+    pressed.a.kind = contact::ContactSide::Kind::soft;
     pressed.a.add(body.anatomy().embedding.rows[0], 1);
     pressed.normal = Vec3::UnitY();
     pressed.gap = -1e-3;
     pressed.stiffness = 1e3;
     body.stepper().begin_stage(0, h, {}, state, true);
-    IslandSystem system;
+    coupled::IslandSystem system;
     system.begin(island, h);
     VecX q, g;
     system.initial_guess(q);

@@ -36,7 +36,7 @@ class Tissue {
 
   AssertionResult is_sound() const {
     for (BodyId body = first(); body < simulation_.body_count(); ++body) {
-      const SoftBodyState& state = simulation_.soft_state(body);
+      const soft::SoftBodyState& state = simulation_.soft_state(body);
       if (!state.motion.x.allFinite() || !state.motion.v.allFinite())
         return AssertionFailure() << "body " << body << " is not finite";
       if (state.motion.v.size() > 0 && state.motion.v.cwiseAbs().maxCoeff() > 20)

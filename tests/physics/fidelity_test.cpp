@@ -48,14 +48,14 @@ TEST(Fidelity, RigidBodyRestsOnWhatItCollidesAs) {
 }
 
 TEST(Fidelity, BoxesOfRigidBodiesAreThoseStated) {
-  const ShapePart box{ShapeKind::box, {0.06, 0.01, 0.03}, {}, nullptr};
+  const collision::ShapePart box{collision::ShapeKind::box, {0.06, 0.01, 0.03}, {}, nullptr};
   const Pose turned{{1, 2, 3}, Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()))};
   const double wide = (0.06 + 0.03) / std::numbers::sqrt2;
-  const ShapePart room = at_fidelity({box}, Fidelity::aabb, turned).front();
+  const collision::ShapePart room = rigid::at_fidelity({box}, Fidelity::aabb, turned).front();
   EXPECT_LT((room.half - Vec3(wide, 0.01, wide)).norm(), 1e-12);
   EXPECT_LT((turned * room.pose).q.angularDistance(Quat::Identity()), 1e-12);
   EXPECT_LT((turned * room.pose).p.cwiseAbs().maxCoeff() - 3, 1e-12);
-  const ShapePart own = at_fidelity({box}, Fidelity::obb, turned).front();
+  const collision::ShapePart own = rigid::at_fidelity({box}, Fidelity::obb, turned).front();
   EXPECT_NEAR(own.half.prod(), box.half.prod(), 1e-12);
 }
 

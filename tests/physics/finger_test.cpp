@@ -19,9 +19,9 @@ TickInput hand_at(const Vec3& place, const Flexion& flexion) {
   return out;
 }
 
-double resistance(double step, const std::vector<Obstacle>& obstacles) {
+double resistance(double step, const std::vector<hands::Obstacle>& obstacles) {
   double sum = 0;
-  for (const Obstacle& o : obstacles)
+  for (const hands::Obstacle& o : obstacles)
     sum +=
         std::max(0.0, o.stiffness * std::max(0.0, -o.gap) + o.series * (o.way * step - std::max(0.0, o.gap)));
   return sum;
@@ -30,7 +30,7 @@ double resistance(double step, const std::vector<Obstacle>& obstacles) {
 TEST(FingerStep, FollowsWhereNothingIsInTheWay) {
   for (const double tracked : {0.0, 0.3, 1.0})
     for (const double flexion : {0.0, 0.4, 0.9})
-      EXPECT_EQ(finger_step(tracked, flexion, 0.1, {}, {8}), std::clamp(tracked - flexion, -0.1, 0.1));
+      EXPECT_EQ(hands::finger_step(tracked, flexion, 0.1, {}, {8}), std::clamp(tracked - flexion, -0.1, 0.1));
 }
 
 TEST(FingerStep, NeverPushesHarderThanItsBound) {
@@ -38,17 +38,17 @@ TEST(FingerStep, NeverPushesHarderThanItsBound) {
   const auto number = [&](double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(random);
   };
-  const FingerDrive drive{.max_force = 8};
+  const hands::FingerDrive drive{.max_force = 8};
   for (int i = 0; i < 5000; ++i) {
-    std::vector<Obstacle> obstacles(1 + random() % 5);
-    for (Obstacle& o : obstacles) {
+    std::vector<hands::Obstacle> obstacles(1 + random() % 5);
+    for (hands::Obstacle& o : obstacles) {
       o.stiffness = std::pow(10, number(1, 6));
       o.series = o.stiffness * number(0.01, 1);
       o.gap = number(-8 / o.stiffness / 5, 0.01);
       o.way = number(0.001, 0.1);
     }
     const double flexion = number(0, 1), tracked = number(0, 1);
-    const double step = finger_step(tracked, flexion, 0.13, obstacles, drive);
+    const double step = hands::finger_step(tracked, flexion, 0.13, obstacles, drive);
     EXPECT_GE(flexion + step, -1e-12);
     EXPECT_LE(flexion + step, 1 + 1e-12);
     if (flexion + step > 1e-6) {
@@ -59,10 +59,11 @@ TEST(FingerStep, NeverPushesHarderThanItsBound) {
 }
 
 TEST(FingerStep, RestsOnWhatIsHardWithTheWholeForce) {
-  const Obstacle wall{0.004, 0.08, 3e4, 3e4};
+  const hands::Obstacle wall{0.004, 0.08, 3e4, 3e4};
   double flexion = 0.2, gap = wall.gap;
   for (int tick = 0; tick < 60; ++tick) {
-    const double step = finger_step(1, flexion, 0.13, std::vector{Obstacle{gap, wall.way, 3e4, 3e4}}, {8});
+    const double step =
+        hands::finger_step(1, flexion, 0.13, std::vector{hands::Obstacle{gap, wall.way, 3e4, 3e4}}, {8});
     flexion += step;
     gap -= wall.way * step;
   }

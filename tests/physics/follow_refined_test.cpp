@@ -59,18 +59,18 @@ TEST_P(RefinedFollowers, TouchingAtRandomIsBeingMadeAnew) {
       stretch.emplace_back((Vec3::Ones() + random.point(0.1)).asDiagonal());
     mesh.tets.stretch = std::make_shared<RestStretch>(mesh.tets, stretch);
   }
-  SoftBody body(desc, mesh);
-  RefinedBody refined(body, tick_rate);
+  soft::SoftBody body(desc, mesh);
+  organs::RefinedBody refined(body, tick_rate);
   const std::uint64_t compiled = body.content_hash();
   Random random(test_seed(true));
   std::size_t followed = 0, most = 0;
-  const auto follow = [&](std::span<const RefinementStep> steps) {
+  const auto follow = [&](std::span<const cutting::RefinementStep> steps) {
     if (steps.empty()) return;
-    PieceMesh now = refined_mesh(refined);
-    const PieceEdit edit = edit_between(refined.piece, now);
+    organs::PieceMesh now = organs::refined_mesh(refined);
+    const organs::PieceEdit edit = organs::edit_between(refined.piece, now);
     ASSERT_TRUE(body.follower().can_follow(edit.mesh));
-    body.follower().follow(edit.mesh, refined_embedding(refined, now));
-    SoftBody rebuilt(desc, refined_anatomy(refined, now));
+    body.follower().follow(edit.mesh, organs::refined_embedding(refined, now));
+    soft::SoftBody rebuilt(desc, organs::refined_anatomy(refined, now));
     ASSERT_EQ(body.content_hash(), rebuilt.content_hash());
     ASSERT_TRUE(same_answers(body, rebuilt, static_cast<unsigned>(followed)));
     const Anatomy& anatomy = body.anatomy();
@@ -85,7 +85,8 @@ TEST_P(RefinedFollowers, TouchingAtRandomIsBeingMadeAnew) {
   for (int tick = 0; tick < 90; ++tick) {
     finger = (finger + random.point(0.015)).cwiseMax(0).cwiseMin(mesh_size);
     const bool lifted = tick > 20 && tick < 84;
-    const TouchedPlaces touched = lifted ? TouchedPlaces() : TouchedPlaces({finger}, 1e-3);
+    const cutting::TouchedPlaces touched =
+        lifted ? cutting::TouchedPlaces() : cutting::TouchedPlaces({finger}, 1e-3);
     follow(refined.mesh.follow(touched, false, tick % 10 == 0));
     if (HasFatalFailure()) return;
   }
@@ -117,8 +118,8 @@ Vec3 momentum(const VecX& mass, const VecX& field) {
 // Whatever the motion is, linear momentum stays to rounding, and with it what a turn is as a whole.
 TEST(RefinedMotion, KeepsMomentumAndWhatIsLinear) {
   const SoftDesc desc = refined_block();
-  const SoftBody coarse(desc, round_block());
-  RefinedBody refined(coarse, tick_rate);
+  const soft::SoftBody coarse(desc, round_block());
+  organs::RefinedBody refined(coarse, tick_rate);
   Random random(3);
   VecX velocity = VecX::NullaryExpr(3 * coarse.nodes(), [&] { return random.uniform(-1, 1); });
   Mat3 turn;
@@ -128,12 +129,12 @@ TEST(RefinedMotion, KeepsMomentumAndWhatIsLinear) {
     turning.segment<3>(3 * i) = turn * coarse.rest().segment<3>(3 * i) + Vec3(1, 2, 3);
   const VecX turned = turning;
   VecX mass = coarse.node_mass();
-  const auto take = [&](std::span<const RefinementStep> steps) {
-    PieceMesh now = refined_mesh(refined);
+  const auto take = [&](std::span<const cutting::RefinementStep> steps) {
+    organs::PieceMesh now = organs::refined_mesh(refined);
     const Vec3 before = momentum(mass, velocity);
-    velocity = carried(velocity, refined.piece, now, steps, Leaving::momentum);
-    turning = carried(turning, refined.piece, now, steps, Leaving::momentum);
-    mass = SoftBody(desc, refined_anatomy(refined, now)).node_mass();
+    velocity = organs::carried(velocity, refined.piece, now, steps, organs::Leaving::momentum);
+    turning = organs::carried(turning, refined.piece, now, steps, organs::Leaving::momentum);
+    mass = soft::SoftBody(desc, organs::refined_anatomy(refined, now)).node_mass();
     EXPECT_LT((momentum(mass, velocity) - before).norm(), 1e-12 * coarse.total_mass());
     EXPECT_NEAR(mass.sum(), coarse.total_mass(), 1e-14);
     refined.piece = std::move(now);
@@ -141,8 +142,8 @@ TEST(RefinedMotion, KeepsMomentumAndWhatIsLinear) {
   std::size_t taken_back = 0;
   for (int round = 0; round < 3; ++round) {
     for (int tick = 0; tick < 4; ++tick)
-      take(
-          refined.mesh.follow(TouchedPlaces({Vec3::Constant(0.05) + random.point(0.05)}, 1e-3), false, true));
+      take(refined.mesh.follow(cutting::TouchedPlaces({Vec3::Constant(0.05) + random.point(0.05)}, 1e-3),
+                               false, true));
     velocity += VecX::NullaryExpr(velocity.size(), [&] { return random.uniform(-1, 1); });
     const auto steps = refined.mesh.take_back();
     taken_back += steps.size();
@@ -153,24 +154,24 @@ TEST(RefinedMotion, KeepsMomentumAndWhatIsLinear) {
 }
 
 TEST(RefinedMotion, HistoryIsTheHalvesMean) {
-  const SoftBody coarse(refined_block(), round_block());
-  RefinedBody refined(coarse, tick_rate);
+  const soft::SoftBody coarse(refined_block(), round_block());
+  organs::RefinedBody refined(coarse, tick_rate);
   const auto count = [&] { return 6 * static_cast<Eigen::Index>(refined.piece.tets.size()); };
   const VecX begin = VecX::LinSpaced(count(), 1, 2);
-  const auto steps = refined.mesh.follow(TouchedPlaces({Vec3::Constant(0.05)}, 1e-3), false, false);
+  const auto steps = refined.mesh.follow(cutting::TouchedPlaces({Vec3::Constant(0.05)}, 1e-3), false, false);
   ASSERT_FALSE(steps.empty());
-  PieceMesh now = refined_mesh(refined);
-  const VecX halves = refined_history(begin, refined.mesh.complex(), refined.piece, now, steps);
-  const PieceMesh before = std::exchange(refined.piece, std::move(now));
+  organs::PieceMesh now = organs::refined_mesh(refined);
+  const VecX halves = organs::refined_history(begin, refined.mesh.complex(), refined.piece, now, steps);
+  const organs::PieceMesh before = std::exchange(refined.piece, std::move(now));
   ASSERT_EQ(halves.size(), count());
   for (std::size_t i = 0; i < refined.piece.tets.size(); ++i) {
-    TetId whole = refined.piece.tets[i];
-    while (refined.mesh.complex().lineage(whole).parent != TetComplex::none)
+    cutting::TetId whole = refined.piece.tets[i];
+    while (refined.mesh.complex().lineage(whole).parent != cutting::TetComplex::none)
       whole = refined.mesh.complex().lineage(whole).parent;
     EXPECT_EQ(halves[6 * static_cast<Eigen::Index>(i)], begin[6 * static_cast<Eigen::Index>(whole)]);
   }
   const auto back = refined.mesh.take_back();
-  const VecX again = refined_history(halves, refined.mesh.complex(), refined.piece, before, back);
+  const VecX again = organs::refined_history(halves, refined.mesh.complex(), refined.piece, before, back);
   EXPECT_LT((again - begin).lpNorm<Eigen::Infinity>(), 1e-14);
 }
 

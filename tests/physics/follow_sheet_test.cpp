@@ -40,11 +40,11 @@ Way random_way(Random& random) {
   return {place(), place()};
 }
 
-::testing::AssertionResult same(const SpringNetwork& a, const SpringNetwork& b) {
-  const auto same_spring = [](const Spring& p, const Spring& q) {
+::testing::AssertionResult same(const soft::SpringNetwork& a, const soft::SpringNetwork& b) {
+  const auto same_spring = [](const soft::Spring& p, const soft::Spring& q) {
     return p.node == q.node && p.rest == q.rest && p.stiffness == q.stiffness;
   };
-  const auto same_bend = [](const Bend& p, const Bend& q) {
+  const auto same_bend = [](const soft::Bend& p, const soft::Bend& q) {
     return p.node == q.node && p.count == q.count && p.stiffness == q.stiffness && p.weight == q.weight;
   };
   if (!std::ranges::equal(a.springs, b.springs, same_spring))
@@ -57,7 +57,7 @@ Way random_way(Random& random) {
   return ::testing::AssertionSuccess();
 }
 
-::testing::AssertionResult same(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+::testing::AssertionResult same(soft::SoftBody& followed, soft::SoftBody& rebuilt, unsigned seed) {
   const Anatomy &a = followed.anatomy(), &b = rebuilt.anatomy();
   if (followed.content_hash() != rebuilt.content_hash() || a.quads != b.quads || a.triangles != b.triangles ||
       followed.elements() != rebuilt.elements())
@@ -76,39 +76,39 @@ struct Rung {
 
 class FollowingCloths final : public FollowingBodies {
  public:
-  FollowingCloths(Organ& cut, const SoftDesc& desc, double stiffness)
+  FollowingCloths(organs::Organ& cut, const SoftDesc& desc, double stiffness)
       : FollowingBodies(cut, desc, stiffness) {}
 
  private:
-  bool can_follow(const PieceEdit& edit) const override {
+  bool can_follow(const organs::PieceEdit& edit) const override {
     return bodies.at(edit.body).solver->follower().can_follow_sheet(edit.mesh.kept_nodes);
   }
-  void follow_cut(const PieceEdit& edit) override {
+  void follow_cut(const organs::PieceEdit& edit) override {
     organ.follow(edit);
     follow(edit);
   }
-  void follow_change(const PieceEdit& edit, const Regrouped&) override { follow(edit); }
-  void follow(const PieceEdit& edit) {
+  void follow_change(const organs::PieceEdit& edit, const organs::Regrouped&) override { follow(edit); }
+  void follow(const organs::PieceEdit& edit) {
     Hung& body = bodies[edit.body];
     Numbering numbering;
-    Anatomy sheet = anatomy_of(organ, organ.piece(edit.body), numbering);
-    const SurfaceEdit surface = edit_between(body.solver->anatomy().surface, body.numbering, sheet.surface,
-                                             sheet.embedding, numbering);
-    SpringNetwork springs = make_sheet_springs(desc.material, body.solver->anatomy());
-    follow_sheet(desc.material, sheet, edit.mesh.kept_nodes, edit.touched, springs);
+    Anatomy sheet = organs::anatomy_of(organ, organ.piece(edit.body), numbering);
+    const SurfaceEdit surface = organs::edit_between(body.solver->anatomy().surface, body.numbering,
+                                                     sheet.surface, sheet.embedding, numbering);
+    soft::SpringNetwork springs = soft::make_sheet_springs(desc.material, body.solver->anatomy());
+    soft::follow_sheet(desc.material, sheet, edit.mesh.kept_nodes, edit.touched, springs);
     springs_ = std::move(springs);
     body.solver->follower().follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
     body.follow(surface, std::move(numbering));
   }
   ::testing::AssertionResult same(std::size_t body, Hung& rebuilt, unsigned seed) override {
     if (const auto springs =
-            prosector::same(springs_, make_sheet_springs(desc.material, rebuilt.solver->anatomy()));
+            prosector::same(springs_, soft::make_sheet_springs(desc.material, rebuilt.solver->anatomy()));
         !springs)
       return springs;
     return prosector::same(*bodies[body].solver, *rebuilt.solver, seed);
   }
 
-  SpringNetwork springs_;  // of what followed last
+  soft::SpringNetwork springs_;  // of what followed last
 };
 
 class FollowingSheets : public ::testing::TestWithParam<Rung> {};
@@ -123,7 +123,7 @@ TEST_P(FollowingSheets, CutsAtRandomIsBeingMadeAnew) {
   desc.material.damping_stiffness = rung.damped ? 0.01 : 0;
   desc.attach = {{{0.05, 0, 0.05}, 0.03, 1e8}};
   const Anatomy sheet = square();
-  Organ organ(0, sheet, desc.material.density, held_nodes(desc.attach, sheet));
+  organs::Organ organ(0, sheet, desc.material.density, organs::held_nodes(desc.attach, sheet));
   FollowingCloths bodies(organ, desc, rung.stiffness);
   Random random(20261122);
   bodies.make_strokes(24, [&](unsigned) -> FollowingBodies::Stroke {
@@ -171,8 +171,8 @@ Total total(const VecX& mass, const VecX& x, const VecX& v) {
   return out;
 }
 
-VecX masses(const Organ& organ) {
-  const std::vector<NodeId>& nodes = organ.piece(0).mesh.nodes;
+VecX masses(const organs::Organ& organ) {
+  const std::vector<cutting::NodeId>& nodes = organ.piece(0).mesh.nodes;
   return VecX::NullaryExpr(static_cast<Eigen::Index>(nodes.size()), [&](Eigen::Index i) {
     return organ.complex().mass(nodes[static_cast<std::size_t>(i)]);
   });
@@ -180,7 +180,7 @@ VecX masses(const Organ& organ) {
 
 // It flies, turns, bends and ripples while it is cut.
 TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
-  Organ organ(0, square(), 1000);
+  organs::Organ organ(0, square(), 1000);
   const Vec3 flies(0.5, -1, 2), turns(3, 5, -2);
   const auto bent = [](const Vec3& x) { return Vec3(x.x(), 5 * x.x() * x.x() - 3 * x.x() * x.z(), x.z()); };
   const auto velocity = [&](const Vec3& x) {
@@ -188,7 +188,7 @@ TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
   };
   VecX x(3 * static_cast<Eigen::Index>(organ.piece(0).mesh.nodes.size())), v = x;
   for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
-    x.segment<3>(3 * i) = bent(organ.complex().rest(static_cast<NodeId>(i)));
+    x.segment<3>(3 * i) = bent(organ.complex().rest(static_cast<cutting::NodeId>(i)));
     v.segment<3>(3 * i) = velocity(x.segment<3>(3 * i));
   }
   Random random(5);
@@ -196,26 +196,27 @@ TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
   double without = 0, most = 0;  // kg m²/s lost where spin isn't asked for; m/s, most that it takes
   for (unsigned stroke = 0; stroke < 12; ++stroke) {
     const Way way = random_way(random);
-    BladeStroke blade = begin_stroke(edge_at(way.from));
+    cutting::BladeStroke blade = cutting::begin_stroke(edge_at(way.from));
     for (int tick = 1; tick <= 8; ++tick) {
-      const PieceMesh mesh = organ.piece(0).mesh;
+      const organs::PieceMesh mesh = organ.piece(0).mesh;
       const VecX mass = masses(organ), x_before = x;
       VecX v_before = v;
       if (organ.cut(rest_of(organ), edge_at(way.at(tick / 8.0)), blade, 1, stroke).ops.empty()) continue;
-      const auto edit = cut_in_one_piece(organ);
+      const auto edit = organs::cut_in_one_piece(organ);
       if (!edit) return;  // it fell apart
-      const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, edit->mesh, nullptr);
+      const organs::NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, edit->mesh,
+                                          nullptr);
       organ.follow(*edit);
       x = transfer.carried(x, edit->mesh);
       v = transfer.carried(v, edit->mesh);
       const VecX carried = v, mass_now = masses(organ);
-      const PieceMotion before[] = {{mesh.nodes, &mass, &x_before, &v_before}};
-      const PieceMotion now[] = {{organ.piece(0).mesh.nodes, &mass_now, &x, &v}};
-      keep_momentum(before, now, false);
+      const organs::PieceMotion before[] = {{mesh.nodes, &mass, &x_before, &v_before}};
+      const organs::PieceMotion now[] = {{organ.piece(0).mesh.nodes, &mass_now, &x, &v}};
+      organs::keep_momentum(before, now, false);
       const Total was = total(mass, x_before, v_before);
       without = std::max(without, (total(mass_now, x, v).spin - was.spin).norm());
       v = carried;
-      keep_momentum(before, now, true);
+      organs::keep_momentum(before, now, true);
       const Total is = total(mass_now, x, v);
       ASSERT_NEAR(is.mass, was.mass, 1e-12 * was.mass);
       ASSERT_LT((is.momentum - was.momentum).norm(), 1e-12 * was.momentum.norm()) << "stroke " << stroke;

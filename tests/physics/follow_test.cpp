@@ -18,7 +18,7 @@
 namespace prosector {
 namespace {
 
-::testing::AssertionResult same(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+::testing::AssertionResult same(soft::SoftBody& followed, soft::SoftBody& rebuilt, unsigned seed) {
   const Anatomy &a = followed.anatomy(), &b = rebuilt.anatomy();
   if (followed.content_hash() != rebuilt.content_hash() || a.tets.tets != b.tets.tets ||
       followed.linear_tets().tets != rebuilt.linear_tets().tets ||
@@ -35,13 +35,14 @@ namespace {
 
 /// Whether an organ that goes through the log, looking at all of the skin after each entry, has the surfaces
 /// that this one has, whose skin followed.
-::testing::AssertionResult restores_alike(const Organ& organ, std::size_t bodies, const Anatomy& mesh,
+::testing::AssertionResult restores_alike(const organs::Organ& organ, std::size_t bodies, const Anatomy& mesh,
                                           double density) {
-  Organ restored(organ.pieces().front().body, mesh, density);
+  organs::Organ restored(organ.pieces().front().body, mesh, density);
   restored.restore(organ.log(), organ.mark().pieces, bodies);
-  for (const OrganPiece& piece : organ.pieces()) {
+  for (const organs::OrganPiece& piece : organ.pieces()) {
     if (!piece.whole()) continue;
-    const PieceSurface a = surface_of(organ, piece), b = surface_of(restored, restored.piece(piece.body));
+    const organs::PieceSurface a = organs::surface_of(organ, piece),
+                               b = organs::surface_of(restored, restored.piece(piece.body));
     if (a.surface.triangles != b.surface.triangles || a.surface.inner != b.surface.inner ||
         a.surface.positions != b.surface.positions || a.numbering.nodes != b.numbering.nodes ||
         a.numbering.vertices != b.numbering.vertices || a.numbering.triangles != b.numbering.triangles)
@@ -66,32 +67,32 @@ struct Rung {
 
 class FollowingBlocks final : public FollowingBodies {
  public:
-  FollowingBlocks(Organ& cut, const SoftDesc& desc, const Anatomy& mesh, double stiffness)
+  FollowingBlocks(organs::Organ& cut, const SoftDesc& desc, const Anatomy& mesh, double stiffness)
       : FollowingBodies(cut, desc, stiffness), mesh_(mesh) {}
   std::size_t surfaces = 0;  // that followed: of what was cut before and is still
 
  private:
-  bool can_follow(const PieceEdit& edit) const override {
+  bool can_follow(const organs::PieceEdit& edit) const override {
     return bodies.at(edit.body).solver->follower().can_follow(edit.mesh);
   }
-  void follow_cut(const PieceEdit& edit) override {
+  void follow_cut(const organs::PieceEdit& edit) override {
     const Hung& body = bodies[edit.body];
     std::optional<SurfaceEdit> surface;
     if (!body.numbering.triangles.empty())
-      surface = surface_edit(organ, edit, body.solver->anatomy().surface, body.numbering);
+      surface = organs::surface_edit(organ, edit, body.solver->anatomy().surface, body.numbering);
     organ.follow(edit);
     follow(edit, surface);
   }
-  void follow_change(const PieceEdit& edit, const Regrouped& changed) override {
+  void follow_change(const organs::PieceEdit& edit, const organs::Regrouped& changed) override {
     const Hung& body = bodies[edit.body];
-    follow(edit, surface_edit_since(organ, changed, organ.piece(edit.body), body.solver->anatomy().surface,
-                                    body.numbering));
+    follow(edit, organs::surface_edit_since(organ, changed, organ.piece(edit.body),
+                                            body.solver->anatomy().surface, body.numbering));
   }
-  void follow(const PieceEdit& edit, const std::optional<SurfaceEdit>& surface) {
+  void follow(const organs::PieceEdit& edit, const std::optional<SurfaceEdit>& surface) {
     Hung& body = bodies[edit.body];
-    const OrganPiece& piece = organ.piece(edit.body);
+    const organs::OrganPiece& piece = organ.piece(edit.body);
     if (!surface) {
-      PieceSurface skin = surface_of(organ, piece);
+      organs::PieceSurface skin = organs::surface_of(organ, piece);
       body.numbering = std::move(skin.numbering);
       body.solver->follower().follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
       body.remake_surface();
@@ -148,7 +149,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   Anatomy mesh = rung.round ? embed(shaken_box(rung.cells), surface_of("block", 0.01)).anatomy
                             : Anatomy{shaken_box(rung.cells), {}, {}};
   if (rung.tense) stretch_at_random(mesh.tets);
-  Organ organ(0, mesh, desc.material.density);
+  organs::Organ organ(0, mesh, desc.material.density);
   FollowingBlocks bodies(organ, desc, mesh, rung.stiffness);
   Random random(20261122);
   bodies.make_strokes(10, [&](unsigned stroke) -> FollowingBodies::Stroke {
@@ -181,45 +182,45 @@ TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
   region.center = {0.07, 0.05, 0.05};
   region.radius = 0.04;
   region.fiber_stiffness = 3e4;
-  Organ organ(0, {shaken_box(4), {}, {}}, 1000);
+  organs::Organ organ(0, {shaken_box(4), {}, {}}, 1000);
   Numbering numbering;
-  const auto model = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
+  const auto model = soft::make_elastic_model(desc, organs::anatomy_of(organ, organ.piece(0), numbering));
   TetMesh mesh = organ.whole().tets;
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
-  BladeStroke blade = begin_stroke(edge(-0.01));
+  cutting::BladeStroke blade = cutting::begin_stroke(edge(-0.01));
   for (int tick = 1; tick <= 3; ++tick) {
     ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
-    const auto edit = cut_in_one_piece(organ);
+    const auto edit = organs::cut_in_one_piece(organ);
     ASSERT_TRUE(edit && model->can_follow(edit->mesh));
     organ.follow(*edit);
-    apply(edit->mesh, mesh);
+    soft::apply(edit->mesh, mesh);
     model->follow(desc.material, mesh, edit->mesh);
-    const auto rebuilt = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
+    const auto rebuilt = soft::make_elastic_model(desc, organs::anatomy_of(organ, organ.piece(0), numbering));
     EXPECT_EQ(model->rest_trace(), rebuilt->rest_trace());
   }
 }
 
 // What relaxes remembers: each tetrahedron what the one that it is a part of did.
 TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
-  Organ organ(0, {shaken_box(4), {}, {}}, 1000);
-  const PieceMesh before = organ.piece(0).mesh;
+  organs::Organ organ(0, {shaken_box(4), {}, {}}, 1000);
+  const organs::PieceMesh before = organ.piece(0).mesh;
   const VecX history = VecX::LinSpaced(6 * static_cast<Eigen::Index>(before.tets.size()), 1, 2);
   const std::vector<Vec3> x = rest_of(organ);
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
-  BladeStroke blade = begin_stroke(edge(-0.01));
+  cutting::BladeStroke blade = cutting::begin_stroke(edge(-0.01));
   ASSERT_FALSE(organ.cut(x, edge(0.04), blade, 1, 1).ops.empty());
   organ.regroup(1);
-  const PieceMesh& now = organ.piece(0).mesh;
+  const organs::PieceMesh& now = organ.piece(0).mesh;
   ASSERT_GT(now.tets.size(), before.tets.size());
-  const PieceMesh* const meshes[] = {&before};
+  const organs::PieceMesh* const meshes[] = {&before};
   const VecX* const histories[] = {&history};
-  const VecX carried = carried_history(organ.complex(), meshes, histories, 6, now.tets);
+  const VecX carried = organs::carried_history(organ.complex(), meshes, histories, 6, now.tets);
   const auto of = [](const VecX& all, std::size_t tet) {
     return Eigen::Matrix<double, 6, 1>(all.segment<6>(6 * static_cast<Eigen::Index>(tet)));
   };
   for (std::size_t i = 0; i < now.tets.size(); ++i) {
-    TetId whole = now.tets[i];
-    while (organ.complex().lineage(whole).parent != TetComplex::none)
+    cutting::TetId whole = now.tets[i];
+    while (organ.complex().lineage(whole).parent != cutting::TetComplex::none)
       whole = organ.complex().lineage(whole).parent;
     EXPECT_EQ(of(carried, i), of(history, whole)) << "tetrahedron " << i;  // uncut, ids are indices
   }
@@ -229,32 +230,32 @@ TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
 TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
   SoftDesc desc;
   desc.configuration.element = "tet10";
-  Organ organ(0, {shaken_box(3), {}, {}}, 1000);
+  organs::Organ organ(0, {shaken_box(3), {}, {}}, 1000);
   Numbering numbering;
-  SoftBody body(desc, anatomy_of(organ, organ.piece(0), numbering));
+  soft::SoftBody body(desc, organs::anatomy_of(organ, organ.piece(0), numbering));
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
-  BladeStroke blade = begin_stroke(edge(-0.01));
+  cutting::BladeStroke blade = cutting::begin_stroke(edge(-0.01));
   Random random(5);
   for (int tick = 1; tick <= 3; ++tick) {
     ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
-    const auto edit = cut_in_one_piece(organ);
+    const auto edit = organs::cut_in_one_piece(organ);
     ASSERT_TRUE(edit && body.follower().can_follow(edit->mesh));
     const VecX field = VecX::NullaryExpr(3 * body.nodes(), [&] { return random.uniform(-1, 1); });
-    const PieceMesh before = organ.piece(0).mesh;
-    const MeshEdit nodes = body.follower().edit_of_nodes(edit->mesh);
-    const NodeTransfer made(organ.complex(), before, edit->nodes, edit->tets, nodes,
-                            body.follower().edge_nodes());
+    const organs::PieceMesh before = organ.piece(0).mesh;
+    const soft::MeshEdit nodes = body.follower().edit_of_nodes(edit->mesh);
+    const organs::NodeTransfer made(organ.complex(), before, edit->nodes, edit->tets, nodes,
+                                    body.follower().edge_nodes());
     const VecX followed = made.carried(field, nodes);
     organ.follow(*edit);
-    const PieceMesh* const pieces[] = {&before};
+    const organs::PieceMesh* const pieces[] = {&before};
     const VecX* const fields[] = {&field};
-    const NodeTransfer all(organ.complex(), pieces, organ.piece(0).mesh, true);
+    const organs::NodeTransfer all(organ.complex(), pieces, organ.piece(0).mesh, true);
     EXPECT_EQ(followed, all(fields));
-    PieceSurface skin = surface_of(organ, organ.piece(0));
+    organs::PieceSurface skin = organs::surface_of(organ, organ.piece(0));
     body.follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
     EXPECT_EQ(followed.size(), 3 * body.nodes());
     // Nodes that stay keep what they had.
-    for (const Kept::Run& run : nodes.kept_nodes.runs)
+    for (const soft::Kept::Run& run : nodes.kept_nodes.runs)
       EXPECT_EQ(followed.segment(3 * run.to, 3 * run.count), field.segment(3 * run.from, 3 * run.count));
   }
 }

@@ -18,9 +18,9 @@ using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
 /// In which order vertices are looked at, and where they are.
-std::vector<Vec3> vertices_in_order(TissueSurface& surface, const VecX& x) {
+std::vector<Vec3> vertices_in_order(contact::TissueSurface& surface, const VecX& x) {
   surface.place(x);
-  const SurfaceDetector& detector = surface.vertices();
+  const contact::SurfaceDetector& detector = surface.vertices();
   std::vector<Vec3> out;
   detector.in_box(detector.lo(), detector.hi(), [&](std::uint32_t vertex) {
     out.push_back(detector.positions()[vertex]);
@@ -35,8 +35,9 @@ AssertionResult same(const Numbering& a, const Numbering& b) {
   return AssertionSuccess();
 }
 
-AssertionResult same_vertices(TissueSurface& a, TissueSurface& b, const SoftBody& body) {
-  const SurfaceDetector &followed = a.vertices(), &rebuilt = b.vertices();
+AssertionResult same_vertices(contact::TissueSurface& a, contact::TissueSurface& b,
+                              const soft::SoftBody& body) {
+  const contact::SurfaceDetector &followed = a.vertices(), &rebuilt = b.vertices();
   if (!std::ranges::equal(followed.triangle_order(), rebuilt.triangle_order()))
     return AssertionFailure() << "another order of triangles";
   if (vertices_in_order(a, body.rest()) != vertices_in_order(b, body.rest()))
@@ -51,8 +52,8 @@ AssertionResult same_vertices(TissueSurface& a, TissueSurface& b, const SoftBody
   return AssertionSuccess();
 }
 
-AssertionResult same(const TriangleSurface& followed, const TriangleSurface& rebuilt) {
-  const SurfaceTopology &a = followed.topology(), &b = rebuilt.topology();
+AssertionResult same(const collision::TriangleSurface& followed, const collision::TriangleSurface& rebuilt) {
+  const collision::SurfaceTopology &a = followed.topology(), &b = rebuilt.topology();
   if (!std::ranges::equal(a.triangles(), b.triangles()) || a.vertices() != b.vertices() ||
       a.closed() != b.closed() || !std::ranges::equal(a.pieces(), b.pieces()))
     return AssertionFailure() << "another topology";
@@ -63,7 +64,7 @@ AssertionResult same(const TriangleSurface& followed, const TriangleSurface& reb
     for (std::size_t k = 0; k < 3; ++k)
       if (a.across(triangle, k) != b.across(triangle, k))
         return AssertionFailure() << "another face across an edge of " << triangle;
-  const auto same_node = [](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
+  const auto same_node = [](const collision::SurfaceTree::Node& p, const collision::SurfaceTree::Node& q) {
     return p.box.lo == q.box.lo && p.box.hi == q.box.hi && p.begin == q.begin && p.end == q.end &&
            p.right == q.right;
   };
@@ -74,17 +75,17 @@ AssertionResult same(const TriangleSurface& followed, const TriangleSurface& reb
 }
 
 /// At places that only `seed` tells.
-std::vector<VecX> answers(SoftBody& body, unsigned seed) {
+std::vector<VecX> answers(soft::SoftBody& body, unsigned seed) {
   Random random(seed);
   const Eigen::Index n = 3 * body.nodes();
   const auto near = [&](const VecX& x, double reach) {
     return VecX(x + VecX::NullaryExpr(n, [&] { return random.uniform(-reach, reach); }));
   };
-  SoftBodyState state = body.initial_state();
+  soft::SoftBodyState state = body.initial_state();
   state.motion.x = near(body.rest(), 1e-3);
   state.motion.v = near(VecX::Zero(n), 0.1);
-  IncrementalPotential& potential = body.potential();
-  const Weight weight = body.weight({0, -9.81, 0}, true);
+  soft::IncrementalPotential& potential = body.potential();
+  const soft::Weight weight = body.weight({0, -9.81, 0}, true);
   body.stepper().begin_stage(0, 0.01, weight, state);
   const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
   potential.linearise(x);
@@ -111,7 +112,7 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   VecX numbers(5);
   numbers << energy, body.diagonal(), potential.elastic_energy(x), body.total_mass(),
       static_cast<double>(potential.tangent_is_cheap());
-  if (Substepper* steps = body.substepper()) {
+  if (soft::Substepper* steps = body.substepper()) {
     steps->begin(state);
     for (int i = 0; i < 3; ++i) steps->step(1e-4, weight, state);
     steps->finish(1e-4, state);
@@ -124,16 +125,17 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
 
 }  // namespace
 
-AssertionResult same_answers(SoftBody& followed, SoftBody& rebuilt, unsigned seed) {
+AssertionResult same_answers(soft::SoftBody& followed, soft::SoftBody& rebuilt, unsigned seed) {
   const std::vector<VecX> x = answers(followed, seed), y = answers(rebuilt, seed);
   for (std::size_t i = 0; i < x.size(); ++i)
     if (x[i].size() != y[i].size() || x[i] != y[i]) return AssertionFailure() << "answer " << i << " differs";
   return AssertionSuccess();
 }
 
-std::vector<Vec3> rest_of(const Organ& organ) {
+std::vector<Vec3> rest_of(const organs::Organ& organ) {
   std::vector<Vec3> out;
-  for (NodeId node = 0; node < organ.complex().node_end(); ++node) out.push_back(organ.complex().rest(node));
+  for (cutting::NodeId node = 0; node < organ.complex().node_end(); ++node)
+    out.push_back(organ.complex().rest(node));
   return out;
 }
 
@@ -159,9 +161,9 @@ void Hung::fit() {
   EXPECT_TRUE(surface->fit_self_collision(2 * solver->desc().geometry.cell)) << "an open surface";
 }
 
-std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
-  std::vector<VertexMeeting> out;
-  TissueSurface& surface = *body.surface;
+std::vector<contact::VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
+  std::vector<contact::VertexMeeting> out;
+  contact::TissueSurface& surface = *body.surface;
   if (!surface.self_collision()) return out;
   const double cell = body.solver->desc().geometry.cell, little = 0.1 * std::sin(seed);  // cells
   const VecX rest = body.solver->rest();
@@ -177,7 +179,7 @@ std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
 AssertionResult same_contact(Hung& followed, Hung& rebuilt) {
   AssertionResult out = same(followed.numbering, rebuilt.numbering);
   if (out) out = same_vertices(*followed.surface, *rebuilt.surface, *rebuilt.solver);
-  const TriangleSurface *a = followed.surface->faces(), *b = rebuilt.surface->faces();
+  const collision::TriangleSurface *a = followed.surface->faces(), *b = rebuilt.surface->faces();
   if (out && (a == nullptr) != (b == nullptr))
     return AssertionFailure() << "faces where there are none, or none";
   if (out && b != nullptr) out = same(*a, *b);
@@ -186,7 +188,8 @@ AssertionResult same_contact(Hung& followed, Hung& rebuilt) {
 
 Hung FollowingBodies::rebuild(std::size_t body) const {
   Hung out;
-  out.solver = std::make_unique<SoftBody>(desc, anatomy_of(organ, organ.piece(body), out.numbering));
+  out.solver =
+      std::make_unique<soft::SoftBody>(desc, organs::anatomy_of(organ, organ.piece(body), out.numbering));
   out.solver->set_in_force(stiffness_, true);
   out.make_surface();
   return out;
@@ -197,12 +200,12 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
   for (unsigned stroke = 0; stroke < count; ++stroke) {
     SCOPED_TRACE(::testing::Message() << "stroke " << stroke);
     const Stroke way = next(stroke);
-    BladeStroke blade = begin_stroke(way.edge(0));
+    cutting::BladeStroke blade = cutting::begin_stroke(way.edge(0));
     if (stroke % 4 == 3 && !organ.undo(1)) regroup(true);
     for (int tick = 1; tick <= way.ticks; ++tick) {
       if (::testing::Test::HasFatalFailure()) return;
       if (organ.cut(rest_of(organ), way.edge(1.0 * tick / way.ticks), blade, 1, stroke).ops.empty()) continue;
-      const auto edit = cut_in_one_piece(organ);
+      const auto edit = organs::cut_in_one_piece(organ);
       if (!edit || !can_follow(*edit)) {
         regroup(false);
         continue;
@@ -213,18 +216,19 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     }
     end_stroke();
   }
-  while (!::testing::Test::HasFatalFailure() && last_stroke(organ.log(), 1)) {
+  while (!::testing::Test::HasFatalFailure() && organs::last_stroke(organ.log(), 1)) {
     ASSERT_FALSE(organ.undo(1));
     regroup(true);
   }
 }
 
 void FollowingBodies::regroup(bool undone) {
-  const Regrouped changed = organ.regroup(bodies.size());
-  const bool joins = std::any_of(changed.before.begin(), changed.before.end(),
-                                 [&](const OrganPiece& old) { return !organ.piece(old.body).whole(); });
+  const organs::Regrouped changed = organ.regroup(bodies.size());
+  const bool joins =
+      std::any_of(changed.before.begin(), changed.before.end(),
+                  [&](const organs::OrganPiece& old) { return !organ.piece(old.body).whole(); });
   for (const std::size_t body : changed.bodies) {
-    const auto edit = edit_since(organ, changed, organ.piece(body));
+    const auto edit = organs::edit_since(organ, changed, organ.piece(body));
     if (!edit || !can_follow(*edit)) {
       bodies[body] = rebuild(body);
       not_followed += edit ? 1 : 0;
@@ -241,7 +245,7 @@ void FollowingBodies::compare(std::size_t body) {
   ASSERT_TRUE(same(body, rebuilt, compared_++)) << "body " << body;
   ASSERT_TRUE(same_contact(bodies[body], rebuilt)) << "body " << body;
   const auto found = meetings_when_crumpled(bodies[body], compared_);
-  const auto same_meeting = [](const VertexMeeting& a, const VertexMeeting& b) {
+  const auto same_meeting = [](const contact::VertexMeeting& a, const contact::VertexMeeting& b) {
     return a.vertex == b.vertex && a.at.triangle == b.at.triangle && a.at.weights == b.at.weights &&
            a.normal == b.normal && a.gap == b.gap;
   };

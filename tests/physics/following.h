@@ -15,13 +15,13 @@
 
 namespace prosector {
 
-std::vector<Vec3> rest_of(const Organ& organ);  // m, of its nodes, by id
+std::vector<Vec3> rest_of(const organs::Organ& organ);  // m, of its nodes, by id
 
 /// A body with what the simulation hangs on its surface.
 struct Hung {
-  std::unique_ptr<SoftBody> solver;
+  std::unique_ptr<soft::SoftBody> solver;
   Numbering numbering;
-  std::optional<TissueSurface> surface;
+  std::optional<contact::TissueSurface> surface;
 
   /// After the solver was made.
   void make_surface();
@@ -35,18 +35,18 @@ struct Hung {
 };
 
 /// Whether all that a step would ask of them is the same, bit for bit, at places that only `seed` tells.
-::testing::AssertionResult same_answers(SoftBody& followed, SoftBody& rebuilt, unsigned seed);
+::testing::AssertionResult same_answers(soft::SoftBody& followed, soft::SoftBody& rebuilt, unsigned seed);
 
 /// Whether what hangs on a surface is the same, bit for bit.
 ::testing::AssertionResult same_contact(Hung& followed, Hung& rebuilt);
 
 /// Where the surface meets itself, crumpled in a way that `seed` changes a little.
-std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed);
+std::vector<contact::VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed);
 
 class FollowingBodies {
  public:
   /// Of bodies `stiffness` times as stiff as described, since they were made.
-  FollowingBodies(Organ& cut, const SoftDesc& description, double stiffness)
+  FollowingBodies(organs::Organ& cut, const SoftDesc& description, double stiffness)
       : organ(cut), desc(description), stiffness_(stiffness) {}
   virtual ~FollowingBodies() = default;
 
@@ -64,15 +64,15 @@ class FollowingBodies {
   std::size_t meetings = 0;                                // of surfaces with themselves, when compared
 
  protected:
-  virtual bool can_follow(const PieceEdit& edit) const = 0;
+  virtual bool can_follow(const organs::PieceEdit& edit) const = 0;
   /// A cut in one piece, which the organ has not followed yet.
-  virtual void follow_cut(const PieceEdit& edit) = 0;
-  virtual void follow_change(const PieceEdit& edit, const Regrouped& changed) = 0;
+  virtual void follow_cut(const organs::PieceEdit& edit) = 0;
+  virtual void follow_change(const organs::PieceEdit& edit, const organs::Regrouped& changed) = 0;
   /// Whether the body's solver is.
   virtual ::testing::AssertionResult same(std::size_t body, Hung& rebuilt, unsigned seed) = 0;
   virtual void end_stroke() {}
 
-  Organ& organ;
+  organs::Organ& organ;
   const SoftDesc& desc;
   std::map<std::size_t, Hung> bodies;
 

@@ -35,13 +35,14 @@ double press(const Layer& layer, const std::string& element, double cell) {
   desc.attach = {bonded_below(layer.height)};
   Anatomy anatomy = pressed_layer(layer.height, layer.core, cell);
   if (quadratic) halve_surface(anatomy);
-  SoftBody body(desc, std::move(anatomy));
-  SoftBodyState state = body.initial_state();
-  SurfaceDetector surface(body.anatomy().embedding, body.anatomy().surface);
-  const std::vector<ShapePart> parts = {{ShapeKind::sphere, {radius, 0, 0}, {}, nullptr}};
-  std::vector<std::unique_ptr<SignedDistance>> distances;
-  distances.push_back(make_signed_distance(parts[0]));
-  Collider ball;
+  soft::SoftBody body(desc, std::move(anatomy));
+  soft::SoftBodyState state = body.initial_state();
+  contact::SurfaceDetector surface(body.anatomy().embedding, body.anatomy().surface);
+  const std::vector<collision::ShapePart> parts = {
+      {collision::ShapeKind::sphere, {radius, 0, 0}, {}, nullptr}};
+  std::vector<std::unique_ptr<contact::SignedDistance>> distances;
+  distances.push_back(contact::make_signed_distance(parts[0]));
+  contact::Collider ball;
   ball.pose.p = {0, radius - layer.depth, 0};
   ball.parts = &parts;
   ball.distances = &distances;
@@ -51,22 +52,22 @@ double press(const Layer& layer, const std::string& element, double cell) {
   double force = 0;
   for (int step = 0; step < 4; ++step) {  // contact normals turn as the surface bends
     surface.update(state.motion.x.data());
-    Island island;
+    coupled::Island island;
     island.soft.push_back({0, &body, &state});
-    surface.near(ball, layer.depth, [&](std::uint32_t vertex, const Distance& d) {
-      Contact c;
-      c.a.kind = ContactSide::Kind::soft;
+    surface.near(ball, layer.depth, [&](std::uint32_t vertex, const contact::Distance& d) {
+      contact::Contact c;
+      c.a.kind = contact::ContactSide::Kind::soft;
       c.a.add(body.anatomy().embedding.rows[vertex], 1);
       c.normal = d.normal;
       c.gap = d.value;
       c.stiffness = 100 * youngs_modulus * body.surface_area()[vertex] / cell;
       island.contacts.push_back(c);
     });
-    EXPECT_TRUE(IslandSolver().solve(island, 1.0).converged);
+    EXPECT_TRUE(coupled::IslandSolver().solve(island, 1.0).converged);
     state.motion.v.setZero();
     state.warm_start.setZero();
     force = 0;
-    for (const Contact& c : island.contacts) force -= c.force * c.normal.y();
+    for (const contact::Contact& c : island.contacts) force -= c.force * c.normal.y();
   }
   return force;
 }

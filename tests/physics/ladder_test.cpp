@@ -74,7 +74,7 @@ CompileOptions with_sheets(int threads = 1) {
   return out;
 }
 
-const SoftBodyState& body_state(const Simulation& simulation) {
+const soft::SoftBodyState& body_state(const Simulation& simulation) {
   return simulation.soft_state(static_cast<BodyId>(simulation.body_count() - 1));
 }
 
@@ -126,7 +126,7 @@ TEST_P(Ladder, ABallThatHitsItHandsOverItsMomentum) {
   scene.soft[0].configuration.solver_tolerance = 1e-9;
   scene.soft[0].pose.p.setZero();
   Simulation simulation(scene, with_sheets());
-  const SoftBody& body = simulation.soft(1);
+  const soft::SoftBody& body = simulation.soft(1);
   // A checkpoint with the ball on its way.
   auto bytes = simulation.checkpoint();
   const Vec3 still = Vec3::Zero(), moving(0, -1, 0);
@@ -203,7 +203,7 @@ TEST_P(Ladder, SameHashForAnyThreadsAndAfterRestore) {
 TEST_P(Ladder, WhatOverflowsIsStoppedAndReported) {
   Simulation simulation(busy(GetParam()), with_sheets());
   run(simulation, 15);
-  const SoftBodyState before = body_state(simulation);
+  const soft::SoftBodyState before = body_state(simulation);
   auto bytes = simulation.checkpoint();
   const auto* begin = reinterpret_cast<const std::uint8_t*>(before.motion.v.data());
   const auto size = static_cast<std::size_t>(before.motion.v.size()) * sizeof(double);
@@ -268,11 +268,11 @@ std::vector<std::uint8_t> with_positions(Simulation& simulation, const VecX& x) 
 }
 
 /// Largest distance of a node from the rest shape, after the rigid motion that fits best.
-double misfit(const SoftBody& body, const VecX& x) {
+double misfit(const soft::SoftBody& body, const VecX& x) {
   const VecX rest = body.initial_state().motion.x;
-  SoftBodyState fitted = body.initial_state();
+  soft::SoftBodyState fitted = body.initial_state();
   fitted.motion.x = x;
-  unfold(rest, body.node_mass(), true, fitted);
+  soft::unfold(rest, body.node_mass(), true, fitted);
   double most = 0;
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     most = std::max(most, (fitted.motion.x - x).segment<3>(3 * i).norm());
@@ -282,7 +282,7 @@ double misfit(const SoftBody& body, const VecX& x) {
 class Recovers : public testing::TestWithParam<Case> {};
 std::vector<Case> solids() {
   std::vector<Case> out;
-  for (const ModelRow& row : models()) out.push_back({row.name, "implicit_euler", "block"});
+  for (const soft::ModelRow& row : soft::models()) out.push_back({row.name, "implicit_euler", "block"});
   for (const char* by : {"symplectic_euler", "verlet", "rk4"})
     out.push_back({"fem_corotational", by, "block"});
   return out;
@@ -304,7 +304,7 @@ TEST_P(Recovers, ItsShapeFromRuinedStartsOrReportsAReset) {
   };
   for (const char* start : {"random", "flat", "point", "mirrored"}) {
     Simulation simulation(scene, with_sheets());
-    const SoftBody& body = simulation.soft(1);
+    const soft::SoftBody& body = simulation.soft(1);
     VecX x = body.initial_state().motion.x;
     const auto scaled = [&](const Vec3& s) -> VecX {
       return (s.asDiagonal() * x.reshaped(3, x.size() / 3)).reshaped();

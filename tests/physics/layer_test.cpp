@@ -16,31 +16,31 @@
 namespace prosector::test {
 namespace {
 
-ElementSurface elements(const Simulation& simulation, BodyId body) {
-  ElementSurface out(simulation.soft(body).anatomy());
+contact::ElementSurface elements(const Simulation& simulation, BodyId body) {
+  contact::ElementSurface out(simulation.soft(body).anatomy());
   out.move(simulation.soft_state(body).motion.x);
   return out;
 }
 
-std::uint32_t count(const ElementSurface& of) {
+std::uint32_t count(const contact::ElementSurface& of) {
   return static_cast<std::uint32_t>(of.tree().order().size());
 }
 
-bool cross(const Triangle& a, const Triangle& b) {
+bool cross(const collision::Triangle& a, const collision::Triangle& b) {
   const Vec3 lo = a[0].cwiseMin(a[1]).cwiseMin(a[2]), hi = a[0].cwiseMax(a[1]).cwiseMax(a[2]);
   const Vec3 other_lo = b[0].cwiseMin(b[1]).cwiseMin(b[2]), other_hi = b[0].cwiseMax(b[1]).cwiseMax(b[2]);
   if ((lo.array() > other_hi.array()).any() || (other_lo.array() > hi.array()).any()) return false;
-  return crossing(a, b).count > 0;
+  return collision::crossing(a, b).count > 0;
 }
 
 /// How many pairs of elements that are `apart` (m) at rest are through each other.
 int self_crossings(const Simulation& simulation, BodyId body, double apart) {
-  const ElementSurface own = elements(simulation, body);
+  const contact::ElementSurface own = elements(simulation, body);
   int sum = 0;
   for (std::uint32_t s = 0; s < count(own); ++s)
     for (std::uint32_t t = s + 1; t < count(own); ++t)
       if (cross(own.now(s), own.now(t)) &&
-          closest(own.at_rest(s), own.at_rest(t)).squared_distance > apart * apart)
+          collision::closest(own.at_rest(s), own.at_rest(t)).squared_distance > apart * apart)
         ++sum;
   return sum;
 }
@@ -196,7 +196,7 @@ TEST_P(ThinBodies, SheetLiesOnASheet) {
   fall(scene, false, 60, [&](const Simulation& s) { EXPECT_LT(apart(s), 1e-3) << "nothing to prove"; });
   const double gained = fall(scene, true, 60, [&](const Simulation& s) {
     EXPECT_NEAR(apart(s), 0.006, 1.5e-3);
-    const ElementSurface lower = elements(s, 1), upper = elements(s, 2);
+    const contact::ElementSurface lower = elements(s, 1), upper = elements(s, 2);
     int crossings = 0;
     for (std::uint32_t i = 0; i < count(lower); ++i)
       for (std::uint32_t j = 0; j < count(upper); ++j) crossings += cross(lower.now(i), upper.now(j)) ? 1 : 0;

@@ -20,9 +20,9 @@ VecX at(double x) {
 }
 
 /// What becomes of a body, tick by tick, of which `place` tells where it is in each.
-std::vector<VibrationState> follow(int ticks, const std::function<double(int)>& place) {
-  Lingerers lingerers(tick);
-  std::vector<VibrationState> out;
+std::vector<coupled::VibrationState> follow(int ticks, const std::function<double(int)>& place) {
+  coupled::Lingerers lingerers(tick);
+  std::vector<coupled::VibrationState> out;
   for (int t = 0; t < ticks; ++t) {
     lingerers.begin_tick(static_cast<std::uint64_t>(t));
     out.push_back(lingerers.linger({somebody_else, at(place(t)), within}));
@@ -32,22 +32,24 @@ std::vector<VibrationState> follow(int ticks, const std::function<double(int)>& 
 }
 
 TEST(Lingerers, CalmWhatShiversInItsPlaceAndThenPutItToRest) {
-  const std::vector<VibrationState> unrest = follow(200, [](int t) { return t % 2 ? 0.9 * within : 0; });
-  EXPECT_EQ(unrest[119], VibrationState::moving);
-  EXPECT_EQ(unrest[125], VibrationState::calmed);
-  EXPECT_EQ(unrest[145], VibrationState::calmed);
-  EXPECT_EQ(unrest[155], VibrationState::over);
+  const std::vector<coupled::VibrationState> unrest =
+      follow(200, [](int t) { return t % 2 ? 0.9 * within : 0; });
+  EXPECT_EQ(unrest[119], coupled::VibrationState::moving);
+  EXPECT_EQ(unrest[125], coupled::VibrationState::calmed);
+  EXPECT_EQ(unrest[145], coupled::VibrationState::calmed);
+  EXPECT_EQ(unrest[155], coupled::VibrationState::over);
 }
 
 TEST(Lingerers, LetWhatMovesOnMove) {
-  for (const VibrationState unrest : follow(1000, [](int t) { return within * t / 100; }))
-    EXPECT_EQ(unrest, VibrationState::moving);
-  for (const VibrationState unrest : follow(1000, [](int t) { return 2 * within * std::sin(0.1 * t); }))
-    EXPECT_EQ(unrest, VibrationState::moving);
+  for (const coupled::VibrationState unrest : follow(1000, [](int t) { return within * t / 100; }))
+    EXPECT_EQ(unrest, coupled::VibrationState::moving);
+  for (const coupled::VibrationState unrest :
+       follow(1000, [](int t) { return 2 * within * std::sin(0.1 * t); }))
+    EXPECT_EQ(unrest, coupled::VibrationState::moving);
 }
 
 TEST(Lingerers, BeginAtWholeSecondsAndForgetWhomNobodyAskedAbout) {
-  Lingerers lingerers(tick);
+  coupled::Lingerers lingerers(tick);
   const auto ask = [&](std::uint64_t t, bool about) {
     lingerers.begin_tick(t);
     if (about) lingerers.linger({somebody_else, at(0), within});
@@ -62,7 +64,7 @@ TEST(Lingerers, BeginAtWholeSecondsAndForgetWhomNobodyAskedAbout) {
 }
 
 TEST(Lingerers, BelongToTheHashOnlyOnceTheyChangeTheNextTick) {
-  Lingerers lingerers(tick);
+  coupled::Lingerers lingerers(tick);
   for (std::uint64_t t = 0; t < 118; ++t) {
     lingerers.begin_tick(t);
     lingerers.linger({somebody_else, at(0), within});

@@ -114,34 +114,34 @@ TEST(Organ, ACutWhosePiecesCannotBeSolvedIsTakenBackAndToldOf) {
 
 TEST(Organ, GoesBackToAMarkBitForBit) {
   const Simulation simulation(block_and_scalpel(), options());
-  const SoftBody& body = simulation.soft(1);
-  Organ organ(0, body.anatomy(), body.desc().material.density),
+  const soft::SoftBody& body = simulation.soft(1);
+  organs::Organ organ(0, body.anatomy(), body.desc().material.density),
       other(0, body.anatomy(), body.desc().material.density);
-  const auto bytes = [](const Organ& o) {
+  const auto bytes = [](const organs::Organ& o) {
     ByteWriter out;
     RecordWriter io(out);
-    entry(io, o.log());
-    entry(io, o.mark().pieces);
+    organs::entry(io, o.log());
+    organs::entry(io, o.mark().pieces);
     return out.bytes();
   };
-  const auto cut_at = [](Organ& o, double z, std::uint64_t number) {
+  const auto cut_at = [](organs::Organ& o, double z, std::uint64_t number) {
     std::vector<Vec3> x(o.complex().node_end());
-    for (NodeId n = 0; n < x.size(); ++n) x[n] = o.complex().rest(n);
+    for (cutting::NodeId n = 0; n < x.size(); ++n) x[n] = o.complex().rest(n);
     const std::vector<Vec3> from = {{-0.1, -0.1, z}, {-0.1, 0.2, z}}, to = {{0.1, -0.1, z}, {0.1, 0.2, z}};
-    BladeStroke stroke = begin_stroke(from);
-    const CutResult result = o.cut(x, to, stroke, somebody, number);
+    cutting::BladeStroke stroke = cutting::begin_stroke(from);
+    const cutting::CutResult result = o.cut(x, to, stroke, somebody, number);
     EXPECT_FALSE(result.ops.empty());
     return o.regroup(o.pieces().size()).bodies;
   };
   cut_at(organ, 0.001, 1);
   cut_at(other, 0.001, 1);
-  const Organ::Mark mark = organ.mark();
+  const organs::Organ::Mark mark = organ.mark();
   const auto before = bytes(organ);
   const auto bodies = cut_at(organ, 0.03, 2);
   ASSERT_NE(bytes(organ), before);
   organ.back_to(mark, 2);
   EXPECT_EQ(bytes(organ), before);
-  EXPECT_EQ(content_hash(organ.complex()), content_hash(other.complex()));
+  EXPECT_EQ(cutting::content_hash(organ.complex()), cutting::content_hash(other.complex()));
   EXPECT_EQ(cut_at(organ, 0.03, 2), bodies);
   cut_at(other, 0.03, 2);
   EXPECT_EQ(bytes(organ), bytes(other));
@@ -149,22 +149,23 @@ TEST(Organ, GoesBackToAMarkBitForBit) {
 
 TEST(Organ, RefusesALogThatSkipsTheIdOfATetrahedron) {
   const Simulation simulation(block_and_scalpel(), options());
-  const SoftBody& body = simulation.soft(1);
-  const auto uncut = [&] { return Organ(0, body.anatomy(), body.desc().material.density); };
-  const Organ organ = uncut();
-  const TetComplex& complex = organ.complex();
-  SplitEdge split;
+  const soft::SoftBody& body = simulation.soft(1);
+  const auto uncut = [&] { return organs::Organ(0, body.anatomy(), body.desc().material.density); };
+  const organs::Organ organ = uncut();
+  const cutting::TetComplex& complex = organ.complex();
+  cutting::SplitEdge split;
   split.a = complex.corners(0)[0];
   split.b = complex.corners(0)[1];
   split.t = 0.5;
-  split.node = static_cast<NodeId>(complex.node_end());
-  split.first = static_cast<TetId>(complex.tet_end());
+  split.node = static_cast<cutting::NodeId>(complex.node_end());
+  split.first = static_cast<cutting::TetId>(complex.tet_end());
   split.count = static_cast<std::uint32_t>(std::ranges::count_if(
-      complex.star(split.a), [&](TetId tet) { return has_corner(complex, tet, split.b); }));
-  TetId lowest = 0;  // of the tetrahedra that remain
-  while (has_corner(complex, lowest, split.a) && has_corner(complex, lowest, split.b)) ++lowest;
-  const auto restore = [&](const SplitEdge& op) {
-    OrganLog log(1);
+      complex.star(split.a), [&](cutting::TetId tet) { return cutting::has_corner(complex, tet, split.b); }));
+  cutting::TetId lowest = 0;  // of the tetrahedra that remain
+  while (cutting::has_corner(complex, lowest, split.a) && cutting::has_corner(complex, lowest, split.b))
+    ++lowest;
+  const auto restore = [&](const cutting::SplitEdge& op) {
+    organs::OrganLog log(1);
     log[0].ops = {op};
     uncut().restore(std::move(log), {{0, lowest}}, 1);
   };

@@ -208,7 +208,7 @@ TEST(Pinch, GoesOnFromACheckpoint) {
 TEST(Pad, BearsTwoThirdsOfItsRadiusOfMoment) {
   const Vec3 normal = Vec3(1, 2, -0.5).normalized();
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& at : friction_points(normal, Vec3::UnitX(), 0.006)) {
+  for (const Vec3& at : contact::friction_points(normal, Vec3::UnitX(), 0.006)) {
     sum += at;
     EXPECT_NEAR(at.norm(), 0.004, 1e-12);
     EXPECT_NEAR(at.dot(normal), 0, 1e-15);

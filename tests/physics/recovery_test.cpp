@@ -19,7 +19,7 @@ TEST(Recovery, BodyThatOverflowsIsStoppedAndReportedAndTheRestGoesOn) {
   scene.soft = {block()};
   Simulation simulation(scene, options());
   run(simulation, 30);  // the weight has landed: the block moves
-  const SoftBodyState before = simulation.soft_state(3);
+  const soft::SoftBodyState before = simulation.soft_state(3);
   ASSERT_FALSE(before.asleep);
   simulation.restore(
       with_values(simulation.checkpoint(), before.motion.v, VecX::Constant(before.motion.v.size(), 1e300)));
@@ -41,15 +41,15 @@ TEST(Recovery, BodyThatOverflowsIsStoppedAndReportedAndTheRestGoesOn) {
 /// Tells whether an untouched block of so many cells along each edge is unfolded within two seconds after one
 /// of its corners was pushed through what is around it. `share`: of its volume that is inside out then.
 bool unfolds(int cells, double& share) {
-  SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {cells, cells, cells}));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {cells, cells, cells}));
+  soft::SoftBodyState state = body.initial_state();
   Eigen::Index corner = 0;
   state.motion.x.reshaped(3, body.nodes()).colwise().sum().minCoeff(&corner);
   state.motion.x.segment<3>(3 * corner).array() += 0.15 / cells;
-  share = inverted_share(body.linear_tets(), state.motion.x);
-  SoftMember member{0, &body, &state};
+  share = soft::inverted_share(body.linear_tets(), state.motion.x);
+  coupled::SoftMember member{0, &body, &state};
   for (int tick = 0; tick < 120; tick += 8)
-    if (unfold_if_tangled(member, {}, body.rest(), 1.0 / 60, 8)) return true;
+    if (coupled::unfold_if_tangled(member, {}, body.rest(), 1.0 / 60, 8)) return true;
   return false;
 }
 
@@ -87,8 +87,8 @@ TEST(Recovery, TissueUnderHeldTissueStaysSqueezedAndGetsItsVolumeBackWhenTheHand
   int resets = 0;
   const auto step = [&](const TickInput& input) {
     for (const BodyReport& body : simulation.step(input).bodies) resets += body.reset;
-    const SoftBody& under = simulation.soft(1);
-    return volume_share(under.linear_tets(), simulation.soft_state(1).motion.x);
+    const soft::SoftBody& under = simulation.soft(1);
+    return soft::volume_share(under.linear_tets(), simulation.soft_state(1).motion.x);
   };
   step(appear(palm_over(0.05)));
   for (int i = 0; i < 90; ++i) step(target(palm_over(0.05 - 0.1 * i / 90)));

@@ -183,7 +183,7 @@ TEST(Undo, TakesWhatABladeCutsAgainAtOnceForTheSameCut) {
     nick(simulation, 0);
     const std::uint64_t once = simulation.soft(1).content_hash();
     ASSERT_NE(once, uncut);
-    const double pause = (at_once ? 0.3 : 1.3) * between_strokes;
+    const double pause = (at_once ? 0.3 : 1.3) * organs::between_strokes;
     for (int i = 0; i < pause * simulation.scene().tick_rate; ++i)
       simulation.step(target({-0.08, 0.14, 0.03}));
     nick(simulation, 0.03);
@@ -202,7 +202,7 @@ TEST(Undo, TakesADrawnCutBackWholeHoweverLongTheBladeWasOutMeanwhile) {
     const std::uint64_t uncut = simulation.soft(1).content_hash();
     nick(simulation, 0, draws);
     const std::uint64_t once = simulation.soft(1).content_hash();
-    for (int i = 0; i < 5 * between_strokes * simulation.scene().tick_rate; ++i) {
+    for (int i = 0; i < 5 * organs::between_strokes * simulation.scene().tick_rate; ++i) {
       if (i == 20) simulation.restore(simulation.checkpoint());
       i % 3 == 0 ? move(simulation, {-0.08, 0.14, 0.03}, draws) : (void)simulation.step({});
     }

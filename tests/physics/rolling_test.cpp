@@ -117,8 +117,8 @@ TEST(RollingLead, IsAheadAndGrowsWithTheSpeedUpToTheWhole) {
   const Vec3 up = Vec3::UnitY();
   double before = 0;
   for (const double spin : {0.0, 0.1, 0.3, 1.0, 30.0}) {
-    const RollingSide ball{0.1, {0, radius, 0}, {0, 0, -spin}};  // rolls along x
-    const Vec3 lead = rolling_lead(ball, {}, Vec3::Zero(), up);
+    const rigid::RollingSide ball{0.1, {0, radius, 0}, {0, 0, -spin}};  // rolls along x
+    const Vec3 lead = rigid::rolling_lead(ball, {}, Vec3::Zero(), up);
     EXPECT_GE(lead.x(), before);
     EXPECT_LT(Vec3(lead - lead.x() * Vec3::UnitX()).norm(), 1e-15);
     before = lead.x();
@@ -127,17 +127,17 @@ TEST(RollingLead, IsAheadAndGrowsWithTheSpeedUpToTheWhole) {
 }
 
 TEST(RollingLead, IsTheSameWhicheverBodyComesFirst) {
-  const RollingSide a{0.1, {0, radius, 0}, {0.5, 2, -3}}, b{0.03, {0, -0.1, 0}, {-1, 0, 0.4}};
-  const Vec3 one = rolling_lead(a, b, Vec3::Zero(), Vec3::UnitY());
-  const Vec3 other = rolling_lead(b, a, Vec3::Zero(), -Vec3::UnitY());
+  const rigid::RollingSide a{0.1, {0, radius, 0}, {0.5, 2, -3}}, b{0.03, {0, -0.1, 0}, {-1, 0, 0.4}};
+  const Vec3 one = rigid::rolling_lead(a, b, Vec3::Zero(), Vec3::UnitY());
+  const Vec3 other = rigid::rolling_lead(b, a, Vec3::Zero(), -Vec3::UnitY());
   EXPECT_GT(one.norm(), 0);
   EXPECT_LT(Vec3(one.normalized() - other.normalized()).norm(), 1e-12);
 }
 
 TEST(RollingLead, NothingLeadsWhereNothingRolls) {
-  const RollingSide still{0.1, {0, radius, 0}, Vec3::Zero()}, spins{0.1, {0, radius, 0}, {0, 5, 0}};
-  EXPECT_EQ(rolling_lead(still, {}, Vec3::Zero(), Vec3::UnitY()), Vec3(0, 0, 0));
-  EXPECT_EQ(rolling_lead(spins, {}, Vec3::Zero(), Vec3::UnitY()), Vec3(0, 0, 0));
+  const rigid::RollingSide still{0.1, {0, radius, 0}, Vec3::Zero()}, spins{0.1, {0, radius, 0}, {0, 5, 0}};
+  EXPECT_EQ(rigid::rolling_lead(still, {}, Vec3::Zero(), Vec3::UnitY()), Vec3(0, 0, 0));
+  EXPECT_EQ(rigid::rolling_lead(spins, {}, Vec3::Zero(), Vec3::UnitY()), Vec3(0, 0, 0));
 }
 
 }  // namespace

@@ -165,8 +165,8 @@ TEST(Room, TissueThatIsFastStopsAtTheWall) {
   EXPECT_LT(extent(simulation, 0, 0).second, RoomShape().width / 2 + 0.01);
   EXPECT_GT(extent(simulation, 0, 0).first, RoomShape().width / 2 - 0.12);
   // What so hard a blow turned inside out is whole again.
-  EXPECT_EQ(inverted_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0);
-  EXPECT_GT(volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0.7);
+  EXPECT_EQ(soft::inverted_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0);
+  EXPECT_GT(soft::volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0.7);
 }
 
 // Tissue that starts on the floor is compiled at rest on it, and sleeps.

@@ -97,8 +97,8 @@ double arms_overlap(const Simulation& simulation, BodyId body) {
     double nearest = 1;
     for (const auto& t : anatomy.surface.triangles) {
       if (height(anatomy.surface.positions[t[0]]) > -0.004) continue;
-      const Vec3 w = closest_weights(now[v], now[t[0]], now[t[1]], now[t[2]]);
-      nearest = std::min(nearest, (at({now[t[0]], now[t[1]], now[t[2]]}, w) - now[v]).norm());
+      const Vec3 w = collision::closest_weights(now[v], now[t[0]], now[t[1]], now[t[2]]);
+      nearest = std::min(nearest, (collision::at({now[t[0]], now[t[1]], now[t[2]]}, w) - now[v]).norm());
     }
     deepest = std::max(deepest, nearest);
   }
@@ -106,7 +106,7 @@ double arms_overlap(const Simulation& simulation, BodyId body) {
 }
 
 Vec3 momentum(const Simulation& simulation, BodyId body) {
-  const SoftBody& soft = simulation.soft(body);
+  const soft::SoftBody& soft = simulation.soft(body);
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index i = 0; i < soft.nodes(); ++i)
     sum += soft.node_mass()[i] * simulation.soft_state(body).motion.v.segment<3>(3 * i);

@@ -75,9 +75,10 @@ TEST_P(CutSheet, InTwoBodiesUndoneAndRestored) {
 
 std::vector<Rung> rungs() {
   std::vector<Rung> out;
-  for (const ModelRow& model : models())
+  for (const soft::ModelRow& model : soft::models())
     if (model.fabric)
-      for (const std::string& integrator : integrators_for(model)) out.push_back({model.name, integrator});
+      for (const std::string& integrator : soft::integrators_for(model))
+        out.push_back({model.name, integrator});
   return out;
 }
 
@@ -283,33 +284,33 @@ TEST(SheetSeam, SidesPressedOntoEachOtherDontPass) {
 
 TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   const Simulation simulation(membrane_and_scalpel("xpbd"), options());
-  const SoftBody& body = simulation.soft(1);
-  const auto held = held_nodes(body.desc().attach, body.anatomy());
-  Organ organ(0, body.anatomy(), body.desc().material.density, held);
+  const soft::SoftBody& body = simulation.soft(1);
+  const auto held = organs::held_nodes(body.desc().attach, body.anatomy());
+  organs::Organ organ(0, body.anatomy(), body.desc().material.density, held);
   const auto cut = [&](double z, ParticipantId author, std::uint64_t number) {
     std::vector<Vec3> x(organ.complex().node_end());
-    for (NodeId n = 0; n < x.size(); ++n) x[n] = organ.complex().rest(n);
+    for (cutting::NodeId n = 0; n < x.size(); ++n) x[n] = organ.complex().rest(n);
     const std::vector<Vec3> from = {{-0.06, 0, z}, {-0.06, 0.1, z}}, to = {{0.06, 0, z}, {0.06, 0.1, z}};
-    BladeStroke stroke = begin_stroke(from);
+    cutting::BladeStroke stroke = cutting::begin_stroke(from);
     EXPECT_FALSE(organ.cut(x, to, stroke, author, number).ops.empty());
     organ.regroup(organ.pieces().size());
   };
-  const std::uint64_t uncut = content_hash(organ.complex());
+  const std::uint64_t uncut = cutting::content_hash(organ.complex());
   cut(0.0341, 1, 1);
-  const std::uint64_t one = content_hash(organ.complex());
+  const std::uint64_t one = cutting::content_hash(organ.complex());
   cut(-0.0341, 2, 2);  // far from it
   cut(0.0361, 3, 3);   // beside it
   EXPECT_TRUE(organ.undo(1));
   EXPECT_FALSE(organ.undo(3));
   EXPECT_FALSE(organ.undo(1));
   EXPECT_FALSE(organ.undo(2));
-  EXPECT_EQ(content_hash(organ.complex()), uncut);
+  EXPECT_EQ(cutting::content_hash(organ.complex()), uncut);
   EXPECT_NE(one, uncut);
   organ.regroup(organ.pieces().size());
 
-  Organ other(0, body.anatomy(), body.desc().material.density, held);
+  organs::Organ other(0, body.anatomy(), body.desc().material.density, held);
   other.restore(organ.log(), organ.mark().pieces, organ.pieces().size());
-  EXPECT_EQ(content_hash(other.complex()), uncut);
+  EXPECT_EQ(cutting::content_hash(other.complex()), uncut);
 }
 
 }  // namespace

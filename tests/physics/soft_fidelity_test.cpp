@@ -17,8 +17,8 @@ Vec3 centre(const Simulation& simulation, BodyId body) {
 
 /// Linear and, about the origin, angular momentum.
 std::pair<Vec3, Vec3> momentum(const Simulation& simulation, BodyId body) {
-  const SoftBody& soft = simulation.soft(body);
-  const Motion& motion = simulation.soft_state(body).motion;
+  const soft::SoftBody& soft = simulation.soft(body);
+  const soft::Motion& motion = simulation.soft_state(body).motion;
   std::pair<Vec3, Vec3> sum{Vec3::Zero(), Vec3::Zero()};
   for (Eigen::Index i = 0; i < soft.nodes(); ++i) {
     const Vec3 p = soft.node_mass()[i] * motion.v.segment<3>(3 * i);

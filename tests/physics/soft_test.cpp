@@ -149,7 +149,7 @@ TEST(Soft, MomentumIsExchangedEqualAndOpposite) {
   bool met = false;
   for (int i = 0; i < 90; ++i) {
     simulation.step({});
-    const SoftBody& body = simulation.soft(1);
+    const soft::SoftBody& body = simulation.soft(1);
     double momentum = mass * simulation.rigid_state(0).linear_velocity.y();
     for (Eigen::Index n = 0; n < body.nodes(); ++n)
       momentum += body.node_mass()[n] * simulation.soft_state(1).motion.v[3 * n + 1];

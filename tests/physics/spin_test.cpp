@@ -30,7 +30,7 @@ struct Spun {
 
 constexpr double h = 1. / 60;  // s
 
-Vec3 angular_momentum(const SoftBody& body, const SoftBodyState& state, const Vec3& centre) {
+Vec3 angular_momentum(const soft::SoftBody& body, const soft::SoftBodyState& state, const Vec3& centre) {
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     sum += body.node_mass()[i] *
@@ -49,22 +49,23 @@ Spun spin_cube(const Cube& cube, double spin, int ticks) {
   desc.material.damping_mass = desc.material.damping_stiffness = 0;
   Anatomy anatomy;
   anatomy.tets = kuhn_box(Vec3::Constant(cube.side), 3, 3, 3);
-  SoftBody body(desc, std::move(anatomy));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, std::move(anatomy));
+  soft::SoftBodyState state = body.initial_state();
   state.asleep = false;
   const Vec3 axis = Vec3(0.2, 1, 0.3).normalized(), centre = Vec3::Constant(cube.side / 2);
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     state.motion.v.segment<3>(3 * i) = spin * axis.cross(Vec3(state.motion.x.segment<3>(3 * i) - centre));
   const auto energy = [&] {
-    return body.potential().elastic_energy(state.motion.x) + kinetic_energy(body.node_mass(), state.motion.v);
+    return body.potential().elastic_energy(state.motion.x) +
+           soft::kinetic_energy(body.node_mass(), state.motion.v);
   };
   const double start = energy(), turning = angular_momentum(body, state, centre).norm();
-  Island island;
+  coupled::Island island;
   island.soft.push_back({0, &body, &state});
-  IslandStepper stepper;
+  coupled::IslandStepper stepper;
   Spun out;
   for (int tick = 0; tick < ticks; ++tick) {
-    const IslandReport report = stepper.step(island, h, Vec3::Zero());
+    const coupled::IslandReport report = stepper.step(island, h, Vec3::Zero());
     out.highest = std::max(out.highest, energy() / start);
     out.converged += report.converged;
     if (report.converged) out.worst_converged = std::max(out.worst_converged, report.residual);

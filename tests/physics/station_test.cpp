@@ -47,13 +47,13 @@ class Stations : public ::testing::Test {
   }
   /// Puts the scene's first rigid body there.
   void put(const Vec3& at, const Vec3& velocity) {
-    RigidMotion motion = state_->bodies.rigid.motion(0);
+    rigid::RigidMotion motion = state_->bodies.rigid.motion(0);
     motion.pose.p = at;
     motion.linear_velocity = velocity;
     state_->bodies.rigid.set_motion(0, motion);
   }
   Vec3 top_of_first_block() const {
-    const SurfaceDetector& vertices = state_->bodies.soft[0].surface.vertices();
+    const contact::SurfaceDetector& vertices = state_->bodies.soft[0].surface.vertices();
     const Vec3 middle = (vertices.lo() + vertices.hi()) / 2;
     return {middle.x(), vertices.hi().y(), middle.z()};
   }
@@ -74,11 +74,11 @@ std::optional<int> ticks_until_rest(State& state, double way, bool touched) {
     state.time.tick = static_cast<std::uint64_t>(tick);
     block.state.motion.x = x + VecX::Constant(x.size(), tick % 2 ? way : 0);
     block.state.motion.v = VecX::Constant(x.size(), tick % 2 ? -0.1 : 0.1);
-    std::vector<Island> islands(1);
+    std::vector<coupled::Island> islands(1);
     islands[0].soft.push_back({0, block.solver.get(), &block.state, &block.equilibrium});
     if (touched) {
-      Contact& contact = islands[0].contacts.emplace_back();
-      contact.a.kind = ContactSide::Kind::soft;
+      contact::Contact& contact = islands[0].contacts.emplace_back();
+      contact.a.kind = contact::ContactSide::Kind::soft;
       contact.a.body = 0;
     }
     update_sleep(state, islands, false);
@@ -88,7 +88,7 @@ std::optional<int> ticks_until_rest(State& state, double way, bool touched) {
 }
 
 TEST_F(Stations, SleepComesToWhatShiversInContactAndNothingElse) {
-  const double bound = *lingering_bound(*begin(two_blocks_and_a_ball()).bodies.soft[0].solver, true);
+  const double bound = *coupled::lingering_bound(*begin(two_blocks_and_a_ball()).bodies.soft[0].solver, true);
   const std::optional<int> ticks = ticks_until_rest(begin(two_blocks_and_a_ball()), 0.9 * bound, true);
   ASSERT_TRUE(ticks);
   EXPECT_NEAR(*ticks, 60 + 150, 2) << "it is watched from a whole second on";
@@ -102,17 +102,17 @@ TEST_F(Stations, WhatIsThinMayLingerInTheAirButLess) {
   scene.soft[1].configuration.model = "xpbd";
   scene.soft[1].geometry.size.y() = 0.001;
   const State& state = begin(scene);
-  const SoftBody &block = *state.bodies.soft[0].solver, &sheet = *state.bodies.soft[1].solver;
-  EXPECT_FALSE(lingering_bound(block, false));
-  EXPECT_NEAR(*lingering_bound(sheet, true), sheet.desc().geometry.cell, 1e-12);
-  EXPECT_NEAR(*lingering_bound(sheet, false), 0.1 * sheet.desc().geometry.cell, 1e-12);
+  const soft::SoftBody &block = *state.bodies.soft[0].solver, &sheet = *state.bodies.soft[1].solver;
+  EXPECT_FALSE(coupled::lingering_bound(block, false));
+  EXPECT_NEAR(*coupled::lingering_bound(sheet, true), sheet.desc().geometry.cell, 1e-12);
+  EXPECT_NEAR(*coupled::lingering_bound(sheet, false), 0.1 * sheet.desc().geometry.cell, 1e-12);
 }
 
 TEST_F(Stations, CheckpointsHoldWhoLingers) {
   State& state = begin(two_blocks_and_a_ball());
   state.lingerers.begin_tick(60);
   state.lingerers.linger({state.bodies.soft_id(0), state.bodies.soft[0].state.motion.x, 1});
-  state.lingerers.linger({0, points_of(Pose{}), 1});
+  state.lingerers.linger({0, coupled::points_of(Pose{}), 1});
   state.lingerers.end_tick();
   const std::uint64_t hash = hash_of(state);
   ByteWriter out;
@@ -121,7 +121,7 @@ TEST_F(Stations, CheckpointsHoldWhoLingers) {
   EXPECT_EQ(hash_of(state), hash) << "they change nothing in the next tick";
   load(state, out.bytes());
   ASSERT_EQ(state.lingerers.watched().size(), 2u);
-  EXPECT_EQ(state.lingerers.watched().begin()->second.place, points_of(Pose{}));
+  EXPECT_EQ(state.lingerers.watched().begin()->second.place, coupled::points_of(Pose{}));
 }
 
 TEST_F(Stations, TheContactFinderWakesOnlyWhatAMovingBallComesTo) {
@@ -133,11 +133,11 @@ TEST_F(Stations, TheContactFinderWakesOnlyWhatAMovingBallComesTo) {
   EXPECT_TRUE(finder.found().with_rigid[0].empty());
 
   put(top_of_first_block() + Vec3(0, 0.0105, 0), {0, -0.1, 0});
-  const SoftContacts& touching = finder.find(state, look(), h);
+  const contact::SoftContacts& touching = finder.find(state, look(), h);
   EXPECT_FALSE(state.bodies.soft[0].state.asleep);
   EXPECT_FALSE(touching.with_rigid[0].empty());
   EXPECT_TRUE(state.bodies.soft[1].state.asleep);
-  for (const Contact& contact : touching.with_rigid[0]) {
+  for (const contact::Contact& contact : touching.with_rigid[0]) {
     EXPECT_EQ(contact.a.body, 0U);
     EXPECT_EQ(contact.b.body, 0U);
     EXPECT_LT(contact.normal.y(), 0);  // out of the ball
@@ -151,7 +151,7 @@ TEST_F(Stations, TheContactFinderGroupsBodiesThatTouchEachOther) {
   State& state = begin(scene);
   for (Tissue& tissue : state.bodies.soft) tissue.wake();
   SoftContactFinder finder(state.bodies.soft.size());
-  const SoftContacts& touching = finder.find(state, look(), h);
+  const contact::SoftContacts& touching = finder.find(state, look(), h);
   ASSERT_EQ(touching.pairs.size(), 1U);
   EXPECT_EQ(touching.pairs[0].a, 0U);
   EXPECT_EQ(touching.pairs[0].b, 1U);
@@ -164,9 +164,9 @@ TEST_F(Stations, TheIslandBuilderJoinsWhatTouchesAndLeavesSleepersOut) {
   const Colliders& colliders = look();
   state.bodies.rigid.detect(h);
   SoftContactFinder finder(state.bodies.soft.size());
-  const SoftContacts& touching = finder.find(state, colliders, h);
+  const contact::SoftContacts& touching = finder.find(state, colliders, h);
   const auto& mixed = find_islands(state.bodies, state.hands, touching, {}, h);
-  std::vector<Island> islands;
+  std::vector<coupled::Island> islands;
   std::vector<Pad> pads;
   IslandBuilder(state.bodies, state.hands, touching, colliders, {}, h).build(mixed, islands, pads);
   ASSERT_EQ(islands.size(), 1U);
@@ -181,8 +181,8 @@ TEST_F(Stations, TheIslandBuilderJoinsWhatTouchesAndLeavesSleepersOut) {
 TEST_F(Stations, AHoldPullsByItsSpringUpToItsBound) {
   State& state = begin(two_blocks_and_a_ball());
   appear(state, 1, right_hand);
-  Hand& hand = state.hands.front();
-  Hold& hold = hand.hold.emplace();
+  hands::Hand& hand = state.hands.front();
+  hands::Hold& hold = hand.hold.emplace();
   hold.body = 0;
   hold.points.push_back({Vec3::Zero(), Vec3::Zero(), 0, 100, 1e9});
   const Vec3 apart = state.bodies.rigid.motion(hand.slot).pose.p - state.bodies.rigid.motion(0).pose.p;
@@ -217,7 +217,7 @@ TEST_F(Stations, TissueIsFoundAtPointsInsideItOnly) {
   const auto found = tissue_at(near, inside);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->body, 0U);
-  EXPECT_LT((point_of(found->row, state.bodies.soft[0].state.motion.x) - inside).norm(), 1e-9);
+  EXPECT_LT((organs::point_of(found->row, state.bodies.soft[0].state.motion.x) - inside).norm(), 1e-9);
   EXPECT_FALSE(tissue_at(near, outside));
   state.bodies.parts[state.bodies.soft_id(0)].hidden = true;
   EXPECT_TRUE(tissue_near(state.bodies, swept_box(points, points)).empty());

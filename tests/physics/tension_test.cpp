@@ -64,20 +64,20 @@ TEST(Tension, ItsLayerIsAsDeepAsAskedForAndAlongTheSurface) {
 double gape(const SoftDesc& desc, const std::array<int, 3>& cells) {
   Anatomy anatomy = make_block(size, cells);
   put_under_tension(desc, anatomy);
-  Organ organ(0, anatomy, desc.material.density);
+  organs::Organ organ(0, anatomy, desc.material.density);
   const auto edge_at = [](double y) { return std::vector<Vec3>{{0.003, y, -0.03}, {0.003, y, 0.03}}; };
-  BladeStroke stroke = begin_stroke(edge_at(0.04));
+  cutting::BladeStroke stroke = cutting::begin_stroke(edge_at(0.04));
   for (int tick = 1; tick <= 6; ++tick) {
     std::vector<Vec3> rest;
-    for (NodeId node = 0; node < organ.complex().node_end(); ++node)
+    for (cutting::NodeId node = 0; node < organ.complex().node_end(); ++node)
       rest.push_back(organ.complex().rest(node));
     organ.cut(rest, edge_at(0.04 - 0.005 * tick), stroke, 1, 1);
   }
   organ.regroup(1);
   EXPECT_EQ(organ.pieces().size(), 1U);
   Numbering numbering;
-  SoftBody body(desc, anatomy_of(organ, organ.piece(0), numbering));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, organs::anatomy_of(organ, organ.piece(0), numbering));
+  soft::SoftBodyState state = body.initial_state();
   Stepper(body, {8, 1e-6, {400, 1e-4}}).settle(Vec3::Zero(), state, 2, 10);
   double opening = 0;
   std::map<std::array<double, 3>, Vec3> met;
@@ -102,7 +102,7 @@ TEST(Tension, ASlitGapesAndTheMoreTheMoreTensionThereIs) {
 }
 
 TEST(Tension, ASlitGapesUnderEveryModel) {
-  for (const ModelRow& row : models())
+  for (const soft::ModelRow& row : soft::models())
     for (const std::string element : {"tet4", "tet10"}) {
       if (!row.tets || (element == "tet10" && row.fabric)) continue;
       const double opening = gape(tense(8, row.name, element), {5, 3, 5});

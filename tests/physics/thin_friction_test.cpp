@@ -79,10 +79,10 @@ Slid slide(const SceneDesc& scene) {
   TickInput awake;
   awake.kinematic_targets = {{.body = 0, .pose = scene.rigid[0].pose}};
   run(simulation, 36, awake);
-  const Motion before = simulation.soft_state(sheet).motion;
+  const soft::Motion before = simulation.soft_state(sheet).motion;
   run(simulation, static_cast<int>(seconds * 60), awake);
   EXPECT_FALSE(simulation.asleep(sheet));
-  const Motion& after = simulation.soft_state(sheet).motion;
+  const soft::Motion& after = simulation.soft_state(sheet).motion;
   return {mean_x(after.x) - mean_x(before.x), mean_x(after.v) - mean_x(before.v)};
 }
 

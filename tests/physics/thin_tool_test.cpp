@@ -11,13 +11,16 @@ namespace {
 
 TEST(Rod, ClosestPointsOfSegmentAndTriangle) {
   const std::array<Vec3, 3> t = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)};
-  EXPECT_NEAR(closest({0.25, 1, 0.25}, {0.25, 3, 0.25}, t).distance, 1, 1e-12);       // an end over the face
-  EXPECT_NEAR(closest({0.5, 0.3, -2}, {0.5, 0.3, -0.4}, t).distance, 0.5, 1e-12);     // an end and an edge
-  EXPECT_NEAR(closest({0.5, 0.3, -0.4}, {0.5, -0.3, -0.4}, t).distance, 0.4, 1e-12);  // across an edge
-  const SegmentTriangle through = closest({0.2, 1, 0.3}, {0.2, -1, 0.3}, t);
+  EXPECT_NEAR(contact::closest({0.25, 1, 0.25}, {0.25, 3, 0.25}, t).distance, 1,
+              1e-12);  // an end over the face
+  EXPECT_NEAR(contact::closest({0.5, 0.3, -2}, {0.5, 0.3, -0.4}, t).distance, 0.5,
+              1e-12);  // an end and an edge
+  EXPECT_NEAR(contact::closest({0.5, 0.3, -0.4}, {0.5, -0.3, -0.4}, t).distance, 0.4,
+              1e-12);  // across an edge
+  const contact::SegmentTriangle through = contact::closest({0.2, 1, 0.3}, {0.2, -1, 0.3}, t);
   EXPECT_EQ(through.distance, 0);
   EXPECT_LT((through.weights - Vec3(0.5, 0.2, 0.3)).norm(), 1e-12);
-  EXPECT_NEAR(closest({-3, 0, -4}, {-3, 0, -4}, t).distance, 5, 1e-12);  // a point and a corner
+  EXPECT_NEAR(contact::closest({-3, 0, -4}, {-3, 0, -4}, t).distance, 5, 1e-12);  // a point and a corner
 }
 
 /// A block with vertices 6 mm apart on the table, and a ball of 3 mm radius that lands between them.

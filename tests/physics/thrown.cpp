@@ -16,12 +16,12 @@ namespace {
 
 constexpr double fall = 1;  // m/s², of both alike: a body that moves has a velocity that can be found
 
-TriangleSurface surface_of(const Simulation& simulation, BodyId body) {
+collision::TriangleSurface surface_of(const Simulation& simulation, BodyId body) {
   const Anatomy& anatomy = simulation.soft(body).anatomy();
   TriangleMesh mesh = anatomy.surface;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     mesh.positions[i] = anatomy.embedding.apply(i, simulation.soft_state(body).motion.x.data());
-  return TriangleSurface(mesh);
+  return collision::TriangleSurface(mesh);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ Vec3 centre(const Simulation& simulation, BodyId body) {
 }
 
 double distortion(const Simulation& simulation, BodyId body) {
-  const TriangleSurface now = surface_of(simulation, body);
+  const collision::TriangleSurface now = surface_of(simulation, body);
   const auto& rest = simulation.soft(body).anatomy().surface.positions;
   double worst = 0;
   for (std::size_t from : {std::size_t{0}, rest.size() / 3, 2 * rest.size() / 3})
@@ -81,8 +81,9 @@ Thrown throw_at_each_other(Simulation& simulation, int ticks,
   const double mass = simulation.soft(0).total_mass() + simulation.soft(1).total_mass();
   const double h = 1 / simulation.scene().tick_rate;
   const Vec3 left = momentum(simulation, 0), right = momentum(simulation, 1);
-  const double start = kinetic_energy(simulation.soft(0).node_mass(), simulation.soft_state(0).motion.v) +
-                       kinetic_energy(simulation.soft(1).node_mass(), simulation.soft_state(1).motion.v);
+  const double start =
+      soft::kinetic_energy(simulation.soft(0).node_mass(), simulation.soft_state(0).motion.v) +
+      soft::kinetic_energy(simulation.soft(1).node_mass(), simulation.soft_state(1).motion.v);
   Thrown out;
   double lost = 0, highest = 0, first = 0;
   for (int tick = 1; tick <= ticks; ++tick) {

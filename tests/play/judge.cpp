@@ -39,8 +39,8 @@ std::vector<Vec3> surface_positions(const Simulation& simulation, BodyId body) {
   return out;
 }
 
-Aabb box_of(const std::vector<Vec3>& points) {
-  Aabb box{points.front(), points.front()};
+collision::Aabb box_of(const std::vector<Vec3>& points) {
+  collision::Aabb box{points.front(), points.front()};
   for (const Vec3& x : points) {
     box.lo = box.lo.cwiseMin(x);
     box.hi = box.hi.cwiseMax(x);
@@ -48,7 +48,8 @@ Aabb box_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-double deepest(std::span<const Vec3> points, const Aabb& box, const TriangleSurface& in) {
+double deepest(std::span<const Vec3> points, const collision::Aabb& box,
+               const collision::TriangleSurface& in) {
   double most = 0;
   for (const Vec3& x : points) {
     if ((x.array() < box.lo.array()).any() || (x.array() > box.hi.array()).any()) continue;
@@ -63,7 +64,7 @@ double deepest(std::span<const Vec3> points, const Aabb& box, const TriangleSurf
 template <class Visit>
 void for_each_overlap(const Simulation& simulation, const Visit& visit) {
   std::vector<BodyId> bodies;
-  std::vector<Aabb> boxes;
+  std::vector<collision::Aabb> boxes;
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (!is_solid(simulation, b)) continue;
     bodies.push_back(b);
@@ -78,7 +79,7 @@ void for_each_overlap(const Simulation& simulation, const Visit& visit) {
 }  // namespace
 
 double volume_ratio(const Simulation& simulation, BodyId body) {
-  return volume_share(simulation.soft(body).linear_tets(), simulation.soft_state(body).motion.x);
+  return soft::volume_share(simulation.soft(body).linear_tets(), simulation.soft_state(body).motion.x);
 }
 
 double overlap(const Simulation& simulation, BodyId a, BodyId b) {
@@ -86,9 +87,9 @@ double overlap(const Simulation& simulation, BodyId a, BodyId b) {
   const auto surface = [&](BodyId body, const std::vector<Vec3>& at) {
     TriangleMesh mesh = simulation.soft(body).anatomy().surface;
     mesh.positions = at;
-    return TriangleSurface(mesh);
+    return collision::TriangleSurface(mesh);
   };
-  const TriangleSurface in_first = surface(a, first), in_second = surface(b, second);
+  const collision::TriangleSurface in_first = surface(a, first), in_second = surface(b, second);
   return std::max(deepest(first, box_of(second), in_second), deepest(second, box_of(first), in_first));
 }
 
@@ -106,8 +107,8 @@ Finding Judge::look(const Simulation& simulation, const Bounds& bounds) const {
     const double ratio = volume_ratio(simulation, b);
     out.least_volume = std::min(out.least_volume, ratio);
     out.most_volume = std::max(out.most_volume, ratio);
-    out.inverted = std::max(
-        out.inverted, inverted_share(simulation.soft(b).linear_tets(), simulation.soft_state(b).motion.x));
+    out.inverted = std::max(out.inverted, soft::inverted_share(simulation.soft(b).linear_tets(),
+                                                               simulation.soft_state(b).motion.x));
     if (!(ratio >= bounds.least_volume && ratio <= bounds.most_volume))
       blame(fmt::format("{} has {:.3f} of its volume", simulation.name(b), ratio));
   }

@@ -24,7 +24,7 @@ ConsumedInput one_of_each() {
   for (std::size_t i = 0; i < fingers; ++i) target.flexion[i] = 0.125 * static_cast<double>(i);
   out.input.targets = {target};
   out.input.heads = {{11, {1.5, 1.6, 1.7}, {0.6, 0, -0.8}}};
-  out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
+  out.input.panels = {{panel::PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
   out.input.held = {{11, HeldObject::tablet, true, {{1, 2, 3}, Quat(0.5, 0.5, -0.5, 0.5)}},
                     {12, HeldObject::stylus, false, {}}};
   CutEvent undo{CutEvent::Kind::undo, 11, 0, 0, {}};

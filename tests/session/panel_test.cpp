@@ -272,7 +272,7 @@ TEST(PanelSession, AHeadIsToldWithTheDirectionThatItFaces) {
   ASSERT_EQ(heads_after(0, 1.5).size(), 1u);
   EXPECT_TRUE(heads_after(0, 0.3).empty()) << "it looks up, where it was, in the same direction";
   EXPECT_TRUE(heads_after(0.02, 1.5).empty());
-  const std::vector<HeadPlace> turned = heads_after(1.2, 1.5);
+  const std::vector<panel::HeadPlace> turned = heads_after(1.2, 1.5);
   ASSERT_EQ(turned.size(), 1u);
   EXPECT_NEAR((turned[0].ahead - Vec3(-std::sin(1.2), 0, -std::cos(1.2))).norm(), 0, 1e-12);
   input.head.q = Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitZ()));  // it lies on its side
@@ -286,8 +286,8 @@ TEST(PanelSession, AHeadIsToldWithTheDirectionThatItFaces) {
 TEST(PanelSession, InputsAreKeptBitForBit) {
   ConsumedInput input;
   input.input.heads = {{7, {0.1, 1.5, -0.2}, {1, 0, 0}}, {9, {1e-300, 2, 3}, {0, 0, 0}}};
-  input.input.panels = {{PanelEvent::Kind::open, 7, 3, PanelControl::attach, 0},
-                        {PanelEvent::Kind::set, 9, 0, PanelControl::stiffness, 0.123456789}};
+  input.input.panels = {{panel::PanelEvent::Kind::open, 7, 3, PanelControl::attach, 0},
+                        {panel::PanelEvent::Kind::set, 9, 0, PanelControl::stiffness, 0.123456789}};
   const auto bytes = encode_input(input);
   const ConsumedInput back = decode_input(bytes);
   EXPECT_EQ(encode_input(back), bytes);

@@ -51,18 +51,18 @@ Vec3 wrist_at(double time) {
 /// One deformable on its way from the server to a client.
 struct Stream {
   BodyId body;
-  const SoftBody& soft;
+  const soft::SoftBody& soft;
   std::shared_ptr<const SurfaceStream> shared;
   SoftSender sender;
   SoftReplica replica;
-  std::deque<Motion> truth{};  // of this tick and the one before
+  std::deque<soft::Motion> truth{};  // of this tick and the one before
   std::uint64_t samples = 0, bytes = 0;
   std::vector<std::uint64_t> bytes_of_tick{};
   double worst = 0, sum_of_squares = 0;  // m: of the drawn surface
   std::uint64_t compared = 0;
 
   void take(const Simulation& simulation) {
-    const Motion& motion = simulation.soft_state(body).motion;
+    const soft::Motion& motion = simulation.soft_state(body).motion;
     truth.push_back(motion);
     if (truth.size() > 2) truth.pop_front();
     std::vector<Message> out;
@@ -103,7 +103,7 @@ struct Stream {
 
   /// The server's nodes at share `s` between the last two ticks.
   VecX between(double s, double dt) const {
-    const Motion &a = truth[0], &b = truth[1];
+    const soft::Motion &a = truth[0], &b = truth[1];
     VecX x(a.x.size());
     for (Eigen::Index i = 0; i < x.size(); i += 3)
       x.segment<3>(i) =

@@ -19,7 +19,8 @@ inline VecX random_vector(Eigen::Index n, std::uint64_t seed) {
 
 /// Along dx at x, within a stage that was begun, where no element's Hessian needs projecting. Leaves the
 /// matrix assembled at x.
-inline void expect_derivatives_of_energy(IncrementalPotential& potential, const VecX& x, const VecX& dx) {
+inline void expect_derivatives_of_energy(soft::IncrementalPotential& potential, const VecX& x,
+                                         const VecX& dx) {
   VecX g(x.size()), g_plus(x.size()), g_minus(x.size()), Hdx(x.size());
   const double e = 1e-7;
   potential.gradient(x, g);

@@ -7,8 +7,9 @@ namespace prosector {
 namespace {
 
 /// The stage's minimum in closed form, unit mass.
-void step(const TimeIntegrator& method, double h, double omega, double zeta, double g, Motion& m) {
-  Stage s;
+void step(const soft::TimeIntegrator& method, double h, double omega, double zeta, double g,
+          soft::Motion& m) {
+  soft::Stage s;
   for (int stage = 0; stage < method.stages(); ++stage) {
     method.begin(stage, h, Vec3(Vec3::Constant(g)), m, s);
     const double damping = 2 * zeta * omega / s.dxdv;
@@ -18,7 +19,7 @@ void step(const TimeIntegrator& method, double h, double omega, double zeta, dou
 }
 
 /// For explicit methods.
-class Oscillator final : public AccelerationField {
+class Oscillator final : public soft::AccelerationField {
  public:
   Oscillator(double omega, double zeta, double g) : omega_(omega), zeta_(zeta), g_(g) {}
   void at(const VecX& x, const VecX& v, VecX& a) override {
@@ -33,14 +34,14 @@ class Oscillator final : public AccelerationField {
 
 }  // namespace
 
-Motion oscillator_at(double x, double v) {
-  Motion m;
+soft::Motion oscillator_at(double x, double v) {
+  soft::Motion m;
   m.x = m.x_prev = VecX::Constant(3, x);
   m.v = m.v_prev = VecX::Constant(3, v);
   return m;
 }
 
-void OscillatorMethod::advance(double h, double omega, double zeta, double g, Motion& m) const {
+void OscillatorMethod::advance(double h, double omega, double zeta, double g, soft::Motion& m) const {
   if (stages) return step(*stages, h, omega, zeta, g, m);
   Oscillator oscillator(omega, zeta, g);
   forces->step(oscillator, h, m.x, m.v);
@@ -48,8 +49,9 @@ void OscillatorMethod::advance(double h, double omega, double zeta, double g, Mo
 
 std::vector<OscillatorMethod> oscillator_methods() {
   std::vector<OscillatorMethod> all;
-  for (const IntegratorRow& row : integrators()) all.push_back({row.name, row.order, row.make(), nullptr});
-  for (const ExplicitRow& row : explicit_integrators())
+  for (const soft::IntegratorRow& row : soft::integrators())
+    all.push_back({row.name, row.order, row.make(), nullptr});
+  for (const soft::ExplicitRow& row : soft::explicit_integrators())
     all.push_back({row.name, row.order, nullptr, row.make()});
   return all;
 }
@@ -65,7 +67,7 @@ double observed_order(const OscillatorMethod& method, double zeta) {
   const double exact =
       std::exp(-zeta * omega * T) * (std::cos(damped * T) + zeta * omega / damped * std::sin(damped * T));
   const auto error = [&](int steps) {
-    Motion m = oscillator_at(1, 0);
+    soft::Motion m = oscillator_at(1, 0);
     for (int i = 0; i < steps; ++i) method.advance(T / steps, omega, zeta, 0, m);
     return std::abs(m.x[0] - exact);
   };
@@ -76,7 +78,7 @@ double observed_order(const OscillatorMethod& method, double zeta) {
 // From four samples of x = Re(A·gᵏ), once parasitic roots have died out: x_{k+1} = (g + ḡ)·x_k −
 // |g|²·x_{k−1}.
 std::pair<double, double> amplification(const OscillatorMethod& method, double z) {
-  Motion m = oscillator_at(1, 0);
+  soft::Motion m = oscillator_at(1, 0);
   for (int i = 0; i < 50; ++i) method.advance(z, 1, 0, 0, m);
   double x[4];
   for (double& value : x) {
@@ -90,7 +92,7 @@ std::pair<double, double> amplification(const OscillatorMethod& method, double z
 }
 
 bool holds(const OscillatorMethod& method, double z, double zeta) {
-  Motion m = oscillator_at(1, 0);
+  soft::Motion m = oscillator_at(1, 0);
   for (int i = 0; i < 40000; ++i) {
     method.advance(z, 1, zeta, 0, m);
     if (!(std::abs(m.x[0]) < 20)) return false;

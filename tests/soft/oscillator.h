@@ -13,17 +13,17 @@
 namespace prosector {
 
 /// Three equal oscillators of unit mass at x m, v m/s.
-Motion oscillator_at(double x, double v);
+soft::Motion oscillator_at(double x, double v);
 
 /// One method of either table.
 struct OscillatorMethod {
   std::string name;
   int order;
-  std::shared_ptr<TimeIntegrator> stages;  // one of these two
-  std::shared_ptr<ExplicitIntegrator> forces;
+  std::shared_ptr<soft::TimeIntegrator> stages;  // one of these two
+  std::shared_ptr<soft::ExplicitIntegrator> forces;
 
   /// One step of h s; omega 1/s, g m/s².
-  void advance(double h, double omega, double zeta, double g, Motion& motion) const;
+  void advance(double h, double omega, double zeta, double g, soft::Motion& motion) const;
 };
 
 std::vector<OscillatorMethod> oscillator_methods();

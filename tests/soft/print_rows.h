@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-inline void PrintTo(const LawRow& row, std::ostream* out) {
+inline void PrintTo(const soft::LawRow& row, std::ostream* out) {
   *out << row.name;
 }
 

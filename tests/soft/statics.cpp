@@ -74,8 +74,8 @@ Specimen make_specimen(const std::string& model, const std::string& element, dou
   desc.configuration.element = element;
   desc.material.youngs_modulus = E;
   desc.material.poisson_ratio = nu;
-  Anatomy anatomy = SoftBody(desc, {std::move(mesh), {}, {}}).anatomy();  // with its elements' nodes
-  return {element, make_elastic_model(desc, anatomy), std::move(anatomy.tets)};
+  Anatomy anatomy = soft::SoftBody(desc, {std::move(mesh), {}, {}}).anatomy();  // with its elements' nodes
+  return {element, soft::make_elastic_model(desc, anatomy), std::move(anatomy.tets)};
 }
 
 Eigen::Index node_at(const TetMesh& mesh, const Vec3& p) {
@@ -117,9 +117,9 @@ VecX forces_of(const Specimen& specimen, const Traction& traction) {
   return load;
 }
 
-VecX equilibrium(ElasticModel& model, const Prescribed& prescribed, const VecX& load) {
-  const BlockPattern pattern(model.connectivity());
-  Cholesky cholesky(pattern);
+VecX equilibrium(soft::ElasticModel& model, const Prescribed& prescribed, const VecX& load) {
+  const soft::BlockPattern pattern(model.connectivity());
+  soft::Cholesky cholesky(pattern);
   const Eigen::Index n = model.rest().size();
   VecX x = model.rest(), g(n), step(n);
   std::vector<bool> fixed(static_cast<std::size_t>(n));
@@ -175,11 +175,11 @@ VecX free_equilibrium(const Specimen& specimen, const VecX& load) {
   return equilibrium(*specimen.model, held, load);
 }
 
-double lowest_frequency(ElasticModel& model, double density,
+double lowest_frequency(soft::ElasticModel& model, double density,
                         const std::function<bool(const Vec3& p, int c)>& held, VecX mode) {
   const VecX& rest = model.rest();
-  const BlockPattern pattern(model.connectivity());
-  Cholesky cholesky(pattern);
+  const soft::BlockPattern pattern(model.connectivity());
+  soft::Cholesky cholesky(pattern);
   std::vector<Mat3> K(pattern.blocks());
   pattern.gather(model.tangent(rest.data()), 0, {}, K);
   for (std::size_t i = 0; i < pattern.rows(); ++i)

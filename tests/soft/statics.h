@@ -18,7 +18,7 @@ using Traction = std::function<Vec3(const Vec3& p, const Vec3& n)>;
 
 struct Specimen {
   std::string element;
-  std::unique_ptr<ElasticModel> model;
+  std::unique_ptr<soft::ElasticModel> model;
   TetMesh mesh;  // with its elements' nodes
 };
 
@@ -32,7 +32,7 @@ Eigen::Index node_at(const TetMesh& mesh, const Vec3& p);
 VecX forces_of(const Specimen& specimen, const Traction& traction);
 
 /// Minimises W(x) − load·x by Newton from rest.
-VecX equilibrium(ElasticModel& model, const Prescribed& prescribed, const VecX& load);
+VecX equilibrium(soft::ElasticModel& model, const Prescribed& prescribed, const VecX& load);
 
 /// The same where nothing is prescribed: the load must be in balance, and six components of three nodes,
 /// which then carry nothing, keep the body in place.
@@ -40,7 +40,7 @@ VecX free_equilibrium(const Specimen& specimen, const VecX& load);
 
 /// Hz: the lowest frequency at rest with lumped mass (kg/m³) and held components, by inverse iteration from
 /// `mode`.
-double lowest_frequency(ElasticModel& model, double density,
+double lowest_frequency(soft::ElasticModel& model, double density,
                         const std::function<bool(const Vec3& p, int c)>& held, VecX mode);
 
 }  // namespace prosector

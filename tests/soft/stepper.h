@@ -12,9 +12,9 @@
 
 namespace prosector {
 
-class BodyOperator final : public LinearOperator {
+class BodyOperator final : public soft::LinearOperator {
  public:
-  explicit BodyOperator(SoftBody& body)
+  explicit BodyOperator(soft::SoftBody& body)
       : potential_(body.potential()), nodes_(body.nodes()), diagonal_(blocks()), inverse_(blocks()) {}
   void update() {
     potential_.diagonal(diagonal_);
@@ -34,7 +34,7 @@ class BodyOperator final : public LinearOperator {
 
  private:
   std::size_t blocks() const { return static_cast<std::size_t>(nodes_); }
-  IncrementalPotential& potential_;
+  soft::IncrementalPotential& potential_;
   Eigen::Index nodes_;
   std::vector<Mat3> diagonal_, inverse_;
 };
@@ -42,21 +42,21 @@ class BodyOperator final : public LinearOperator {
 struct StepperSettings {
   int newton_iterations = 50;
   double tolerance = 1e-10;  // on ‖gradient‖ relative to the step's first
-  SolverSettings solver = {2000, 1e-8};
+  soft::SolverSettings solver = {2000, 1e-8};
 };
 
 class Stepper {
  public:
-  explicit Stepper(SoftBody& body, StepperSettings settings = {})
+  explicit Stepper(soft::SoftBody& body, StepperSettings settings = {})
       : body_(body),
         potential_(body.potential()),
         stepper_(body.stepper()),
         settings_(settings),
         H_(body),
-        solver_(make_solver(body.desc().configuration.solver)) {}
+        solver_(soft::make_solver(body.desc().configuration.solver)) {}
 
   /// Newton iterations taken.
-  int step(double h, const Vec3& gravity, SoftBodyState& state) {
+  int step(double h, const Vec3& gravity, soft::SoftBodyState& state) {
     int iterations = 0;
     for (int stage = 0; stage < stepper_.integrator().stages(); ++stage) {
       stepper_.begin_stage(stage, h, body_.weight(gravity, body_.attached()), state);
@@ -68,7 +68,7 @@ class Stepper {
   }
 
   /// Steps so long that inertia vanishes: the static equilibrium.
-  void settle(const Vec3& gravity, SoftBodyState& state, int steps = 4, double h = 100) {
+  void settle(const Vec3& gravity, soft::SoftBodyState& state, int steps = 4, double h = 100) {
     for (int i = 0; i < steps; ++i) {
       step(h, gravity, state);
       state.motion.v.setZero();
@@ -107,12 +107,12 @@ class Stepper {
     return false;
   }
 
-  SoftBody& body_;
-  IncrementalPotential& potential_;
-  ImplicitStepper& stepper_;
+  soft::SoftBody& body_;
+  soft::IncrementalPotential& potential_;
+  soft::ImplicitStepper& stepper_;
   StepperSettings settings_;
   BodyOperator H_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<soft::LinearSolver> solver_;
 };
 
 }  // namespace prosector

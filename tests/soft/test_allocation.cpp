@@ -38,10 +38,10 @@ namespace {
 /// One Newton iteration a step, in vectors that are there beforehand.
 class FixedStep {
  public:
-  explicit FixedStep(SoftBody& body)
+  explicit FixedStep(soft::SoftBody& body)
       : body_(body),
         H_(body),
-        solver_(make_solver(body.desc().configuration.solver)),
+        solver_(soft::make_solver(body.desc().configuration.solver)),
         state_(body.initial_state()) {
     for (VecX* v : {&x_, &b_, &dx_}) *v = VecX::Zero(3 * body.nodes());
   }
@@ -70,16 +70,16 @@ class FixedStep {
   double energy() const { return energy_; }
 
  private:
-  SoftBody& body_;
+  soft::SoftBody& body_;
   BodyOperator H_;
-  std::unique_ptr<LinearSolver> solver_;
-  SoftBodyState state_;
+  std::unique_ptr<soft::LinearSolver> solver_;
+  soft::SoftBodyState state_;
   VecX x_, b_, dx_;
   double energy_ = 0;
 };
 
-class LawAllocation : public testing::TestWithParam<LawRow> {};
-INSTANTIATE_TEST_SUITE_P(Table, LawAllocation, testing::ValuesIn(laws()),
+class LawAllocation : public testing::TestWithParam<soft::LawRow> {};
+INSTANTIATE_TEST_SUITE_P(Table, LawAllocation, testing::ValuesIn(soft::laws()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(LawAllocation, NoneWithinAStep) {
@@ -87,7 +87,7 @@ TEST_P(LawAllocation, NoneWithinAStep) {
   GTEST_SKIP() << "malloc is not ours to count here";
 #endif
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  for (const IntegratorRow& integrator : integrators()) {
+  for (const soft::IntegratorRow& integrator : soft::integrators()) {
     for (const char* solver : {"cg", "multigrid"}) {
       SoftDesc desc;
       desc.configuration.model = GetParam().name;
@@ -95,7 +95,7 @@ TEST_P(LawAllocation, NoneWithinAStep) {
       desc.configuration.solver = solver;
       desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
       const long before = allocations;
-      SoftBody body(desc, kuhn_anatomy({7, 7, 7}, Vec3(0.1, 0.1, 0.1)));
+      soft::SoftBody body(desc, kuhn_anatomy({7, 7, 7}, Vec3(0.1, 0.1, 0.1)));
       EXPECT_GT(allocations, before) << "the counter must see the constructor";
       FixedStep step(body);
       for (int i = 0; i < 3; ++i) step();
@@ -115,52 +115,52 @@ class PressedCube {
     state_.asleep = false;
     island_.soft.push_back({0, &body_, &state_});
     if (!touched) return;
-    RigidMember ball;
+    coupled::RigidMember ball;
     ball.mass = 0.1;
     ball.inertia.setIdentity();
     ball.inertia *= 1e-4;
     ball.predicted.setZero();
     island_.rigid.push_back(ball);
-    Contact contact;
-    contact.a = {ContactSide::Kind::rigid, 0};
-    contact.b = {ContactSide::Kind::soft, 0, 1, {26}, {1}};
+    contact::Contact contact;
+    contact.a = {contact::ContactSide::Kind::rigid, 0};
+    contact.b = {contact::ContactSide::Kind::soft, 0, 1, {26}, {1}};
     contact.gap = -1e-4;
     contact.stiffness = 1e4;
     contact.friction = 0.3;
     island_.contacts.push_back(contact);
     ball.slot = 1;
     island_.rigid.push_back(ball);
-    contact.a = {ContactSide::Kind::rigid, 1};
-    contact.b = {ContactSide::Kind::rigid, 0};
+    contact.a = {contact::ContactSide::Kind::rigid, 1};
+    contact.b = {contact::ContactSide::Kind::rigid, 0};
     island_.contacts.push_back(contact);
-    Tie tie;
-    tie.a = {ContactSide::Kind::rigid, 0};
-    tie.b = {ContactSide::Kind::soft, 0, 1, {0}, {1}};
+    contact::Tie tie;
+    tie.a = {contact::ContactSide::Kind::rigid, 0};
+    tie.b = {contact::ContactSide::Kind::soft, 0, 1, {0}, {1}};
     tie.stiffness = 10;
     tie.max_force = 1;
     island_.ties.push_back(tie);
   }
 
   void tick() {
-    for (RigidMember& ball : island_.rigid) ball.predicted << 0, -1e-3, 0, 0, 0, 0;
+    for (coupled::RigidMember& ball : island_.rigid) ball.predicted << 0, -1e-3, 0, 0, 0, 0;
     stepper_.step(island_, 1. / 60, Vec3::Zero());
   }
   bool pressed() const { return !island_.contacts.empty() && island_.contacts.front().force > 0; }
   const VecX& positions() const { return state_.motion.x; }
 
  private:
-  SoftBody body_;
-  SoftBodyState state_;
-  Island island_;
-  IslandStepper stepper_;
+  soft::SoftBody body_;
+  soft::SoftBodyState state_;
+  coupled::Island island_;
+  coupled::IslandStepper stepper_;
 };
 
 /// Every method that a scene may name, each with the solvers that don't factor.
 std::vector<SoftDesc> ways_to_step() {
   std::vector<SoftDesc> bodies;
-  for (const ModelRow& model : models()) {
+  for (const soft::ModelRow& model : soft::models()) {
     if (!model.tets) continue;
-    for (const std::string& integrator : integrators_for(model))
+    for (const std::string& integrator : soft::integrators_for(model))
       for (const char* solver : {"cg", "multigrid"}) {
         SoftDesc& desc = bodies.emplace_back();
         desc.configuration.model = model.name;

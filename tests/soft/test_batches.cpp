@@ -59,17 +59,18 @@ Mat3 any_gradient(std::size_t e, std::mt19937_64& random) {
 
 struct Everything {
   std::vector<double> energy;  // of each batch
-  std::vector<Tet4Elements::Forces> forces;
-  std::vector<Tet4Elements::Stiffness> stiffness, warped;
+  std::vector<soft::Tet4Elements::Forces> forces;
+  std::vector<soft::Tet4Elements::Stiffness> stiffness, warped;
 };
 
-Everything everything(ElementBatches& batches, std::size_t elements, const VecX& x) {
+Everything everything(soft::ElementBatches& batches, std::size_t elements, const VecX& x) {
   Everything all{{},
-                 std::vector<Tet4Elements::Forces>(elements),
-                 std::vector<Tet4Elements::Stiffness>(elements),
-                 std::vector<Tet4Elements::Stiffness>(elements)};
-  for (std::size_t batch = 0; batch < chunk_count(elements, elements_per_batch); ++batch) {
-    const std::size_t first = batch * elements_per_batch, n = std::min(elements_per_batch, elements - first);
+                 std::vector<soft::Tet4Elements::Forces>(elements),
+                 std::vector<soft::Tet4Elements::Stiffness>(elements),
+                 std::vector<soft::Tet4Elements::Stiffness>(elements)};
+  for (std::size_t batch = 0; batch < chunk_count(elements, soft::elements_per_batch); ++batch) {
+    const std::size_t first = batch * soft::elements_per_batch,
+                      n = std::min(soft::elements_per_batch, elements - first);
     batches.move(batch, x.data());
     all.energy.push_back(batches.energy(batch));
     batches.forces(batch, std::span(all.forces).subspan(first, n));
@@ -99,8 +100,8 @@ class CorotationalBatches : public testing::Test {
  protected:
   static constexpr std::size_t count = 9 * 37;
   CorotationalBatches()
-      : mesh_(scattered(count, random_)), elements_(mesh_), x_(12 * count), materials_(lame(3, 0.45)) {
-    materials_.kinds.push_back(lame(70, 0.1));
+      : mesh_(scattered(count, random_)), elements_(mesh_), x_(12 * count), materials_(soft::lame(3, 0.45)) {
+    materials_.kinds.push_back(soft::lame(70, 0.1));
     for (std::size_t e = 0; e < count; ++e) {
       const Mat3 F = any_gradient(e, random_);
       for (std::uint32_t node : mesh_.tets[e]) x_.segment<3>(3 * node) = F * mesh_.positions[node];
@@ -110,15 +111,15 @@ class CorotationalBatches : public testing::Test {
 
   std::mt19937_64 random_{11};
   TetMesh mesh_;
-  Tet4Elements elements_;
+  soft::Tet4Elements elements_;
   VecX x_;
-  Materials materials_;
+  soft::Materials materials_;
 };
 
 TEST_F(CorotationalBatches, AreTheLaw) {
   ASSERT_EQ(elements_.size(), count);
-  const auto fast = make_corotational_batches(materials_, elements_);
-  const auto plain = make_law_batches(make_fem_corotational, materials_, elements_);
+  const auto fast = soft::make_corotational_batches(materials_, elements_);
+  const auto plain = soft::make_law_batches(soft::make_fem_corotational, materials_, elements_);
   const Everything a = everything(*fast, count, x_), b = everything(*plain, count, x_);
   for (std::size_t batch = 0; batch < a.energy.size(); ++batch) {
     EXPECT_NEAR(a.energy[batch], b.energy[batch], 1e-12 * b.energy[batch]);
@@ -131,7 +132,7 @@ TEST_F(CorotationalBatches, AreTheLaw) {
 }
 
 TEST_F(CorotationalBatches, GiveTheSameBitsForEveryInstructionSet) {
-  const auto batches = make_corotational_batches(materials_, elements_);
+  const auto batches = soft::make_corotational_batches(materials_, elements_);
   const Everything reference = everything(*batches, count, x_);
   const std::int64_t targets = hwy::SupportedTargets();
   for (std::int64_t rest = targets; rest != 0; rest &= rest - 1) {

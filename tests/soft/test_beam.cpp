@@ -12,7 +12,7 @@ const Vec3 gravity(0, -9.81, 0);
 const Vec3 beam_size(0.4, 0.1, 0.1);
 
 /// 8×2×2 cells, clamped at x = 0.
-SoftBody beam(const char* model, double poisson_ratio, const char* solver = "direct") {
+soft::SoftBody beam(const char* model, double poisson_ratio, const char* solver = "direct") {
   SoftDesc desc;
   desc.name = "beam";
   desc.configuration.model = model;
@@ -26,7 +26,7 @@ SoftBody beam(const char* model, double poisson_ratio, const char* solver = "dir
   return {desc, kuhn_anatomy({8, 2, 2}, beam_size)};
 }
 
-Vec3 tip(const SoftBodyState& state) {
+Vec3 tip(const soft::SoftBodyState& state) {
   const Eigen::Index node = (1 * 3 + 1) * 9 + 8;
   return state.motion.x.segment<3>(3 * node);
 }
@@ -48,8 +48,8 @@ TEST(Beam, StaticDeflectionOnThisMesh) {
       {"fem_neo_hookean_polynomial", .45, .04392293},
   };
   for (const Case& c : cases) {
-    SoftBody body = beam(c.model, c.poisson_ratio);
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body = beam(c.model, c.poisson_ratio);
+    soft::SoftBodyState state = body.initial_state();
     Stepper(body).settle(gravity, state);
     EXPECT_NEAR(0.05 - tip(state)[1], c.deflection, 2e-8) << c.model << " " << c.poisson_ratio;
   }

@@ -59,8 +59,8 @@ TEST(Integrators, HoldUpToTheirLimit) {
   for (const Case& c :
        {Case{"explicit_euler", 0}, {"symplectic_euler", 2}, {"verlet", 2}, {"rk2", 0}, {"rk4", 2.8284}}) {
     const OscillatorMethod m = oscillator_method(c.name);
-    EXPECT_NEAR(StepLimit(*m.forces).at(1), c.limit, 0.001) << c.name;
-    EXPECT_NEAR(StepLimit(*m.forces).at(50) * 50, c.limit, 0.001) << c.name;
+    EXPECT_NEAR(soft::StepLimit(*m.forces).at(1), c.limit, 0.001) << c.name;
+    EXPECT_NEAR(soft::StepLimit(*m.forces).at(50) * 50, c.limit, 0.001) << c.name;
     if (c.limit > 0) {
       EXPECT_TRUE(holds(m, 0.99 * c.limit)) << c.name;
       EXPECT_FALSE(holds(m, 1.02 * c.limit)) << c.name;
@@ -68,14 +68,15 @@ TEST(Integrators, HoldUpToTheirLimit) {
       EXPECT_FALSE(holds(m, 0.5)) << c.name;
     }
     for (const double zeta : {0.05, 0.5, 5.0}) {
-      const double limit = StepLimit(*m.forces).at(1, 2 * zeta);
+      const double limit = soft::StepLimit(*m.forces).at(1, 2 * zeta);
       EXPECT_GT(limit, 0) << c.name;
       EXPECT_TRUE(holds(m, 0.99 * limit, zeta)) << c.name << " " << zeta;
       EXPECT_FALSE(holds(m, 1.02 * limit, zeta)) << c.name << " " << zeta;
     }
   }
-  EXPECT_NEAR(StepLimit(*oscillator_method("explicit_euler").forces).at(1, 0.2), 0.2, 1e-6);  // h < 2ζ/ω
-  for (const IntegratorRow& row : integrators())
+  EXPECT_NEAR(soft::StepLimit(*oscillator_method("explicit_euler").forces).at(1, 0.2), 0.2,
+              1e-6);  // h < 2ζ/ω
+  for (const soft::IntegratorRow& row : soft::integrators())
     for (const double z : {3.0, 30.0, 3e4})
       EXPECT_TRUE(holds(oscillator_method(row.name), z)) << row.name << " " << z;
 }
@@ -90,7 +91,7 @@ TEST(Integrators, DampAsTheSpringDoes) {
       const double times[] = {.25, .5, 1};
       for (int k = 0; k < 3; ++k) {
         const int steps = 4096;
-        Motion motion = oscillator_at(1, 0);
+        soft::Motion motion = oscillator_at(1, 0);
         for (int i = 0; i < steps; ++i) m.advance(times[k] / steps, 2 * M_PI, c.zeta, 0, motion);
         EXPECT_NEAR(motion.x[0], c.x[k], m.order == 1 ? 5e-3 : 1e-5) << m.name << " " << times[k];
       }
@@ -101,7 +102,7 @@ TEST(Integrators, DampAsTheSpringDoes) {
 TEST(Integrators, FallFreely) {
   const double h = 1. / 60;
   for (const OscillatorMethod& m : oscillator_methods()) {
-    Motion motion = oscillator_at(0, 0);
+    soft::Motion motion = oscillator_at(0, 0);
     for (int i = 0; i < 60; ++i) m.advance(h, 0, 0, -9.81, motion);
     EXPECT_NEAR(motion.v[0], -9.81, 1e-9) << m.name;
     if (m.name == "symplectic_euler" || m.name == "implicit_euler")
@@ -116,7 +117,7 @@ TEST(Integrators, FallFreely) {
 }
 
 TEST(Integrators, RestartForgetsThePast) {
-  Motion a = oscillator_at(1, 2), b = oscillator_at(1, 2);
+  soft::Motion a = oscillator_at(1, 2), b = oscillator_at(1, 2);
   a.x_prev.setConstant(100);
   oscillator_method("bdf2").advance(0.1, 3, 0, 1, a);
   oscillator_method("implicit_euler").advance(0.1, 3, 0, 1, b);
@@ -127,10 +128,10 @@ TEST(Integrators, RestartForgetsThePast) {
 
 TEST(Integrators, ErrorListsTheRows) {
   try {
-    make_integrator("leapfrog");
+    soft::make_integrator("leapfrog");
     FAIL();
   } catch (const InputError& error) {
-    for (const auto& row : integrators())
+    for (const auto& row : soft::integrators())
       EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos);
   }
 }

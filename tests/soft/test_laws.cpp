@@ -32,28 +32,28 @@ Mat3 random_rotation(Random& random) {
       .toRotationMatrix();
 }
 
-double energy(const ConstitutiveLaw& law, const Mat3& F) {
+double energy(const soft::ConstitutiveLaw& law, const Mat3& F) {
   double W = 0;
   law.energy_density({&F, 1}, {&W, 1});
   return W;
 }
-double dilatation(const ConstitutiveLaw& law, const Mat3& F) {
+double dilatation(const soft::ConstitutiveLaw& law, const Mat3& F) {
   double theta = 0;
   law.dilatation({&F, 1}, {&theta, 1});
   return theta;
 }
-Mat3 stress(const ConstitutiveLaw& law, const Mat3& F, double p = 0) {
+Mat3 stress(const soft::ConstitutiveLaw& law, const Mat3& F, double p = 0) {
   Mat3 P;
   law.stress({&F, 1}, {&p, 1}, {&P, 1});
   return P;
 }
-Mat9 tangent(const ConstitutiveLaw& law, const Mat3& F, double p = 0) {
-  Mat9 H;
+soft::Mat9 tangent(const soft::ConstitutiveLaw& law, const Mat3& F, double p = 0) {
+  soft::Mat9 H;
   law.tangent({&F, 1}, {&p, 1}, {&H, 1});
   return H;
 }
-Mat9 difference_tangent(const ConstitutiveLaw& law, const Mat3& F, double p) {
-  Mat9 H;
+soft::Mat9 difference_tangent(const soft::ConstitutiveLaw& law, const Mat3& F, double p) {
+  soft::Mat9 H;
   const double h = 1e-6;
   for (int i = 0; i < 9; ++i) {
     Mat3 dF = Mat3::Zero();
@@ -64,16 +64,16 @@ Mat9 difference_tangent(const ConstitutiveLaw& law, const Mat3& F, double p) {
   return 0.5 * (H + H.transpose());
 }
 
-class Laws : public testing::TestWithParam<LawRow> {
+class Laws : public testing::TestWithParam<soft::LawRow> {
  protected:
-  std::unique_ptr<ConstitutiveLaw> law(double nu = 0.4, double E = 1) const {
-    Material material = lame(E, nu);
+  std::unique_ptr<soft::ConstitutiveLaw> law(double nu = 0.4, double E = 1) const {
+    soft::Material material = soft::lame(E, nu);
     material.fiber_stiffness = 2 * E;
     material.fiber = Vec3(2, -1, 2) / 3;
     return GetParam().make(material);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Table, Laws, testing::ValuesIn(laws()),
+INSTANTIATE_TEST_SUITE_P(Table, Laws, testing::ValuesIn(soft::laws()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(Laws, RestIsFreeOfEnergyAndStress) {
@@ -83,8 +83,8 @@ TEST_P(Laws, RestIsFreeOfEnergyAndStress) {
 
 TEST_P(Laws, ReducesToHooke) {
   for (double nu : {-0.4, 0.0, 0.3, 0.45, 0.49}) {
-    const Lame c = lame(1, nu);
-    const Mat9 H = tangent(*GetParam().make(c), Mat3::Identity());
+    const soft::Lame c = soft::lame(1, nu);
+    const soft::Mat9 H = tangent(*GetParam().make(c), Mat3::Identity());
     EXPECT_NEAR(H(0, 0), c.lambda + 2 * c.mu, 1e-9) << nu;
     EXPECT_NEAR(H(0, 4), c.lambda, 1e-9) << nu;
     EXPECT_NEAR(H(1, 1), c.mu, 1e-9) << nu;
@@ -119,21 +119,21 @@ TEST_P(Laws, TangentIsTheProjectedDerivativeOfStress) {
     const auto l = law(nu);
     // What pulls along fibres is semidefinite by itself: only the tissue around them is projected.
     const bool fibers = GetParam().name == std::string("fem_fibers");
-    const auto tissue = fibers ? make_law("fem_neo_hookean", lame(1, nu)) : nullptr;
+    const auto tissue = fibers ? soft::make_law("fem_neo_hookean", soft::lame(1, nu)) : nullptr;
     for (int trial = 0; trial < 200; ++trial) {
       Mat3 F = random_rotation(random) * (Mat3::Identity() + 0.5 * random_matrix(random));
       // Corotational curvature is capped next to mirrored states, where R turns over.
-      const Vec3 s = symmetric_eigen(polar(F).S).values;
+      const Vec3 s = soft::symmetric_eigen(soft::polar(F).S).values;
       if (s.sum() - s.maxCoeff() < 0.1) continue;
       const double p = trial % 2 ? 3 * uniform(random) : 0;
-      const Mat9 whole = difference_tangent(*l, F, p);
-      const Mat9 isotropic = tissue ? difference_tangent(*tissue, F, p) : whole;
-      const Eigen::SelfAdjointEigenSolver<Mat9> exact(isotropic);
+      const soft::Mat9 whole = difference_tangent(*l, F, p);
+      const soft::Mat9 isotropic = tissue ? difference_tangent(*tissue, F, p) : whole;
+      const Eigen::SelfAdjointEigenSolver<soft::Mat9> exact(isotropic);
       // Where fibres go taut the tangent jumps.
       if (tissue && std::abs((F * Vec3(2, -1, 2) / 3).norm() - 1) < 1e-3) continue;
-      const Mat9 projected = exact.eigenvectors() * exact.eigenvalues().cwiseMax(0).asDiagonal() *
-                                 exact.eigenvectors().transpose() +
-                             (whole - isotropic);
+      const soft::Mat9 projected = exact.eigenvectors() * exact.eigenvalues().cwiseMax(0).asDiagonal() *
+                                       exact.eigenvectors().transpose() +
+                                   (whole - isotropic);
       definite += exact.eigenvalues().minCoeff() > 0;
       EXPECT_LT((tangent(*l, F, p) - projected).norm(), 1e-6 * (1 + projected.norm()));
     }
@@ -144,9 +144,9 @@ TEST_P(Laws, TangentIsTheProjectedDerivativeOfStress) {
 /// W holds λ/2·θ²: what of λ is taken from the points may act on θ instead.
 TEST_P(Laws, LambdaActsOnTheDilatation) {
   Random random(9);
-  const Lame c = lame(1, 0.45);
+  const soft::Lame c = soft::lame(1, 0.45);
   const double part = c.lambda / 3;
-  const auto whole = GetParam().make(c), less = GetParam().make(Lame{c.lambda - part, c.mu});
+  const auto whole = GetParam().make(c), less = GetParam().make(soft::Lame{c.lambda - part, c.mu});
   for (int trial = 0; trial < 100; ++trial) {
     const Mat3 F = Mat3::Identity() + 0.5 * random_matrix(random);
     const double theta = dilatation(*less, F);
@@ -157,7 +157,7 @@ TEST_P(Laws, LambdaActsOnTheDilatation) {
 TEST_P(Laws, TurningStoresNothing) {
   if (GetParam().name == std::string("fem_linear")) {
     // The known error: W = 2(μ + λ)(1 − cos θ)².
-    const Lame c = lame(1, 0.4);
+    const soft::Lame c = soft::lame(1, 0.4);
     const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3::UnitZ()).toRotationMatrix();
     EXPECT_NEAR(energy(*law(), turned), 2 * (c.mu + c.lambda) * std::pow(1 - std::cos(0.7), 2), 1e-12);
     return;
@@ -186,9 +186,9 @@ TEST_P(Laws, FiniteAndSemidefiniteForEveryF) {
   for (const Mat3& F : extremes) {
     EXPECT_TRUE(std::isfinite(energy(*law(), F)));
     EXPECT_TRUE(stress(*law(), F).allFinite());
-    const Mat9 H = tangent(*law(), F);
+    const soft::Mat9 H = tangent(*law(), F);
     ASSERT_TRUE(H.allFinite()) << F;
-    const Eigen::SelfAdjointEigenSolver<Mat9> eigen(H, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<soft::Mat9> eigen(H, Eigen::EigenvaluesOnly);
     EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-12 * (1 + eigen.eigenvalues().maxCoeff())) << F;
   }
 }
@@ -207,7 +207,7 @@ TEST_P(Laws, BatchesEqualSingles) {
 }
 
 /// Uniaxial stretch l: the lateral stretch t that frees the sides, then P/E along.
-std::pair<double, double> uniaxial(const ConstitutiveLaw& law, double l) {
+std::pair<double, double> uniaxial(const soft::ConstitutiveLaw& law, double l) {
   double low = 0.5, high = 2;
   for (int i = 0; i < 100; ++i) {
     const double t = 0.5 * (low + high);
@@ -235,7 +235,7 @@ TEST(LawsClosedForm, UniaxialStretch) {
                         {"fem_corotational", .3, 1.5, .5, .850},
                         {"fem_linear", .3, 1.5, .5, .850}};
   for (const Case& c : cases) {
-    const auto [P, t] = uniaxial(*make_law(c.model, lame(1, c.nu)), c.l);
+    const auto [P, t] = uniaxial(*soft::make_law(c.model, soft::lame(1, c.nu)), c.l);
     EXPECT_NEAR(P, c.P, 1e-6) << c.model << " " << c.nu;
     EXPECT_NEAR(t, c.t, 1e-6) << c.model << " " << c.nu;
   }
@@ -245,22 +245,22 @@ TEST(LawsClosedForm, SimpleShear) {
   Mat3 F = Mat3::Identity();
   F(0, 1) = 0.5;
   const auto P12 = [&](const char* model, double nu) {
-    return stress(*make_law(model, lame(1, nu)), F)(0, 1);
+    return stress(*soft::make_law(model, soft::lame(1, nu)), F)(0, 1);
   };
   EXPECT_NEAR(P12("fem_corotational", .3), .206662, 1e-6);
   EXPECT_NEAR(P12("fem_corotational", .45), .223892, 1e-6);
-  EXPECT_NEAR(P12("fem_neo_hookean_polynomial", .3), 0.5 * lame(1, .3).mu, 1e-12);
+  EXPECT_NEAR(P12("fem_neo_hookean_polynomial", .3), 0.5 * soft::lame(1, .3).mu, 1e-12);
 }
 
 /// Taut along the stretch, slack along a press, and across it as if there were none.
 TEST(LawsClosedForm, FibresPullAlongThemselvesInTensionOnly) {
   const double k = 0.8;
-  Material material = lame(1, .3);
-  const auto bare = make_law("fem_neo_hookean", material);
+  soft::Material material = soft::lame(1, .3);
+  const auto bare = soft::make_law("fem_neo_hookean", material);
   material.fiber_stiffness = k;
   for (const bool along : {true, false}) {
     material.fiber = along ? Vec3::UnitX() : Vec3::UnitY();
-    const auto law = make_law("fem_fibers", material);
+    const auto law = soft::make_law("fem_fibers", material);
     for (double l : {0.6, 0.9, 1.2, 1.5}) {
       // Stretched to l along x; `t` frees y and `s` z. At l > 1 a fibre along y is slack, for t < 1.
       const auto [P, t] = uniaxial(*bare, l);
@@ -276,19 +276,20 @@ TEST(LawsClosedForm, FibresPullAlongThemselvesInTensionOnly) {
   }
   // At small strain: E + k along (fibres at ν's mercy only sideways), E across.
   material.fiber = Vec3::UnitX();
-  const auto [P, t] = uniaxial(*make_law("fem_fibers", material), 1 + 1e-6);
+  const auto [P, t] = uniaxial(*soft::make_law("fem_fibers", material), 1 + 1e-6);
   EXPECT_NEAR(P / 1e-6, 1 + k, 1e-4);
 }
 
 TEST(LawsErrors, NameWhatIsAllowed) {
   for (auto [E, nu] : {std::pair{0.0, 0.3}, {-1.0, 0.3}, {NAN, 0.3}, {1.0, 0.5}, {1.0, -1.0}, {1.0, NAN}}) {
-    EXPECT_THROW(lame(E, nu), InputError) << E << " " << nu;
+    EXPECT_THROW(soft::lame(E, nu), InputError) << E << " " << nu;
   }
   try {
-    make_law("putty", lame(1, .3));
+    soft::make_law("putty", soft::lame(1, .3));
     FAIL();
   } catch (const InputError& error) {
-    for (const LawRow& row : laws()) EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos);
+    for (const soft::LawRow& row : soft::laws())
+      EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos);
   }
 }
 
@@ -299,15 +300,15 @@ TEST(PolarDecomposition, IsProperAndClosest) {
     if (trial % 4 == 1) F.col(2) = F.col(0) + 1e-9 * uniform(random) * F.col(1);
     if (trial % 4 == 2) F = random_rotation(random) + 1e-8 * F;
     if (trial % 4 == 3) F *= std::pow(10, 100 * uniform(random));
-    const Polar p = polar(F);
+    const soft::Polar p = soft::polar(F);
     EXPECT_LT((p.R.transpose() * p.R - Mat3::Identity()).norm(), 1e-14);
     EXPECT_GT(p.R.determinant(), 0.9);
     EXPECT_LT((p.R * p.S - F).norm(), 1e-9 * F.norm());
-    const Vec3 s = symmetric_eigen(p.S).values;  // closest: no two stretches sum to less than 0
+    const Vec3 s = soft::symmetric_eigen(p.S).values;  // closest: no two stretches sum to less than 0
     EXPECT_GT(s.sum() - s.maxCoeff(), -1e-9 * F.norm());
   }
-  EXPECT_EQ(polar(Mat3::Zero()).R, Mat3::Identity());
-  EXPECT_EQ(polar(Mat3::Constant(NAN)).R, Mat3::Identity());
+  EXPECT_EQ(soft::polar(Mat3::Zero()).R, Mat3::Identity());
+  EXPECT_EQ(soft::polar(Mat3::Constant(NAN)).R, Mat3::Identity());
 }
 
 TEST(SymmetricEigen, Decomposes) {
@@ -316,7 +317,7 @@ TEST(SymmetricEigen, Decomposes) {
     Mat3 A = random_matrix(random);
     A = (A + A.transpose()).eval();
     if (trial % 2) A = Mat3::Identity() + 1e-9 * A;
-    const SymmetricEigen e = symmetric_eigen(A);
+    const soft::SymmetricEigen e = soft::symmetric_eigen(A);
     EXPECT_LT((e.vectors * e.values.asDiagonal() * e.vectors.transpose() - A).norm(), 1e-14 * (1 + A.norm()));
     EXPECT_LT((e.vectors.transpose() * e.vectors - Mat3::Identity()).norm(), 1e-14);
   }

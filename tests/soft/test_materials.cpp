@@ -36,7 +36,7 @@ SoftDesc layered(const std::string& model) {
 class Layers : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 std::vector<std::string> on_tets() {
   std::vector<std::string> names;
-  for (const ModelRow& row : models())
+  for (const soft::ModelRow& row : soft::models())
     if (row.tets) names.push_back(row.name);
   return names;
 }
@@ -58,7 +58,7 @@ TEST_P(Layers, StoreWhatEachOfThemWould) {
   Mat3 F;
   F << 1.002, 0.001, -0.003, 0.002, 0.999, 0, 0.001, -0.002, 1.004;
   const auto energy = [&](const SoftDesc& d) {
-    SoftBody body(d, kuhn_anatomy({4, 2, 2}, size));
+    soft::SoftBody body(d, kuhn_anatomy({4, 2, 2}, size));
     VecX x = body.initial_state().motion.x;
     for (Eigen::Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = F * x.segment<3>(i);
     return body.potential().elastic_energy(x);
@@ -75,7 +75,7 @@ TEST(Regions, ASphereTakesTheElementsWhoseMiddleIsInsideAndTheLastOneHolds) {
   ball.poisson_ratio = 0.4;
   desc.material.regions.push_back(ball);
   const TetMesh mesh = kuhn_box({8, 4, 4}, size);
-  const Materials materials = make_materials(desc.material, mesh);
+  const soft::Materials materials = soft::make_materials(desc.material, mesh);
   std::array<int, 3> count{};
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     Vec3 middle = Vec3::Zero();
@@ -85,15 +85,15 @@ TEST(Regions, ASphereTakesTheElementsWhoseMiddleIsInsideAndTheLastOneHolds) {
     ++count[expected];
   }
   for (const int n : count) EXPECT_GT(n, 0);
-  EXPECT_EQ(materials.kinds[2].lame.mu, lame(1e4, 0.4).mu);
-  EXPECT_EQ(materials.kinds[1].lame.mu, lame(4e4, 0.3).mu);
+  EXPECT_EQ(materials.kinds[2].lame.mu, soft::lame(1e4, 0.4).mu);
+  EXPECT_EQ(materials.kinds[1].lame.mu, soft::lame(4e4, 0.3).mu);
 }
 
 TEST(Regions, RefuseWhatMakesNoSense) {
   SoftDesc desc = layered("fem_corotational");
   desc.material.regions[0].poisson_ratio = 0.5;
   try {
-    SoftBody body(desc, kuhn_anatomy({2, 1, 1}, size));
+    soft::SoftBody body(desc, kuhn_anatomy({2, 1, 1}, size));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("soft body \"stack\": region 1: poisson_ratio"),

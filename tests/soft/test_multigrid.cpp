@@ -46,7 +46,7 @@ VecX bent(const VecX& rest) {
   return x;
 }
 
-void expect_symmetric_positive(const LinearOperator& H, const char* what) {
+void expect_symmetric_positive(const soft::LinearOperator& H, const char* what) {
   VecX Ma(H.size()), Mb(H.size());
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const VecX a = random_vector(H.size(), 2 * seed), b = random_vector(H.size(), 2 * seed + 1);
@@ -58,16 +58,16 @@ void expect_symmetric_positive(const LinearOperator& H, const char* what) {
 }
 
 TEST(Multigrid, IsSymmetricAndPositiveWhateverTheShape) {
-  for (const LawRow& law : laws()) {
+  for (const soft::LawRow& law : soft::laws()) {
     SoftDesc desc = beam(law.name);
     desc.attach.clear();
-    SoftBody body(desc, kuhn_anatomy({16, 4, 4}, size));
+    soft::SoftBody body(desc, kuhn_anatomy({16, 4, 4}, size));
     BodyOperator H(body);
     const VecX rest = body.initial_state().motion.x;
     const VecX shapes[] = {rest, bent(rest), -rest, 0.01 * rest, 0.1 * random_vector(rest.size(), 9)};
     for (const VecX& x : shapes) {
       for (double step : {1e-3, h, 10.0}) {
-        SoftBodyState state = body.initial_state();
+        soft::SoftBodyState state = body.initial_state();
         state.motion.x = x;
         body.stepper().begin_stage(0, step, gravity, state);
         body.potential().assemble(x);
@@ -80,8 +80,8 @@ TEST(Multigrid, IsSymmetricAndPositiveWhateverTheShape) {
 
 /// Iterations to 1e-3 of the first Newton step from a bent shape.
 int iterations(const SoftDesc& desc, std::uint32_t n, double step) {
-  SoftBody body(desc, kuhn_anatomy({4 * n, n, n}, size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, kuhn_anatomy({4 * n, n, n}, size));
+  soft::SoftBodyState state = body.initial_state();
   // Bent, but still where it is clamped.
   for (Eigen::Index i = 0; i < state.motion.x.size(); i += 3) {
     Vec3 p = state.motion.x.segment<3>(i);
@@ -93,7 +93,7 @@ int iterations(const SoftDesc& desc, std::uint32_t n, double step) {
   H.update();
   VecX g(state.motion.x.size()), x = VecX::Zero(g.size());
   body.potential().gradient(state.motion.x, g);
-  const SolveReport report = make_solver("multigrid")->solve(H, -g, {200, 1e-3}, x);
+  const soft::SolveReport report = soft::make_solver("multigrid")->solve(H, -g, {200, 1e-3}, x);
   EXPECT_TRUE(report.converged);
   return report.iterations;
 }
@@ -111,9 +111,9 @@ TEST(Multigrid, OfQuadraticElementsIsSymmetricAndPositiveWhateverTheShape) {
   SoftDesc desc = beam("fem_corotational");
   desc.configuration.element = "tet10";
   desc.material.poisson_ratio = 0.49;
-  SoftBody body(desc, kuhn_anatomy({4, 2, 2}, size));
+  soft::SoftBody body(desc, kuhn_anatomy({4, 2, 2}, size));
   BodyOperator H(body);
-  SoftBodyState state = body.initial_state();
+  soft::SoftBodyState state = body.initial_state();
   const VecX rest = state.motion.x;
   for (const VecX& x : {rest, bent(rest), VecX(-rest)}) {
     for (double step : {1e-3, h, 10.0}) {
@@ -137,15 +137,16 @@ TEST(Multigrid, OfQuadraticElementsNeedsFewerIterationsByTheStarsOfVertices) {
 }
 
 TEST(Multigrid, TakesALawThatDoesNotTurn) {
-  SoftBody body(beam("fem_linear"), kuhn_anatomy({16, 4, 4}, size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(beam("fem_linear"), kuhn_anatomy({16, 4, 4}, size));
+  soft::SoftBodyState state = body.initial_state();
   state.motion.x = bent(state.motion.x);
   body.stepper().begin_stage(0, h, gravity, state);
   BodyOperator H(body);
   body.potential().assemble(state.motion.x);
   H.update();
   VecX x = VecX::Zero(H.size());
-  EXPECT_LE(make_solver("multigrid")->solve(H, random_vector(H.size(), 1), {200, 1e-3}, x).iterations, 20);
+  EXPECT_LE(soft::make_solver("multigrid")->solve(H, random_vector(H.size(), 1), {200, 1e-3}, x).iterations,
+            20);
 }
 
 }  // namespace

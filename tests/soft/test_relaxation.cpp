@@ -38,13 +38,13 @@ class Relaxation : public testing::TestWithParam<Rung> {
   SoftDesc desc() const { return description(std::get<0>(GetParam()), std::get<1>(GetParam())); }
   /// Of a cube; element tet10 has its edges' nodes, as SoftBody gives them.
   static Anatomy cube(const SoftDesc& desc) {
-    const SoftBody body(desc, kuhn_anatomy({2, 2, 2}, size));
+    const soft::SoftBody body(desc, kuhn_anatomy({2, 2, 2}, size));
     return body.anatomy();
   }
 };
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
-  for (const LawRow& row : laws()) names.emplace_back(row.name);
+  for (const soft::LawRow& row : soft::laws()) names.emplace_back(row.name);
   return names;
 }
 INSTANTIATE_TEST_SUITE_P(Table, Relaxation,
@@ -65,7 +65,7 @@ Mat3 some_gradient() {
   return F;
 }
 
-VecX gradient(ElasticModel& model, const VecX& x) {
+VecX gradient(soft::ElasticModel& model, const VecX& x) {
   VecX g = VecX::Zero(x.size());
   model.add_gradient(x.data(), g.data());
   return g;
@@ -76,7 +76,8 @@ TEST_P(Relaxation, OfAHeldStrainIsThePronySeries) {
   SoftDesc elastic = soft;
   elastic.material.relaxation.clear();
   const Anatomy anatomy = cube(soft);
-  const auto model = make_elastic_model(soft, anatomy), law = make_elastic_model(elastic, anatomy);
+  const auto model = soft::make_elastic_model(soft, anatomy),
+             law = soft::make_elastic_model(elastic, anatomy);
   const VecX held = mapped(some_gradient(), model->rest()), full = gradient(*law, held);
   VecX history = VecX::Zero(static_cast<Eigen::Index>(model->history_size()));
   ASSERT_GT(history.size(), 0);
@@ -98,7 +99,7 @@ TEST_P(Relaxation, OfAHeldStrainIsThePronySeries) {
 
 TEST_P(Relaxation, IsKeptByElementsThatAreFlatForAMoment) {
   const SoftDesc soft = desc();
-  const auto model = make_elastic_model(soft, cube(soft));
+  const auto model = soft::make_elastic_model(soft, cube(soft));
   const VecX& rest = model->rest();
   const VecX held = mapped(some_gradient(), rest), flat = mapped(Vec3(1, 1, 0.02).asDiagonal(), rest);
   VecX history = VecX::Zero(static_cast<Eigen::Index>(model->history_size()));
@@ -117,7 +118,7 @@ TEST_P(Relaxation, IsKeptByElementsThatAreFlatForAMoment) {
 
 TEST_P(Relaxation, StepsDescendOnAPotential) {
   const SoftDesc soft = desc();
-  const auto model = make_elastic_model(soft, cube(soft));
+  const auto model = soft::make_elastic_model(soft, cube(soft));
   std::mt19937_64 random(3);
   const auto noise = [&] {
     return VecX::NullaryExpr(model->rest().size(),
@@ -140,10 +141,10 @@ TEST_P(Relaxation, StepsDescendOnAPotential) {
 /// of its branches, in parts of what it had at first, may rise by no more than `most_gain` in a step, and
 /// half of it must go.
 void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
-  SoftBody body(soft, kuhn_anatomy({2, 2, 2}, size));
-  const auto model = make_elastic_model(soft, body.anatomy());
-  const Lame c = lame(soft.material.youngs_modulus, soft.material.poisson_ratio);
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(soft, kuhn_anatomy({2, 2, 2}, size));
+  const auto model = soft::make_elastic_model(soft, body.anatomy());
+  const soft::Lame c = soft::lame(soft.material.youngs_modulus, soft.material.poisson_ratio);
+  soft::SoftBodyState state = body.initial_state();
   state.motion.x = mapped(Vec3(1 + strain, 1 - strain / 2, 1).asDiagonal(), state.motion.x);
   // Pulled there at once: the branches hold their shares of the stress.
   model->begin_step(1e-9, model->rest().data(), state.history.data());
@@ -162,7 +163,7 @@ void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
                     (square - c.lambda / (3 * c.lambda + 2 * c.mu) * trace * trace);
       }
     return branches + body.potential().elastic_energy(state.motion.x) +
-           kinetic_energy(body.node_mass(), state.motion.v);
+           soft::kinetic_energy(body.node_mass(), state.motion.v);
   };
   const double start = energy();
   double before = start;
@@ -194,17 +195,17 @@ TEST_P(Relaxation, LosesEnergyUnderTheSecondOrderIntegrators) {
 }
 
 TEST_P(Relaxation, SameBitsForAnyNumberOfThreads) {
-  std::vector<SoftBodyState> results;
+  std::vector<soft::SoftBodyState> results;
   for (const std::size_t threads : {1u, 2u, 4u}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    SoftBody body(desc(), kuhn_anatomy({3, 3, 3}, size));
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc(), kuhn_anatomy({3, 3, 3}, size));
+    soft::SoftBodyState state = body.initial_state();
     state.motion.x = mapped(some_gradient(), state.motion.x);
     Stepper stepper(body, {3, 1e-6, {60, 1e-3}});
     for (int i = 0; i < 3; ++i) stepper.step(0.02, Vec3(0, -9.81, 0), state);
     results.push_back(state);
   }
-  for (const SoftBodyState& other : {results[1], results[2]}) {
+  for (const soft::SoftBodyState& other : {results[1], results[2]}) {
     EXPECT_EQ(results[0].motion.x, other.motion.x);
     EXPECT_EQ(results[0].history, other.history);
   }
@@ -214,7 +215,7 @@ TEST_P(Relaxation, SameBitsForAnyNumberOfThreads) {
 TEST(RelaxationErrors, NameWhatIsAllowed) {
   const auto complaint = [](const SoftDesc& desc) -> std::string {
     try {
-      SoftBody(desc, kuhn_anatomy({1, 1, 1}, size));
+      soft::SoftBody(desc, kuhn_anatomy({1, 1, 1}, size));
       return "";
     } catch (const InputError& error) {
       return error.what();

@@ -26,8 +26,8 @@ constexpr double h = 1. / 60;
 const Vec3 gravity(0, -9.81, 0);
 
 struct Rung {
-  ModelRow model;
-  MeshKind mesh;
+  soft::ModelRow model;
+  soft::MeshKind mesh;
   std::string integrator;
   std::string name() const {
     const char* const kinds[] = {"tets", "sheet", "rope"};
@@ -39,24 +39,25 @@ void PrintTo(const Rung& rung, std::ostream* out) {
   *out << rung.name();
 }
 
-Anatomy anatomy_of(MeshKind mesh) {
-  if (mesh == MeshKind::sheet) return make_sheet({0.1, 0.005, 0.08}, 0.02);
-  if (mesh == MeshKind::rope) return make_rope({0.1, 0.01, 0}, 0.02);
+Anatomy anatomy_of(soft::MeshKind mesh) {
+  if (mesh == soft::MeshKind::sheet) return make_sheet({0.1, 0.005, 0.08}, 0.02);
+  if (mesh == soft::MeshKind::rope) return make_rope({0.1, 0.01, 0}, 0.02);
   return kuhn_anatomy({2, 2, 2}, {0.06, 0.06, 0.06});
 }
 
-std::vector<MeshKind> meshes_of(const ModelRow& model) {
-  std::vector<MeshKind> out;
-  if (model.tets) out.push_back(MeshKind::tets);
-  if (model.fabric) out.insert(out.end(), {MeshKind::sheet, MeshKind::rope});
+std::vector<soft::MeshKind> meshes_of(const soft::ModelRow& model) {
+  std::vector<soft::MeshKind> out;
+  if (model.tets) out.push_back(soft::MeshKind::tets);
+  if (model.fabric) out.insert(out.end(), {soft::MeshKind::sheet, soft::MeshKind::rope});
   return out;
 }
 
 std::vector<Rung> rungs() {
   std::vector<Rung> out;
-  for (const ModelRow& model : models())
-    for (const MeshKind mesh : meshes_of(model))
-      for (const std::string& integrator : integrators_for(model)) out.push_back({model, mesh, integrator});
+  for (const soft::ModelRow& model : soft::models())
+    for (const soft::MeshKind mesh : meshes_of(model))
+      for (const std::string& integrator : soft::integrators_for(model))
+        out.push_back({model, mesh, integrator});
   return out;
 }
 
@@ -90,8 +91,8 @@ VecX mapped(const Mat3& A, const VecX& x) {
 }
 
 /// One tick of a body alone; the number of substeps, 0 when it was minimised.
-int tick(SoftBody& body, const Vec3& g, SoftBodyState& state) {
-  Substepper* own = body.substepper();
+int tick(soft::SoftBody& body, const Vec3& g, soft::SoftBodyState& state) {
+  soft::Substepper* own = body.substepper();
   if (!own) {
     Stepper(body).step(h, g, state);
     return 0;
@@ -111,14 +112,15 @@ INSTANTIATE_TEST_SUITE_P(Rungs, Elastic, testing::ValuesIn(elastic_rungs()),
 
 TEST_P(Elastic, ForcesAndStiffnessAreDerivativesOfTheEnergy) {
   const Anatomy anatomy = anatomy_of(GetParam().mesh);
-  const auto model = make_elastic_model(describe(GetParam()), anatomy);
+  const auto model = soft::make_elastic_model(describe(GetParam()), anatomy);
   const VecX& rest = model->rest();
   const Eigen::Index n = rest.size();
-  const BlockPattern pattern(model->connectivity());
+  const soft::BlockPattern pattern(model->connectivity());
   std::vector<Mat3> K(pattern.blocks());
   // Swollen, so that springs are in tension and nothing is projected; bent, so that bends store something.
   // Volume springs alone are never definite under pressure: with those at rest.
-  const bool volume_springs = GetParam().model.name == "mass_spring" && GetParam().mesh == MeshKind::tets;
+  const bool volume_springs =
+      GetParam().model.name == "mass_spring" && GetParam().mesh == soft::MeshKind::tets;
   VecX x = rest;
   if (!volume_springs) x = 1.02 * rest + 1e-4 * random_vector(n, 3);
   const VecX dx = random_vector(n, 4);
@@ -151,8 +153,8 @@ TEST_P(Elastic, TraceAtRestIsThatOfTheStiffnessTurned) {
   SoftDesc desc = describe(rung);
   if (rung.model.name == "fem_fibers") desc.material.fiber_stiffness = 5e4;
   desc.material.fiber_direction = {1, 2, -3};
-  const auto model = make_elastic_model(desc, anatomy_of(rung.mesh));
-  const BlockPattern pattern(model->connectivity());
+  const auto model = soft::make_elastic_model(desc, anatomy_of(rung.mesh));
+  const soft::BlockPattern pattern(model->connectivity());
   std::vector<Mat3> K(pattern.blocks());
   pattern.gather(model->warped_stiffness(model->rest().data()), 0, {}, K);
   double trace = 0;
@@ -162,7 +164,7 @@ TEST_P(Elastic, TraceAtRestIsThatOfTheStiffnessTurned) {
 }
 
 TEST_P(Elastic, TurningAndMovingStoreNothing) {
-  const auto model = make_elastic_model(describe(GetParam()), anatomy_of(GetParam().mesh));
+  const auto model = soft::make_elastic_model(describe(GetParam()), anatomy_of(GetParam().mesh));
   const VecX& rest = model->rest();
   const Mat3 Q = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
   VecX x = rest + 0.005 * random_vector(rest.size(), 1);
@@ -176,7 +178,7 @@ TEST_P(Elastic, TurningAndMovingStoreNothing) {
 }
 
 TEST_P(Elastic, HomogeneousStrainLeavesTheInsideInBalance) {
-  const auto model = make_elastic_model(describe(GetParam()), anatomy_of(GetParam().mesh));
+  const auto model = soft::make_elastic_model(describe(GetParam()), anatomy_of(GetParam().mesh));
   const VecX& rest = model->rest();
   Mat3 A = Mat3::Identity();
   A << 1.1, 0.02, 0.03, 0.01, 0.95, -0.02, 0.05, 0.04, 1.06;
@@ -208,8 +210,8 @@ TEST_P(Rungs, ConserveMomentum) {
   const std::string& by = GetParam().integrator;
   desc.material.damping_stiffness =
       by == "explicit_euler" || by == "rk2" ? 1e-4 : 0;  // else they are refused
-  SoftBody body(desc, anatomy_of(GetParam().mesh));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, anatomy_of(GetParam().mesh));
+  soft::SoftBodyState state = body.initial_state();
   state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
   const auto momenta = [&] {
     Vec3 p = Vec3::Zero(), l = Vec3::Zero();
@@ -240,7 +242,7 @@ std::vector<SoftDesc> variants(const Rung& rung) {
   std::vector<SoftDesc> out;
   for (const char* element : {"tet4", "tet10"}) {
     if (!is_law && element != SoftDesc{}.configuration.element) continue;
-    for (const SolverRow& solver : solvers()) {
+    for (const soft::SolverRow& solver : soft::solvers()) {
       if (!with_all_solvers && SoftDesc{}.configuration.solver != solver.name) continue;
       out.push_back(describe(rung));
       out.back().configuration.element = element;
@@ -251,39 +253,40 @@ std::vector<SoftDesc> variants(const Rung& rung) {
 }
 
 /// More nodes and elements than one thread takes at once.
-Anatomy large_anatomy(MeshKind mesh, const std::string& element) {
-  if (mesh == MeshKind::sheet) return make_sheet({0.1, 0.005, 0.1}, 0.005);
-  if (mesh == MeshKind::rope) return make_rope({0.3, 0.01, 0}, 0.01);
+Anatomy large_anatomy(soft::MeshKind mesh, const std::string& element) {
+  if (mesh == soft::MeshKind::sheet) return make_sheet({0.1, 0.005, 0.1}, 0.005);
+  if (mesh == soft::MeshKind::rope) return make_rope({0.3, 0.01, 0}, 0.01);
   if (element == "tet10") return kuhn_anatomy({4, 3, 2}, {0.1, 0.075, 0.05});
   return kuhn_anatomy({4, 4, 4}, {0.1, 0.1, 0.1});
 }
 
 TEST_P(Rungs, SameBitsForAnyNumberOfThreads) {
   for (const SoftDesc& desc : variants(GetParam())) {
-    std::vector<SoftBodyState> results;
+    std::vector<soft::SoftBodyState> results;
     for (const std::size_t threads : {1u, 2u, 4u}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      SoftBody body(desc, large_anatomy(GetParam().mesh, desc.configuration.element));
-      SoftBodyState state = body.initial_state();
+      soft::SoftBody body(desc, large_anatomy(GetParam().mesh, desc.configuration.element));
+      soft::SoftBodyState state = body.initial_state();
       state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
       for (int i = 0; i < 2; ++i) tick(body, gravity, state);
       results.push_back(state);
     }
-    for (const SoftBodyState& state : results) {
-      EXPECT_EQ(state.motion.x, results[0].motion.x) << in_words(desc);
-      EXPECT_EQ(state.motion.v, results[0].motion.v) << in_words(desc);
-      EXPECT_EQ(state.mode, results[0].mode) << in_words(desc);
-      EXPECT_EQ(state.omega, results[0].omega) << in_words(desc);
+    for (const soft::SoftBodyState& state : results) {
+      EXPECT_EQ(state.motion.x, results[0].motion.x) << soft::in_words(desc);
+      EXPECT_EQ(state.motion.v, results[0].motion.v) << soft::in_words(desc);
+      EXPECT_EQ(state.mode, results[0].mode) << soft::in_words(desc);
+      EXPECT_EQ(state.omega, results[0].omega) << soft::in_words(desc);
     }
   }
 }
 
 TEST_P(Rungs, NeverGainEnergyByThemselves) {
-  SoftBody body(describe(GetParam()), anatomy_of(GetParam().mesh));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(describe(GetParam()), anatomy_of(GetParam().mesh));
+  soft::SoftBodyState state = body.initial_state();
   state.motion.v = 0.5 * random_vector(state.motion.x.size(), 6);
   const auto energy = [&] {
-    return body.potential().elastic_energy(state.motion.x) + kinetic_energy(body.node_mass(), state.motion.v);
+    return body.potential().elastic_energy(state.motion.x) +
+           soft::kinetic_energy(body.node_mass(), state.motion.v);
   };
   const double start = energy();
   for (int i = 0; i < 60; ++i) {
@@ -294,16 +297,16 @@ TEST_P(Rungs, NeverGainEnergyByThemselves) {
 
 TEST(RungTable, RefusesWhatDoesNotGoTogetherAndSaysWhatDoes) {
   int refused = 0;
-  for (const ModelRow& model : models())
-    for (const MeshKind mesh : {MeshKind::tets, MeshKind::sheet, MeshKind::rope})
-      for (const std::string& integrator : integrators_for(models()[0])) {
+  for (const soft::ModelRow& model : soft::models())
+    for (const soft::MeshKind mesh : {soft::MeshKind::tets, soft::MeshKind::sheet, soft::MeshKind::rope})
+      for (const std::string& integrator : soft::integrators_for(soft::models()[0])) {
         const SoftDesc desc = describe({model, mesh, integrator});
         const auto meshes = meshes_of(model);
-        const auto names = integrators_for(model);
+        const auto names = soft::integrators_for(model);
         const bool fits = std::count(meshes.begin(), meshes.end(), mesh) &&
                           std::count(names.begin(), names.end(), integrator);
         try {
-          SoftBody body(desc, anatomy_of(mesh));
+          soft::SoftBody body(desc, anatomy_of(mesh));
           EXPECT_TRUE(fits) << model.name << " " << integrator;
         } catch (const InputError& error) {
           EXPECT_FALSE(fits) << error.what();
@@ -317,7 +320,7 @@ TEST(RungTable, RefusesWhatDoesNotGoTogetherAndSaysWhatDoes) {
 /// Energy of the fabric's model at A·rest.
 /// Of the small strain A − I and of its opposite, in the mean: what closed forms leave out is of odd order.
 double stored(const SoftDesc& desc, const Anatomy& anatomy, const Mat3& A) {
-  const auto model = make_elastic_model(desc, anatomy);
+  const auto model = soft::make_elastic_model(desc, anatomy);
   const VecX there = mapped(A, model->rest()), opposite = mapped(2 * Mat3::Identity() - A, model->rest());
   return (model->energy(there.data()) + model->energy(opposite.data())) / 2;
 }
@@ -359,7 +362,7 @@ TEST(Springs, AndVolumeSpringsMeetPoissonsRatio) {
   SoftDesc desc = springs();
   for (const double nu : {0.3, 0.45}) {
     desc.material.poisson_ratio = nu;
-    const Lame c = lame(desc.material.youngs_modulus, nu);
+    const soft::Lame c = soft::lame(desc.material.youngs_modulus, nu);
     const double e = 1e-6;
     const Mat3 A = (1 + e) * Mat3::Identity();
     const double expected = 0.5 * (9 * c.lambda + 6 * c.mu) * e * e * 1e-3;
@@ -374,7 +377,7 @@ TEST(Springs, BendAsPlatesAndRodsDo) {
   const auto bent = [&](const Anatomy& anatomy) {
     SoftDesc soft = desc;
     soft.material.spring_stiffness = soft.material.shear_stiffness = 1e-9;
-    const auto model = make_elastic_model(soft, anatomy);
+    const auto model = soft::make_elastic_model(soft, anatomy);
     VecX x = model->rest();
     for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
       const double phi = x[3 * i] / radius;
@@ -407,8 +410,8 @@ TEST(Springs, HangAsAChainDoes) {
   const std::uint32_t n = 10;
   SoftDesc desc = hung("mass_spring", k);
   desc.attach.push_back({Vec3(-l / 2, 0, 0), 0.001, 1e12});
-  SoftBody body(desc, make_rope({l, d, 0}, l / n));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, make_rope({l, d, 0}, l / n));
+  soft::SoftBodyState state = body.initial_state();
   Stepper(body).settle(Vec3(9.81, 0, 0), state);
   const double m = body.node_mass()[1];
   const double stretch = state.motion.x[3 * n] - state.motion.x[0] - l;
@@ -437,8 +440,8 @@ TEST(Springs, SagAsADiscreteCatenary) {
   SoftDesc desc = hung("mass_spring", 1e6);
   desc.attach.push_back({rope.tets.positions.front(), 0.001, 1e12});
   desc.attach.push_back({rope.tets.positions.back(), 0.001, 1e12});
-  SoftBody body(desc, rope);
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, rope);
+  soft::SoftBodyState state = body.initial_state();
   Stepper(body, {400, 1e-11, {2000, 1e-10}}).settle(gravity, state, 300, 1);
   const auto y = state.motion.x.reshaped(3, body.nodes()).row(1);
   EXPECT_NEAR(y[0] - y.minCoeff(), .293864249, 5e-5);
@@ -458,7 +461,7 @@ TEST(Explicit, KnowsItsLimit) {
     desc.material.youngs_modulus = 3e5;
     desc.material.poisson_ratio = c.nu;
     desc.material.density = 1000;
-    SoftBody body(desc, kuhn_anatomy({8, 2, 2}, {0.4, 0.1, 0.1}));
+    soft::SoftBody body(desc, kuhn_anatomy({8, 2, 2}, {0.4, 0.1, 0.1}));
     EXPECT_NEAR(2e3 / body.initial_state().omega, c.limit, 0.02 * c.limit);
   }
 }
@@ -467,8 +470,8 @@ TEST(Explicit, NeedsMoreSubstepsWhenItGetsStiffer) {
   SoftDesc desc = springs();
   desc.configuration.integrator = "symplectic_euler";
   desc.configuration.model = "fem_neo_hookean";
-  SoftBody body(desc, kuhn_anatomy({3, 3, 3}, {0.1, 0.1, 0.1}));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, kuhn_anatomy({3, 3, 3}, {0.1, 0.1, 0.1}));
+  soft::SoftBodyState state = body.initial_state();
   const double at_rest = body.substepper()->needed(h, state);
   state.motion.x = mapped(Vec3(3, 0.3, 3).asDiagonal(), state.motion.x);
   EXPECT_FALSE(body.substepper()->finish(h / at_rest, state));
@@ -483,8 +486,8 @@ TEST(Xpbd, ConvergesToTheSameRestingShapeAsTheMinimiser) {
   desc.configuration.solver = "direct";
   desc.material.youngs_modulus = 3e4;
   desc.attach.push_back({Vec3(0, 0.05, 0.05), 0.08, 1e8});
-  SoftBody body(desc, kuhn_anatomy({4, 2, 2}, {0.2, 0.1, 0.1}));
-  SoftBodyState still = body.initial_state(), moving = still;
+  soft::SoftBody body(desc, kuhn_anatomy({4, 2, 2}, {0.2, 0.1, 0.1}));
+  soft::SoftBodyState still = body.initial_state(), moving = still;
   Stepper(body).settle(gravity, still);
   for (int i = 0; i < 300; ++i) tick(body, gravity, moving);
   const double sag = (still.motion.x - body.initial_state().motion.x).lpNorm<Eigen::Infinity>();

@@ -32,16 +32,16 @@ SoftDesc description(const char* model) {
   return desc;
 }
 
-class Bodies : public testing::TestWithParam<LawRow> {};
-INSTANTIATE_TEST_SUITE_P(Table, Bodies, testing::ValuesIn(laws()),
+class Bodies : public testing::TestWithParam<soft::LawRow> {};
+INSTANTIATE_TEST_SUITE_P(Table, Bodies, testing::ValuesIn(soft::laws()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
   SoftDesc desc = description(GetParam().name);
   desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
   desc.material.damping_mass = 2;
-  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBodyState state = body.initial_state();
   const Eigen::Index n = state.motion.x.size();
   state.motion.x += 1e-4 * random_vector(n, 1);
   state.motion.v = random_vector(n, 2);
@@ -60,8 +60,8 @@ TEST_P(Bodies, FirstMatrixIsTheHessianWhereNothingIsStretched) {
   for (double damping : {0.0, 0.01}) {
     SoftDesc desc = description(GetParam().name);
     desc.material.damping_stiffness = damping;
-    SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+    soft::SoftBodyState state = body.initial_state();
     const Eigen::Index n = state.motion.x.size();
     if (GetParam().name != "fem_linear"s) {
       const Mat3 turned = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
@@ -86,8 +86,8 @@ TEST_P(Bodies, PassThePatchTest) {
   const auto draw = [&](std::mt19937_64& r) { return uniform(r); };
   auto bound = [&] { return draw(random); };
   jitter_interior(anatomy.tets, cube_size, 0.008, bound);
-  SoftBody body(description(GetParam().name), anatomy);
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(description(GetParam().name), anatomy);
+  soft::SoftBodyState state = body.initial_state();
   Mat3 A = Mat3::Identity();
   A += 0.1 * Mat3::NullaryExpr([&] { return uniform(random); });
   const VecX rest = state.motion.x;
@@ -109,10 +109,10 @@ TEST_P(Bodies, PassThePatchTest) {
 TEST_P(Bodies, ConserveMomentum) {
   SoftDesc desc = description(GetParam().name);
   desc.material.damping_mass = 0;
-  for (const IntegratorRow& row : integrators()) {
+  for (const soft::IntegratorRow& row : soft::integrators()) {
     desc.configuration.integrator = row.name;
-    SoftBody body(desc, kuhn_anatomy({3, 2, 2}, cube_size));
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc, kuhn_anatomy({3, 2, 2}, cube_size));
+    soft::SoftBodyState state = body.initial_state();
     state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
     const auto momentum = [&] {
       Vec3 p = Vec3::Zero();
@@ -130,8 +130,8 @@ TEST_P(Bodies, ConserveMomentum) {
 TEST_P(Bodies, RestStaysAtRestAndFallsAsOne) {
   SoftDesc desc = description(GetParam().name);
   desc.material.damping_mass = 0;
-  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBodyState state = body.initial_state();
   Stepper stepper(body);
   const VecX rest = state.motion.x;
   for (int i = 0; i < 60; ++i) stepper.step(h, gravity, state);
@@ -142,14 +142,14 @@ TEST_P(Bodies, RestStaysAtRestAndFallsAsOne) {
 
 TEST_P(Bodies, SameBitsForAnyNumberOfThreads) {
   for (const char* solver : {"cg", "multigrid"}) {
-    std::vector<SoftBodyState> results;
+    std::vector<soft::SoftBodyState> results;
     for (std::size_t threads : {1u, 2u, 4u}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       SoftDesc desc = description(GetParam().name);
       desc.configuration.solver = solver;
       desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
-      SoftBody body(desc, kuhn_anatomy({7, 7, 7}, cube_size));
-      SoftBodyState& state = results.emplace_back(body.initial_state());
+      soft::SoftBody body(desc, kuhn_anatomy({7, 7, 7}, cube_size));
+      soft::SoftBodyState& state = results.emplace_back(body.initial_state());
       Stepper stepper(body, {3, 1e-6, {60, 1e-3}});
       for (int i = 0; i < 5; ++i) stepper.step(h, gravity, state);
     }
@@ -163,16 +163,16 @@ TEST_P(Bodies, SameBitsForAnyNumberOfThreads) {
 
 /// Steps from a bad shape: finite always, and never more energy than it started with. (Step by step implicit
 /// Euler may gain a little where W is not convex.)
-SoftBodyState recover(SoftBody& body, const VecX& from, int steps) {
-  SoftBodyState state = body.initial_state();
+soft::SoftBodyState recover(soft::SoftBody& body, const VecX& from, int steps) {
+  soft::SoftBodyState state = body.initial_state();
   state.motion.x = from;
   Stepper stepper(body, {30, 1e-6, {200, 1e-4}});
   const double start = body.potential().elastic_energy(from);
   for (int i = 0; i < steps; ++i) {
     stepper.step(h, Vec3::Zero(), state);
     EXPECT_TRUE(state.motion.x.allFinite());
-    const double after =
-        body.potential().elastic_energy(state.motion.x) + kinetic_energy(body.node_mass(), state.motion.v);
+    const double after = body.potential().elastic_energy(state.motion.x) +
+                         soft::kinetic_energy(body.node_mass(), state.motion.v);
     EXPECT_LE(after, start * 1.01 + 1e-12);
   }
   return state;
@@ -181,8 +181,8 @@ SoftBodyState recover(SoftBody& body, const VecX& from, int steps) {
 TEST_P(Bodies, SurviveRuinedShapes) {
   SoftDesc undamped = description(GetParam().name);
   undamped.material.damping_stiffness = 0;
-  SoftBody body(undamped, kuhn_anatomy({2, 2, 2}, cube_size));
-  SoftBody damped(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBody body(undamped, kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBody damped(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
   const VecX rest = body.initial_state().motion.x;
   const auto mapped = [&](const Mat3& A) -> VecX {
     return (A * rest.reshaped(3, rest.size() / 3)).reshaped();
@@ -198,13 +198,13 @@ TEST_P(Bodies, SurviveRuinedShapes) {
       {"random", rest + 0.1 * random_vector(rest.size(), 8)}, {"far", 1e3 * rest}};
   const std::string model = GetParam().name;
   for (const Case& c : cases) {
-    const SoftBodyState state = recover(body, c.x, 120);
+    const soft::SoftBodyState state = recover(body, c.x, 120);
     // From 1000 times its size it may overshoot into a tangle, depending on the last bit: not promised.
     const bool promised = model == "fem_linear" || (model == "fem_corotational" && c.name != "far"s);
     if (promised) {
       EXPECT_LT(body.potential().elastic_energy(state.motion.x), 1e-2 * rest_energy) << c.name;
     }
-    const SoftBodyState slower = recover(damped, c.x, 120);
+    const soft::SoftBodyState slower = recover(damped, c.x, 120);
     // A point-like body that damping keeps from bursting open may unfold into a tangle.
     if (promised && c.name != "small"s) {
       EXPECT_LT(body.potential().elastic_energy(slower.motion.x), 1e-2 * rest_energy) << c.name << ", damped";
@@ -213,23 +213,23 @@ TEST_P(Bodies, SurviveRuinedShapes) {
 }
 
 TEST(SoftBody, RecoversFromNearCollapseWithTheBarrier) {
-  SoftBody body(description("fem_neo_hookean"), kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBody body(description("fem_neo_hookean"), kuhn_anatomy({2, 2, 2}, cube_size));
   const VecX rest = body.initial_state().motion.x;
-  const SoftBodyState state = recover(body, 0.05 * rest, 240);
+  const soft::SoftBodyState state = recover(body, 0.05 * rest, 240);
   EXPECT_LT(body.potential().elastic_energy(state.motion.x),
             1e-3 * body.potential().elastic_energy(0.9 * rest));
 }
 
 TEST(SoftBody, MassIsThatOfTheVolumeAlsoWithFlatTetrahedra) {
   Anatomy anatomy = kuhn_anatomy({2, 2, 2}, cube_size);
-  const SoftBody whole(description("fem_linear"), anatomy);
+  const soft::SoftBody whole(description("fem_linear"), anatomy);
   EXPECT_NEAR(whole.total_mass(), 1060 * 1e-3, 1e-12);
   EXPECT_EQ(whole.dropped_elements(), 0u);
   anatomy.tets.tets.push_back({0, 1, 2, 2});
   anatomy.tets.tets.push_back({0, 1, 2, 3});                    // along an edge of the box
   std::swap(anatomy.tets.tets[0][0], anatomy.tets.tets[0][1]);  // mirrored numbering
   anatomy.tets.positions.emplace_back(1, 1, 1);                 // a node of nothing
-  const SoftBody body(description("fem_linear"), anatomy);
+  const soft::SoftBody body(description("fem_linear"), anatomy);
   EXPECT_EQ(body.dropped_elements(), 2u);
   EXPECT_EQ(body.elements(), whole.elements());
   EXPECT_NEAR(body.total_mass(), 1060 * 1e-3, 1e-6);
@@ -240,9 +240,9 @@ TEST(SoftBody, AttachmentsAreAWinklerFoundation) {
   for (std::uint32_t cells : {2u, 5u}) {
     SoftDesc desc = description("fem_corotational");
     desc.attach.push_back({Vec3(0.05, 0.05, 0.05), 1, 3e6});
-    SoftBody body(desc, kuhn_anatomy({cells, cells, cells}, cube_size));
+    soft::SoftBody body(desc, kuhn_anatomy({cells, cells, cells}, cube_size));
     EXPECT_NEAR(body.attachment_stiffness().sum(), 3e6 * 1e-3, 1e-6);
-    SoftBodyState state = body.initial_state();
+    soft::SoftBodyState state = body.initial_state();
     Stepper(body).settle(gravity, state);
     const double sag =
         -(state.motion.x - body.initial_state().motion.x).reshaped(3, body.nodes()).row(1).mean();
@@ -252,7 +252,9 @@ TEST(SoftBody, AttachmentsAreAWinklerFoundation) {
 
 TEST(SoftBody, ContentHashIsStableAndSensitive) {
   const Anatomy anatomy = kuhn_anatomy({2, 2, 2}, cube_size);
-  const auto hash = [](const SoftDesc& desc, const Anatomy& a) { return SoftBody(desc, a).content_hash(); };
+  const auto hash = [](const SoftDesc& desc, const Anatomy& a) {
+    return soft::SoftBody(desc, a).content_hash();
+  };
   const SoftDesc desc = description("fem_linear");
   const std::uint64_t reference = hash(desc, anatomy);
   EXPECT_EQ(hash(desc, anatomy), reference);
@@ -272,7 +274,7 @@ TEST(SoftBody, SurfaceAreaIsSharedAmongVertices) {
   anatomy.surface.positions = {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0, 0.1, 0)};
   anatomy.surface.triangles = {{0, 1, 2}};
   anatomy.embedding.rows.resize(3);
-  const SoftBody body(description("fem_linear"), anatomy);
+  const soft::SoftBody body(description("fem_linear"), anatomy);
   for (double area : body.surface_area()) EXPECT_NEAR(area, 0.005 / 3, 1e-15);
 }
 
@@ -283,7 +285,7 @@ TEST(SoftBody, RefusesWhatItCannotModel) {
     Anatomy anatomy = good;
     change(desc, anatomy);
     try {
-      SoftBody body(desc, anatomy);
+      soft::SoftBody body(desc, anatomy);
       ADD_FAILURE() << named;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();

@@ -14,7 +14,7 @@ namespace prosector {
 namespace {
 
 /// H = A + CᵀC with the factor of A alone.
-class DenseOperator final : public LinearOperator {
+class DenseOperator final : public soft::LinearOperator {
  public:
   DenseOperator(Eigen::Index n, Eigen::Index contacts) {
     std::mt19937_64 random(11);
@@ -43,12 +43,12 @@ class DenseOperator final : public LinearOperator {
 };
 
 TEST(Solvers, AgreeWithDense) {
-  for (const SolverRow& row : solvers()) {
+  for (const soft::SolverRow& row : soft::solvers()) {
     for (Eigen::Index contacts : {0, 4}) {
       const DenseOperator H(60, contacts);
       const auto solver = row.make();
       VecX x = VecX::Zero(60), again = x;
-      const SolveReport report = solver->solve(H, H.b, {2000, 1e-9}, x);
+      const soft::SolveReport report = solver->solve(H, H.b, {2000, 1e-9}, x);
       EXPECT_TRUE(report.converged) << row.name;
       const VecX exact = H.H.ldlt().solve(H.b);
       EXPECT_LT((x - exact).norm(), 1e-6 * exact.norm()) << row.name;
@@ -59,7 +59,7 @@ TEST(Solvers, AgreeWithDense) {
 }
 
 TEST(Solvers, DirectTakesOneIterationAndAFewWithContacts) {
-  const auto solver = make_solver("direct");
+  const auto solver = soft::make_solver("direct");
   for (Eigen::Index contacts : {0, 4}) {
     const DenseOperator H(60, contacts);
     VecX x = VecX::Zero(60);
@@ -72,10 +72,10 @@ TEST(Solvers, DirectTakesOneIterationAndAFewWithContacts) {
 
 TEST(Solvers, ReportTheTrueResidual) {
   const DenseOperator H(90, 0);
-  const auto solver = make_solver("cg");
+  const auto solver = soft::make_solver("cg");
   for (int cap : {0, 1, 10}) {
     VecX x = VecX::Zero(90), z(90);
-    const SolveReport report = solver->solve(H, H.b, {cap, 1e-12}, x);
+    const soft::SolveReport report = solver->solve(H, H.b, {cap, 1e-12}, x);
     const auto norm = [&](const VecX& v) {
       H.block_jacobi(v, z);
       return std::sqrt(v.dot(z));
@@ -87,7 +87,7 @@ TEST(Solvers, ReportTheTrueResidual) {
 }
 
 TEST(Solvers, SurviveWhatCannotBeSolved) {
-  for (const SolverRow& row : solvers()) {
+  for (const soft::SolverRow& row : soft::solvers()) {
     DenseOperator H(30, 0);
     VecX x = VecX::Ones(30);
     EXPECT_TRUE(row.make()->solve(H, VecX::Zero(30), {}, x).converged);
@@ -107,10 +107,11 @@ TEST(Solvers, SurviveWhatCannotBeSolved) {
 
 TEST(Solvers, ErrorListsTheRows) {
   try {
-    make_solver("magic");
+    soft::make_solver("magic");
     FAIL();
   } catch (const InputError& error) {
-    for (const auto& row : solvers()) EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos);
+    for (const auto& row : soft::solvers())
+      EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos);
   }
 }
 

@@ -35,7 +35,7 @@ TetMesh stretched(TetMesh mesh, const std::function<Mat3(const Vec3& middle)>& V
 /// Every law on both elements.
 template <class F>
 void for_rungs(const F& f) {
-  for (const LawRow& law : laws())
+  for (const soft::LawRow& law : soft::laws())
     for (const char* element : {"tet4", "tet10"}) {
       SCOPED_TRACE(std::string(law.name) + " " + element);
       f(law.name, element);
@@ -110,7 +110,7 @@ TEST(Tension, TwoLayersBendAsABimorph) {
   const auto V = [&](const Vec3& p) -> Mat3 {
     return p.z() > height / 2 ? Vec3(1 / (1 - strain), 1, 1).asDiagonal() : Vec3(1, 1, 1).asDiagonal();
   };
-  for (const LawRow& law : laws()) {
+  for (const soft::LawRow& law : soft::laws()) {
     SCOPED_TRACE(law.name);
     const Specimen s = make_specimen(law.name, "tet10", 1e4, 0,
                                      stretched(kuhn_box({10, 1, 2}, {length, height, height}), V));
@@ -152,10 +152,11 @@ TEST(Tension, IsInBalanceWithTheShapeThatIsGiven) {
     desc.material.poisson_ratio = 0.4;
     if (desc.configuration.model == "fem_fibers") desc.material.fiber_stiffness = 1e4;
     Anatomy anatomy{mesh, {}, {}};
-    const BalancedStretch found = balanced_stretch(desc, anatomy, wanted_of(mesh, size, 0.025, 0.1));
+    const soft::BalancedStretch found =
+        soft::balanced_stretch(desc, anatomy, wanted_of(mesh, size, 0.025, 0.1));
     anatomy.tets.stretch = found.stretch;
-    SoftBody body(desc, anatomy);
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc, anatomy);
+    soft::SoftBodyState state = body.initial_state();
     const double held = body.potential().elastic_energy(body.rest());
     Stepper(body, {6, 1e-6, {400, 1e-4}}).settle(Vec3::Zero(), state, 1, 10);
     const double moved = (state.motion.x - body.rest()).lpNorm<Eigen::Infinity>();
@@ -170,8 +171,8 @@ TEST(Tension, IsInBalanceWithTheShapeThatIsGiven) {
     EXPECT_GT(held, 1e-4);
     EXPECT_GT(kept, 0.02);
   };
-  for (const LawRow& law : laws()) balances(law.name, "tet4", 1e-4);
-  for (const LawRow& law : laws()) balances(law.name, "tet10", 1e-2);
+  for (const soft::LawRow& law : soft::laws()) balances(law.name, "tet4", 1e-4);
+  for (const soft::LawRow& law : soft::laws()) balances(law.name, "tet10", 1e-2);
   balances("mass_spring", "tet4", 1e-2);
   balances("xpbd", "tet4", 1e-4);
 }
@@ -188,8 +189,8 @@ TEST(Tension, MovesWithoutGainingEnergyOrMomentum) {
     desc.material.damping_stiffness = 0;
     Anatomy anatomy{mesh, {}, {}};
     anatomy.tets.stretch = std::make_shared<RestStretch>(mesh, wanted_of(mesh, 0.1, 0.04, 0.1));
-    SoftBody body(desc, anatomy);
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc, anatomy);
+    soft::SoftBodyState state = body.initial_state();
     Stepper stepper(body);
     const double first = body.potential().elastic_energy(state.motion.x);
     double last = first;

@@ -38,13 +38,13 @@ Mat3 some_gradient() {
   return A;
 }
 
-class Quadratic : public testing::TestWithParam<LawRow> {};
-INSTANTIATE_TEST_SUITE_P(Table, Quadratic, testing::ValuesIn(laws()),
+class Quadratic : public testing::TestWithParam<soft::LawRow> {};
+INSTANTIATE_TEST_SUITE_P(Table, Quadratic, testing::ValuesIn(soft::laws()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(Quadratic, GradientAndHessianAreThoseOfTheEnergy) {
-  SoftBody body(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBodyState state = body.initial_state();
   const Eigen::Index n = state.motion.x.size();
   body.stepper().begin_stage(0, h, gravity, state);
   const VecX x = 1.01 * state.motion.x + 5e-5 * random_vector(n, 3), dx = random_vector(n, 4);
@@ -59,13 +59,13 @@ TEST_P(Quadratic, PassThePatchTest) {
   Anatomy anatomy = {mesh, {}, {}};
   const double volume = cube_size.prod();
   SoftDesc desc = description(GetParam().name);
-  SoftBody body(desc, anatomy);
-  const SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, anatomy);
+  const soft::SoftBodyState state = body.initial_state();
   const VecX& rest = state.motion.x;
   VecX x(rest.size()), g(rest.size());
   for (Eigen::Index i = 0; i < rest.size(); i += 3) x.segment<3>(i) = some_gradient() * rest.segment<3>(i);
   // Only the strain energy: the inertia's part is taken away.
-  SoftBodyState still = state;
+  soft::SoftBodyState still = state;
   still.motion.x = x;
   body.stepper().begin_stage(0, 1e6, {}, still);
   body.potential().gradient(x, g);
@@ -83,9 +83,9 @@ TEST_P(Quadratic, PassThePatchTest) {
 }
 
 TEST_P(Quadratic, TurningStoresNothing) {
-  const auto law = GetParam().make(lame(1, 0.3));
+  const auto law = GetParam().make(soft::lame(1, 0.3));
   if (!law->objective()) GTEST_SKIP() << "not objective, and not said to be";
-  SoftBody body(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBody body(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
   VecX x = body.initial_state().motion.x;
   const Mat3 R = Eigen::AngleAxisd(2.5, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   for (Eigen::Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = R * x.segment<3>(i);
@@ -100,8 +100,8 @@ TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
     SoftDesc desc = description(GetParam().name);
     desc.configuration.solver = "multigrid";
     desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
-    SoftBody body(desc, kuhn_anatomy({4, 4, 4}, cube_size));
-    SoftBodyState state = body.initial_state();
+    soft::SoftBody body(desc, kuhn_anatomy({4, 4, 4}, cube_size));
+    soft::SoftBodyState state = body.initial_state();
     Stepper stepper(body, {3, 1e-6, {60, 1e-3}});
     for (int i = 0; i < 3; ++i) stepper.step(h, gravity, state);
     results.push_back(state.motion.x);
@@ -111,7 +111,7 @@ TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Tet10, MassIsPositiveAndThatOfTheVolume) {
-  SoftBody body(description("fem_corotational"), kuhn_anatomy({3, 2, 1}, cube_size));
+  soft::SoftBody body(description("fem_corotational"), kuhn_anatomy({3, 2, 1}, cube_size));
   EXPECT_GT(body.node_mass().minCoeff(), 0);
   EXPECT_NEAR(body.total_mass(), body.desc().material.density * cube_size.prod(), 1e-12);
   // 4·3·2 vertices and, between them, the 3 axes', 3 faces' and the one space diagonal's edges.
@@ -123,7 +123,7 @@ TEST(Tet10, MassIsPositiveAndThatOfTheVolume) {
 TEST(Tet10, StoresTheEnergyOfAQuadraticFieldExactly) {
   SoftDesc desc = description("fem_linear");
   desc.material.poisson_ratio = 0;
-  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  soft::SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
   VecX x = body.initial_state().motion.x;
   const double k = 0.5;  // 1/m
   for (Eigen::Index i = 0; i < x.size(); i += 3) {
@@ -150,7 +150,7 @@ TEST(Tet10, EmbeddedPointsFollow) {
   }
   for (std::size_t v = 0; v < anatomy.embedding.rows.size(); ++v)
     anatomy.surface.positions.push_back(anatomy.embedding.apply(v, anatomy.tets.positions.front().data()));
-  const SoftBody body(description("fem_corotational"), anatomy);
+  const soft::SoftBody body(description("fem_corotational"), anatomy);
   const VecX rest = body.initial_state().motion.x;
   VecX x(rest.size()), bent(rest.size());
   const auto quadratic = [](const Vec3& p) { return Vec3(p.x() * p.y(), p.z() * p.z(), p.y() * p.x()); };
@@ -168,7 +168,7 @@ TEST(Tet10, EmbeddedPointsFollow) {
   }
 }
 
-SoftBody beam(const char* model, double poisson_ratio, std::uint32_t n) {
+soft::SoftBody beam(const char* model, double poisson_ratio, std::uint32_t n) {
   SoftDesc desc = description(model);
   desc.material.youngs_modulus = 3e5;
   desc.material.poisson_ratio = poisson_ratio;
@@ -197,8 +197,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BeamCase{"fem_neo_hookean_polynomial", .45, .12103}));
 
 TEST_P(Beam, IsNearTheContinuum) {
-  SoftBody body = beam(GetParam().model, GetParam().poisson_ratio, 2);
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body = beam(GetParam().model, GetParam().poisson_ratio, 2);
+  soft::SoftBodyState state = body.initial_state();
   Stepper(body).settle(gravity, state);
   Eigen::Index tip = 0;
   const VecX rest = body.initial_state().motion.x;

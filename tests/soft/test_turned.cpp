@@ -53,7 +53,7 @@ class Corotated : public testing::TestWithParam<Case> {
   Corotated()
       : desc_(description(GetParam())),
         anatomy_(with_nodes(kuhn_anatomy({2, 2, 3}, cube_size))),
-        model_(make_elastic_model(desc_, anatomy_)),
+        model_(soft::make_elastic_model(desc_, anatomy_)),
         pattern_(model_->connectivity()),
         symmetric_(pattern_),
         rotated_(model_->connectivity(), pattern_, symmetric_) {
@@ -64,7 +64,7 @@ class Corotated : public testing::TestWithParam<Case> {
   }
 
   Anatomy with_nodes(Anatomy anatomy) const {
-    if (desc_.configuration.element == "tet10") add_edge_nodes(anatomy);
+    if (desc_.configuration.element == "tet10") soft::add_edge_nodes(anatomy);
     return anatomy;
   }
   std::vector<Mat3> in_double(double tangent, double warped) {
@@ -82,10 +82,10 @@ class Corotated : public testing::TestWithParam<Case> {
 
   SoftDesc desc_;
   Anatomy anatomy_;
-  std::unique_ptr<ElasticModel> model_;
-  BlockPattern pattern_;
-  SymmetricPattern symmetric_;
-  CorotatedStiffness rotated_;
+  std::unique_ptr<soft::ElasticModel> model_;
+  soft::BlockPattern pattern_;
+  soft::SymmetricPattern symmetric_;
+  soft::CorotatedStiffness rotated_;
   VecX x_;
 };
 INSTANTIATE_TEST_SUITE_P(Table, Corotated, testing::ValuesIn(cases),
@@ -93,13 +93,13 @@ INSTANTIATE_TEST_SUITE_P(Table, Corotated, testing::ValuesIn(cases),
 
 TEST_P(Corotated, TangentAndDampingAreThoseOfTheBlocks) {
   for (const double s : {0.0, 2.5}) {
-    CorotatedElements elements;
+    soft::CorotatedElements elements;
     model_->linearise(x_.data(), 1 / (s + 1), elements);
-    SymmetricRows rows(symmetric_);
+    soft::SymmetricRows rows(symmetric_);
     rotated_.assemble(elements, rows);
     const VecX u = random_vector(x_.size(), 2), expected = product(in_double(1, s), u);
     VecX f(u.size());
-    multiply(symmetric_, rows, s + 1, rows.diagonal, u.data(), f.data());
+    soft::multiply(symmetric_, rows, s + 1, rows.diagonal, u.data(), f.data());
     for (std::size_t i = 0; i < rows.diagonal.size(); ++i)
       f.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
           s * rows.diagonal[i] * u.segment<3>(3 * static_cast<Eigen::Index>(i));
@@ -108,13 +108,13 @@ TEST_P(Corotated, TangentAndDampingAreThoseOfTheBlocks) {
 }
 
 TEST_P(Corotated, TraceAtRestIsThatOfTheBlocks) {
-  EXPECT_NEAR(model_->rest_trace() / model_->ElasticModel::rest_trace(), 1, 1e-13);
+  EXPECT_NEAR(model_->rest_trace() / model_->soft::ElasticModel::rest_trace(), 1, 1e-13);
 }
 
 TEST_P(Corotated, RowsGoToDoubleAndBack) {
-  CorotatedElements elements;
+  soft::CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
-  SymmetricRows rows(symmetric_), back(symmetric_);
+  soft::SymmetricRows rows(symmetric_), back(symmetric_);
   rotated_.assemble(elements, rows);
   std::vector<Mat3> blocks(pattern_.blocks());
   rows.write(symmetric_, pattern_, 2, blocks);
@@ -123,7 +123,7 @@ TEST_P(Corotated, RowsGoToDoubleAndBack) {
 }
 
 TEST_P(Corotated, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
-  CorotatedElements elements;
+  soft::CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2), expected = product(in_double(0, 1), u);
   VecX f(u.size());
@@ -134,7 +134,7 @@ TEST_P(Corotated, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
 }
 
 TEST_P(Corotated, ProductLeavesTranslationsAndMomentumAlone) {
-  CorotatedElements elements;
+  soft::CorotatedElements elements;
   model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2);
   VecX moved = u, f(u.size()), g(u.size());
@@ -150,8 +150,8 @@ TEST_P(Corotated, BodiesHaveTheHessianOfTheirEnergy) {
   desc.configuration.solver = "cg";
   desc.material.damping_stiffness = 0.02;
   desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
-  SoftBody body(desc, kuhn_anatomy({2, 2, 3}, cube_size));
-  SoftBodyState state = body.initial_state();
+  soft::SoftBody body(desc, kuhn_anatomy({2, 2, 3}, cube_size));
+  soft::SoftBodyState state = body.initial_state();
   const Eigen::Index n = state.motion.x.size();
   state.motion.x *= 1.01;  // nothing is projected
   state.motion.v = random_vector(n, 2);

@@ -15,9 +15,9 @@ class BladeCarry {
   /// Handles that the blade was put down.
   void put_down() { upright_ = false; }
   bool is_upright() const { return upright_; }
-  /// Rotates the wrist until the blade in the guide points its tip down and its edge to the right. Rotates
-  /// only while the blade is clear of tissue and the simulated hand is near. `target`: position of the wrist,
-  /// m, world frame.
+  /// Rotates the wrist until the tip of the guide's blade points down and its edge to the right. Rotates only
+  /// while the blade is clear of tissue and the simulated hand is near `target`, the position of the wrist
+  /// (m, world frame).
   void set_upright(const HandGuide& guide, const Vec3& target, DeskWrist& wrist, double seconds);
   /// Returns the next target of the tip on its way from `from` to `to` (m, world frame), high enough to pass
   /// over surfaces in between. `pressed`: the button is pressed. The guide must have `find`.

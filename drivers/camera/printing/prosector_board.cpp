@@ -15,7 +15,7 @@ namespace {
 
 void list() {
   for (const StandardBoard& row : standard_boards())
-    fmt::print("{:12} {} × {} tags of {:.1f} mm, codes from {}: {}\n", row.name, row.grid.columns,
+    fmt::print("{:12} {} × {} tags of {:.1f} mm, first code {}: {}\n", row.name, row.grid.columns,
                row.grid.rows, 1e3 * row.grid.size, row.grid.first, row.help);
 }
 

@@ -13,15 +13,16 @@ namespace {
 constexpr double latest_impact = 1;  // s: later predicted impacts are not reported
 
 /// Returns the body of a contact's side.
-BodyId body_of(const ContactSide& side, std::size_t rigid_count) {
-  return static_cast<BodyId>(side.kind == ContactSide::Kind::soft ? rigid_count + side.body : side.body);
+BodyId body_of(const contact::ContactSide& side, std::size_t rigid_count) {
+  return static_cast<BodyId>(side.kind == contact::ContactSide::Kind::soft ? rigid_count + side.body
+                                                                           : side.body);
 }
 
 /// Returns the velocity of a contact's side at the tick's end, m/s.
-Vec3 velocity_of(const ContactSide& side, const Bodies& bodies, double h) {
-  if (side.kind == ContactSide::Kind::fixed) return side.moved / h;
-  if (side.kind == ContactSide::Kind::rigid) {
-    const RigidMotion motion = bodies.rigid.motion(side.body);
+Vec3 velocity_of(const contact::ContactSide& side, const Bodies& bodies, double h) {
+  if (side.kind == contact::ContactSide::Kind::fixed) return side.moved / h;
+  if (side.kind == contact::ContactSide::Kind::rigid) {
+    const rigid::RigidMotion motion = bodies.rigid.motion(side.body);
     return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
   }
   Vec3 v = Vec3::Zero();
@@ -33,11 +34,11 @@ Vec3 velocity_of(const ContactSide& side, const Bodies& bodies, double h) {
 
 /// Returns the body's elastic and gravitational energy in its current shape.
 Tissue::StoredEnergy stored_in(const Tissue& tissue, const Vec3& gravity) {
-  SoftBody& body = *tissue.solver;
+  soft::SoftBody& body = *tissue.solver;
   const VecX& x = tissue.state.motion.x;
   Tissue::StoredEnergy out;
   out.elastic = body.in_force(tissue.state).potential().elastic_energy(x);
-  const Weight weight = body.weight(gravity, body.attached());
+  const soft::Weight weight = body.weight(gravity, body.attached());
   for (Eigen::Index n = 0; n < body.nodes(); ++n)
     out.weight -= body.node_mass()[n] * weight.at(n).dot(x.segment<3>(3 * n));
   return out;
@@ -46,8 +47,8 @@ Tissue::StoredEnergy stored_in(const Tissue& tissue, const Vec3& gravity) {
 /// Adds one contact to a hand's sample. Impulse and force are summed over pressing contacts; point, normal
 /// and depth are those of the strongest contact. If none presses, the sample has the contact with the
 /// earliest impact, extrapolated from the velocities at the tick's end.
-void add_contact(const Bodies& bodies, std::span<const Collider> colliders, ContactSample& sample,
-                 const Contact& c, bool hand_is_b, double& strongest, double h) {
+void add_contact(const Bodies& bodies, std::span<const contact::Collider> colliders, ContactSample& sample,
+                 const contact::Contact& c, bool hand_is_b, double& strongest, double h) {
   if (c.bearer > 0) {  // friction of a contact that is reported separately
     sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
     return;
@@ -69,12 +70,12 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
     sample.depth = closing * bodies.model.h - gap;
     sample.impact = impact;
   }
-  const ContactSide& met = hand_is_b ? c.a : c.b;
+  const contact::ContactSide& met = hand_is_b ? c.a : c.b;
   sample.body = body_of(met, bodies.model.rigid.size());
   sample.point = c.point;
   sample.normal = hand_is_b ? Vec3(-c.normal) : c.normal;
   sample.local_point.setZero();
-  if (met.kind == ContactSide::Kind::soft)
+  if (met.kind == contact::ContactSide::Kind::soft)
     for (std::size_t k = 0; k < met.nodes; ++k)
       sample.local_point += met.weight[k] * bodies.soft[met.body].solver->rest().segment<3>(
                                                 3 * static_cast<Eigen::Index>(met.node[k]));
@@ -83,17 +84,19 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
 }
 
 /// Adds all contacts to the samples of their hands. `hand_states` is parallel to the state's hands.
-void add_hand_contacts(const State& state, std::span<const Island> islands,
-                       std::span<const Collider> colliders, std::vector<HandState>& hand_states, double h) {
+void add_hand_contacts(const State& state, std::span<const coupled::Island> islands,
+                       std::span<const contact::Collider> colliders, std::vector<HandState>& hand_states,
+                       double h) {
   // By slot; `hand_states.size()` for slots without a hand.
   std::vector<std::size_t> hand_at(state.bodies.rigid.slots(), hand_states.size());
   for (std::size_t i = 0; i < hand_states.size(); ++i) hand_at[state.hands[i].slot] = i;
   std::vector<double> strongest(hand_states.size(), 0);  // N
-  for (const Island& island : islands)
-    for (const Contact& c : island.contacts)
+  for (const coupled::Island& island : islands)
+    for (const contact::Contact& c : island.contacts)
       for (const bool hand_is_b : {false, true}) {
-        const ContactSide& side = hand_is_b ? c.b : c.a;
-        if (side.kind != ContactSide::Kind::rigid || hand_at[side.body] == hand_states.size()) continue;
+        const contact::ContactSide& side = hand_is_b ? c.b : c.a;
+        if (side.kind != contact::ContactSide::Kind::rigid || hand_at[side.body] == hand_states.size())
+          continue;
         const std::size_t i = hand_at[side.body];
         add_contact(state.bodies, colliders, hand_states[i].contact, c, hand_is_b, strongest[i], h);
       }
@@ -101,8 +104,8 @@ void add_hand_contacts(const State& state, std::span<const Island> islands,
 
 /// Adds a hold to a hand's sample. A held body counts as touched, although the hand doesn't collide with it.
 /// The hold's force counts as the hand's force.
-void add_hold(const Bodies& bodies, ContactSample& sample, const Hand& hand) {
-  const Hold& hold = *hand.hold;
+void add_hold(const Bodies& bodies, ContactSample& sample, const hands::Hand& hand) {
+  const hands::Hold& hold = *hand.hold;
   const Vec3 force = hold_force(bodies, hand);
   sample.force += force;
   sample.impulse += force.norm() * bodies.model.h;
@@ -117,17 +120,17 @@ void add_hold(const Bodies& bodies, ContactSample& sample, const Hand& hand) {
 
 }  // namespace
 
-void describe(State& state, std::span<const Island> islands, StepReport& report) {
+void describe(State& state, std::span<const coupled::Island> islands, StepReport& report) {
   Bodies& bodies = state.bodies;
   report.time = state.time;
-  for (const Island& island : islands)
-    report.contacts += static_cast<std::uint32_t>(
-        std::count_if(island.contacts.begin(), island.contacts.end(),
-                      [](const Contact& c) { return c.bearer == 0 && !within_element(c); }));
+  for (const coupled::Island& island : islands)
+    report.contacts += static_cast<std::uint32_t>(std::count_if(
+        island.contacts.begin(), island.contacts.end(),
+        [](const contact::Contact& c) { return c.bearer == 0 && !contact::within_element(c); }));
   for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot) {
     if (!bodies.rigid.dynamic(slot)) continue;
-    const RigidMotion motion = bodies.rigid.motion(slot);
-    const RigidSetup& setup = bodies.model.rigid[slot].setup;
+    const rigid::RigidMotion motion = bodies.rigid.motion(slot);
+    const rigid::RigidSetup& setup = bodies.model.rigid[slot].setup;
     const Vec3 spin = motion.pose.q.conjugate() * motion.angular_velocity;
     ++(motion.asleep ? report.asleep_bodies : report.awake_bodies);
     report.kinetic_energy +=
@@ -136,18 +139,18 @@ void describe(State& state, std::span<const Island> islands, StepReport& report)
   }
   for (Tissue& tissue : bodies.soft) {
     ++(tissue.state.asleep ? report.asleep_bodies : report.awake_bodies);
-    report.kinetic_energy += kinetic_energy(tissue.solver->node_mass(), tissue.state.motion.v);
+    report.kinetic_energy += soft::kinetic_energy(tissue.solver->node_mass(), tissue.state.motion.v);
     if (!tissue.state.asleep || !tissue.stored) tissue.stored = stored_in(tissue, bodies.model.scene.gravity);
     report.elastic_energy += tissue.stored->elastic;
     report.potential_energy += tissue.stored->weight;
   }
 }
 
-std::vector<HandState> describe_hands(const State& state, std::span<const Island> islands,
-                                      std::span<const Collider> colliders, double h) {
+std::vector<HandState> describe_hands(const State& state, std::span<const coupled::Island> islands,
+                                      std::span<const contact::Collider> colliders, double h) {
   const Bodies& bodies = state.bodies;
   std::vector<HandState> out;
-  for (const Hand& hand : state.hands) {
+  for (const hands::Hand& hand : state.hands) {
     HandState& reported = out.emplace_back();
     reported.participant = hand.participant;
     reported.hand = hand.side;
@@ -165,12 +168,12 @@ std::vector<HandState> describe_hands(const State& state, std::span<const Island
   return out;
 }
 
-std::vector<Exchange> exchanges(std::vector<Exchange> earlier, std::span<const Island> islands,
+std::vector<Exchange> exchanges(std::vector<Exchange> earlier, std::span<const coupled::Island> islands,
                                 std::size_t rigid_bodies, double h) {
   std::vector<Exchange> out = std::move(earlier);
-  std::vector<double> strongest(out.size(), 0);      // N, by exchange
-  const auto named = [&](const ContactSide& side) {  // excludes hands
-    return side.kind == ContactSide::Kind::soft || side.body < rigid_bodies;
+  std::vector<double> strongest(out.size(), 0);               // N, by exchange
+  const auto named = [&](const contact::ContactSide& side) {  // excludes hands
+    return side.kind == contact::ContactSide::Kind::soft || side.body < rigid_bodies;
   };
   // A pair's contacts are consecutive; for two soft bodies, sides a and b may be swapped.
   const auto at = [&](BodyId a, BodyId b) {
@@ -181,9 +184,10 @@ std::vector<Exchange> exchanges(std::vector<Exchange> earlier, std::span<const I
     strongest.push_back(0);
     return out.size() - 1;
   };
-  for (const Island& island : islands)
-    for (const Contact& c : island.contacts) {
-      if (!(c.force > 0 || !c.exchanged.isZero(0)) || !named(c.a) || !named(c.b) || within_element(c))
+  for (const coupled::Island& island : islands)
+    for (const contact::Contact& c : island.contacts) {
+      if (!(c.force > 0 || !c.exchanged.isZero(0)) || !named(c.a) || !named(c.b) ||
+          contact::within_element(c))
         continue;
       const BodyId a = body_of(c.a, rigid_bodies), b = body_of(c.b, rigid_bodies);
       const std::size_t i = at(a, b);

@@ -21,8 +21,8 @@
 namespace prosector {
 namespace {
 
-std::vector<RigidMotion> motions(const RigidWorld& world) {
-  std::vector<RigidMotion> out(world.slots());
+std::vector<rigid::RigidMotion> motions(const rigid::RigidWorld& world) {
+  std::vector<rigid::RigidMotion> out(world.slots());
   for (std::size_t slot = 0; slot < world.slots(); ++slot)
     if (world.used(slot)) out[slot] = world.motion(slot);
   return out;
@@ -30,14 +30,14 @@ std::vector<RigidMotion> motions(const RigidWorld& world) {
 
 /// Finds and solves contacts for a part of the tick, of duration StepBuffers::h.
 void advance_part(State& s, StepBuffers& b, PhaseClock& clock, StepReport& report) {
-  RigidWorld& world = s.bodies.rigid;
+  rigid::RigidWorld& world = s.bodies.rigid;
   world.detect(b.h);
   clock.end(Phase::broad);
   grip_blades(s, b.grips);
   refresh(b.colliders, s.bodies, s.hands, s.dissection.blades);
-  const SoftContacts& touching = b.contacts.find(s, b.colliders, b.h);  // wakes touched bodies
+  const contact::SoftContacts& touching = b.contacts.find(s, b.colliders, b.h);  // wakes touched bodies
   clock.end(Phase::narrow);
-  const std::vector<MixedIsland>& mixed = find_islands(s.bodies, s.hands, touching, b.grips, b.h);
+  const std::vector<rigid::MixedIsland>& mixed = find_islands(s.bodies, s.hands, touching, b.grips, b.h);
   clock.end(Phase::rigid);  // includes the islands that Bullet solves inside find_islands()
   IslandBuilder(s.bodies, s.hands, touching, b.colliders, b.grips, b.h).build(mixed, b.islands, b.pads);
   clock.end(Phase::islands);

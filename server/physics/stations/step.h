@@ -22,11 +22,11 @@ struct StepBuffers {
 
   Colliders colliders;
   SoftContactFinder contacts;
-  std::vector<BladeGrip> grips;
-  std::vector<RigidMotion> last_good;  // by slot, before the last solve
-  std::vector<Island> islands;
+  std::vector<organs::BladeGrip> grips;
+  std::vector<rigid::RigidMotion> last_good;  // by slot, before the last solve
+  std::vector<coupled::Island> islands;
   std::vector<Pad> pads;  // in the order of the islands
-  IslandStepper stepper;
+  coupled::IslandStepper stepper;
   double h;                                 // s: duration of the tick's last part
   std::vector<Exchange> earlier_exchanges;  // of the tick's earlier parts
   std::vector<HandState> hand_states;

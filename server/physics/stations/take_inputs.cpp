@@ -41,15 +41,16 @@ void take(const EffortChange& change, Bodies& bodies) {
 
 /// Returns whether a hand with its centre at this pose has a sample point in touchable tissue. Skips tissue
 /// whose bounding box is elsewhere.
-bool in_tissue(const Bodies& bodies, const Hand& hand, const Pose& centre) {
-  const std::vector<Feeler> points = feelers(hand, bodies.model.hands[hand.side], centre);
-  Aabb around;
-  for (const Feeler& f : points) around.add(f.point);
+bool in_tissue(const Bodies& bodies, const hands::Hand& hand, const Pose& centre) {
+  const std::vector<hands::Feeler> points = hands::feelers(hand, bodies.model.hands[hand.side], centre);
+  collision::Aabb around;
+  for (const hands::Feeler& f : points) around.add(f.point);
   for (const Tissue& tissue : bodies.soft) {
     if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !tissue.outer_box().overlaps(around))
       continue;
-    const Locator locator(tissue.solver->linear_tets(), tissue.state.motion.x, around);
-    if (std::any_of(points.begin(), points.end(), [&](const Feeler& f) { return locator.at(f.point); }))
+    const organs::Locator locator(tissue.solver->linear_tets(), tissue.state.motion.x, around);
+    if (std::any_of(points.begin(), points.end(),
+                    [&](const hands::Feeler& f) { return locator.at(f.point); }))
       return true;
   }
   return false;
@@ -58,7 +59,7 @@ bool in_tissue(const Bodies& bodies, const Hand& hand, const Pose& centre) {
 /// Returns the initial pose of the centre of an appearing hand: at its target, or moved back along its
 /// fingers until it is out of tissue. From there the virtual coupling pulls it to the target, and tissue
 /// stops it.
-Pose out_of_tissue(const Bodies& bodies, const Hand& hand, const Pose& wrist) {
+Pose out_of_tissue(const Bodies& bodies, const hands::Hand& hand, const Pose& wrist) {
   const Pose& centre = bodies.model.hands[hand.side].center;
   Pose at = wrist;
   for (int step = 0; step <= most_steps_back; ++step, at.p += wrist.q * Vec3(0, 0, step_back))
@@ -67,13 +68,13 @@ Pose out_of_tissue(const Bodies& bodies, const Hand& hand, const Pose& wrist) {
 }
 
 /// Moves a hand that has just appeared to its target, if this tick has one.
-void put_at_target(Hand& hand, std::span<const HandTarget> targets, Bodies& bodies) {
+void put_at_target(hands::Hand& hand, std::span<const HandTarget> targets, Bodies& bodies) {
   const auto t = std::find_if(targets.begin(), targets.end(), [&](const HandTarget& target) {
     return target.participant == hand.participant && target.hand == hand.side;
   });
   if (t == targets.end() || !is_finite(t->target)) return;
   hand.target = hand.previous_target = t->target;
-  RigidMotion motion;
+  rigid::RigidMotion motion;
   motion.pose =
       t->reaction ? out_of_tissue(bodies, hand, t->target) : t->target * bodies.model.hands[hand.side].center;
   bodies.rigid.set_motion(hand.slot, motion);
@@ -106,7 +107,7 @@ void take(const HandEvent& event, std::span<const HandTarget> targets, State& st
     release(state.bodies, *hand, "opened", report);
 }
 
-void take(const HandTarget& t, std::vector<Hand>& hands) {
+void take(const HandTarget& t, std::vector<hands::Hand>& hands) {
   const auto hand = find_hand(hands, t.participant, t.hand);
   if (hand == hands.end() || !is_finite(t.target) || t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
     return;
@@ -122,17 +123,17 @@ void take(const HandTarget& t, std::vector<Hand>& hands) {
 void take_inputs(State& state, Colliders& colliders, const TickInput& input, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (const EffortChange& change : input.efforts) take(change, bodies);
-  for (Hand& hand : state.hands) hand.previous_target = hand.target;
+  for (hands::Hand& hand : state.hands) hand.previous_target = hand.target;
   for (const HandEvent& event : input.events) take(event, input.targets, state, colliders, report);
   for (const PartEvent& event : input.parts) report.part_answers.push_back(obey(state, event, report));
   for (const HandTarget& target : input.targets) take(target, state.hands);
   if (state.panels) {
-    for (const HeadPlace& head : input.heads) state.panels->take(head);
-    for (const HeldPlace& held : input.held) state.panels->take(held);
-    for (const PanelEvent& event : input.panels) state.panels->take(event, PanelStation(state));
+    for (const panel::HeadPlace& head : input.heads) state.panels->take(head);
+    for (const panel::HeldPlace& held : input.held) state.panels->take(held);
+    for (const panel::PanelEvent& event : input.panels) state.panels->take(event, PanelStation(state));
   }
   bend_fingers(state, colliders);
-  for (const Hand& hand : state.hands)
+  for (const hands::Hand& hand : state.hands)
     if (hand.hold && !bodies.is_soft(hand.hold->body)) bodies.rigid.wake(hand.hold->body);
   for (const KinematicTarget& d : input.kinematic_targets) drive(bodies, d, report);
 }

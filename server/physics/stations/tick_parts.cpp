@@ -54,14 +54,14 @@ int count_parts(State& state, Colliders& colliders) {
     if (!fresh) refresh(colliders, bodies, state.hands, state.dissection.blades);
     fresh = true;
     PROSECTOR_ASSERT(slot < colliders.size());
-    const Collider& c = colliders[slot];
+    const contact::Collider& c = colliders[slot];
     const double far = way(c.pose, *to, (c.hi - c.lo).norm() / 2);
     for (const Tissue& tissue : bodies.soft) {
       const double cell = tissue.desc().geometry.surface_cell;
       if (far <= cell || bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, c))
         continue;
       const Vec3 reach = Vec3::Constant(far);
-      const SurfaceDetector& vertices = tissue.surface.vertices();
+      const contact::SurfaceDetector& vertices = tissue.surface.vertices();
       if ((vertices.lo().array() > (c.hi + reach).array()).any() ||
           (vertices.hi().array() < (c.lo - reach).array()).any())
         continue;
@@ -80,7 +80,7 @@ TickParts::TickParts(State& state, Colliders& colliders)
   for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot)
     if (const auto& to = bodies.rigid.driven_to(slot))
       kinematic_.push_back({slot, bodies.rigid.motion(slot).pose, *to});
-  for (const Hand& hand : state.hands) targets_.emplace_back(hand.previous_target, hand.target);
+  for (const hands::Hand& hand : state.hands) targets_.emplace_back(hand.previous_target, hand.target);
   restart();
   h_ = bodies.model.h / count_;
 }

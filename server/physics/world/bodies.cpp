@@ -6,10 +6,10 @@ namespace prosector {
 
 Bodies::Bodies(const Model& compiled, std::vector<CompiledTissue> tissues)
     : model(compiled),
-      rigid(model.scene.gravity, room_sides(model.scene.room)),
+      rigid(model.scene.gravity, rigid::room_sides(model.scene.room)),
       parts(initial_parts(model, tissues.size())) {
   for (const RigidModel& r : model.rigid) {
-    RigidMotion motion;
+    rigid::RigidMotion motion;
     motion.pose = r.start * r.center;
     rigid.add(r.setup, motion);
   }
@@ -31,13 +31,13 @@ bool Bodies::is_part(BodyId body) const {
 bool Bodies::may_meet(std::size_t a, std::size_t b) const {
   PROSECTOR_ASSERT(a < soft.size() && b < soft.size());
   if (parts[soft_id(a)].out_of_touch() || parts[soft_id(b)].out_of_touch()) return false;
-  const SoftCollision &first = soft[a].collision, &second = soft[b].collision;
+  const contact::SoftCollision &first = soft[a].collision, &second = soft[b].collision;
   if (a == b) return first.with_itself;
   return first.fidelity != Fidelity::none && second.fidelity != Fidelity::none &&
-         may_touch(first.mask, second.mask);
+         collision::may_touch(first.mask, second.mask);
 }
 
-void Bodies::take_effect(RigidWorld& world, BodyId body) {
+void Bodies::take_effect(rigid::RigidWorld& world, BodyId body) {
   PROSECTOR_ASSERT(body < parts.size());
   const Part& part = parts[body];
   if (is_soft(body)) {
@@ -46,9 +46,9 @@ void Bodies::take_effect(RigidWorld& world, BodyId body) {
     return;
   }
   const bool held = part.attached && model.scene.rigid[body].part;
-  world.set_presence(body, part.out_of_touch() ? BodyPresence::absent
-                           : held              ? BodyPresence::fixed
-                                               : BodyPresence::free);
+  world.set_presence(body, part.out_of_touch() ? rigid::BodyPresence::absent
+                           : held              ? rigid::BodyPresence::fixed
+                                               : rigid::BodyPresence::free);
 }
 
 void Bodies::wake_everything() {

@@ -21,11 +21,11 @@ struct Bodies {
   Bodies(const Model& model, std::vector<CompiledTissue> tissues);
 
   const Model& model;
-  RigidWorld rigid;                     // includes hands, in slots after the bodies
+  rigid::RigidWorld rigid;              // includes hands, in slots after the bodies
   std::deque<Tissue> soft;              // a deque: addresses stay valid when pieces are added
   std::vector<Part> parts;              // by body
   std::map<BodyId, std::uint8_t> lost;  // number of times the body left the room since a hand last held it
-  std::vector<std::unique_ptr<SoftBody>> retired;  // replaced, but the tick's islands refer to them
+  std::vector<std::unique_ptr<soft::SoftBody>> retired;  // replaced, but the tick's islands refer to them
 
   std::size_t count() const { return model.rigid.size() + soft.size(); }
   bool is_soft(BodyId body) const { return body >= model.rigid.size(); }
@@ -43,7 +43,7 @@ struct Bodies {
   bool may_meet(std::size_t a, std::size_t b) const;
   /// Applies the changes that participants made to the body (its Part). For a rigid body, sets its presence
   /// in `world`: absent, fixed or free. For a soft body, sets its stiffness and attachment.
-  void take_effect(RigidWorld& world, BodyId body);
+  void take_effect(rigid::RigidWorld& world, BodyId body);
   /// Wakes all sleeping bodies, except those that can't be touched because they are hidden or inspected.
   void wake_everything();
 };

@@ -21,8 +21,8 @@ namespace prosector {
 struct RigidModel {
   std::string name;
   TriangleMesh surface;  // body frame
-  RigidShape shape;
-  RigidSetup setup;
+  contact::RigidShape shape;
+  rigid::RigidSetup setup;
   Pose center;  // centre-of-mass frame, relative to the body's frame
   Pose start;   // body's frame in the room frame
 
@@ -40,27 +40,27 @@ struct RigidModel {
 
 /// Collision shape of one side of the room for contacts with soft bodies, in the room frame.
 struct RoomModel {
-  RoomSide side;
-  RigidShape shape;
+  rigid::RoomSide side;
+  contact::RigidShape shape;
 };
 
 struct Model {
   SceneDesc scene;
   double h = 0;  // s, one tick
   std::vector<RigidModel> rigid;
-  std::vector<BladeShape> blades;  // by rigid body of the scene
-  std::array<HandModel, 2> hands;
+  std::vector<organs::BladeShape> blades;  // by rigid body of the scene
+  std::array<hands::HandModel, 2> hands;
   std::vector<RoomModel> room;
   /// Outlines for contacts with soft bodies that collide as proxy shapes (sphere, box or hull). The order is:
   /// rigid bodies, hands, sides of the room. Empty if the scene has no such soft body.
-  std::vector<std::optional<RigidOutline>> outlines;
+  std::vector<std::optional<collision::RigidOutline>> outlines;
   ContentHash hash{};
 };
 
 /// A soft body as the scene's compilation produces it, at rest: its solver and its collision properties.
 struct CompiledTissue {
-  std::unique_ptr<SoftBody> solver;
-  SoftCollision collision;
+  std::unique_ptr<soft::SoftBody> solver;
+  contact::SoftCollision collision;
 };
 
 struct CompiledScene {

@@ -18,8 +18,8 @@
 namespace prosector {
 
 // Keyed by two soft bodies, the lower index first.
-using LayerSides = std::map<std::pair<std::size_t, std::size_t>, std::vector<LayerSide>>;
-using Entanglements = std::map<std::pair<std::size_t, std::size_t>, Entanglement>;
+using LayerSides = std::map<std::pair<std::size_t, std::size_t>, std::vector<contact::LayerSide>>;
+using Entanglements = std::map<std::pair<std::size_t, std::size_t>, contact::Entanglement>;
 
 struct State {
   State(const Model& model, std::vector<CompiledTissue> tissues)
@@ -27,12 +27,12 @@ struct State {
 
   SimTime time;
   Bodies bodies;
-  std::vector<Hand> hands;  // by (participant, side)
-  Dissection dissection;
+  std::vector<hands::Hand> hands;  // by (participant, side)
+  organs::Dissection dissection;
   LayerSides layer_sides;
   Entanglements entangled;
-  Lingerers lingerers;
-  std::optional<PanelWorld> panels;  // set in scenes with parts
+  coupled::Lingerers lingerers;
+  std::optional<panel::PanelWorld> panels;  // set in scenes with parts
   double room_lights = 1;
 };
 

@@ -57,12 +57,12 @@ struct KinematicTarget {
 struct TickInput {
   std::vector<EffortChange> efforts;
   std::vector<HandEvent> events;
-  std::vector<HandTarget> targets;  // of hands present this tick; a hand without a target keeps its last
-  std::vector<HeadPlace> heads;     // of heads that moved
-  std::vector<PanelEvent> panels;   // applied after `parts`
-  std::vector<HeldPlace> held;      // of tablets and styluses that moved, appeared or vanished
-  std::vector<PartEvent> parts;     // applied after `events`; answered in StepReport::part_answers
-  std::vector<CutEvent> cuts;       // applied at the end of the tick; answered in StepReport::cut_answers
+  std::vector<HandTarget> targets;      // of hands present this tick; a hand without a target keeps its last
+  std::vector<panel::HeadPlace> heads;  // of heads that moved
+  std::vector<panel::PanelEvent> panels;  // applied after `parts`
+  std::vector<panel::HeldPlace> held;     // of tablets and styluses that moved, appeared or vanished
+  std::vector<PartEvent> parts;           // applied after `events`; answered in StepReport::part_answers
+  std::vector<CutEvent> cuts;  // applied at the end of the tick; answered in StepReport::cut_answers
   std::vector<KinematicTarget>
       kinematic_targets;  // for programs that use the standalone physics; sessions have none
 };

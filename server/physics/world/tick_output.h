@@ -40,7 +40,7 @@ struct Exchange {
 /// A point of a body that a hand touches, holds, or is near to, as rendered by a haptic arm.
 struct HandTouch {
   BodyId body = 0;
-  ContactSide side;               // the point of the body
+  contact::ContactSide side;      // the point of the body
   Vec3 point = Vec3::Zero();      // m, room frame: on the hand, at the tick's end
   Vec3 normal = Vec3::UnitY();    // unit, from the body to the hand
   double gap = 0;                 // m, at the tick's start; < 0 if the contact presses
@@ -57,7 +57,7 @@ struct HandTouch {
 /// stiffness.
 struct Support {
   BodyId body = 0;
-  ContactSide side;
+  contact::ContactSide side;
   Mat3 stiffness = Mat3::Zero();  // N/m
   std::optional<HandRef> hand;    // whose hand or held tool supports it
 };

@@ -5,7 +5,8 @@
 
 namespace prosector {
 
-Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, const SoftCollision& how)
+Tissue::Tissue(std::size_t own_index, std::unique_ptr<soft::SoftBody> own_solver,
+               const contact::SoftCollision& how)
     : index(own_index),
       solver(std::move(own_solver)),
       collision(how),
@@ -13,8 +14,8 @@ Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, cons
       equilibrium(state.motion.x),
       surface(solver->anatomy()) {}
 
-Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, const SoftCollision& how,
-               TissueSurface own_surface)
+Tissue::Tissue(std::size_t own_index, std::unique_ptr<soft::SoftBody> own_solver,
+               const contact::SoftCollision& how, contact::TissueSurface own_surface)
     : index(own_index),
       solver(std::move(own_solver)),
       collision(how),
@@ -24,15 +25,15 @@ Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, cons
 
 double Tissue::contact_stiffness(std::size_t vertex) const {
   PROSECTOR_ASSERT(vertex < solver->surface_area().size());
-  const SoftBody& body = *solver;
+  const soft::SoftBody& body = *solver;
   return collision.stiffness_factor * body.desc().material.youngs_modulus * body.surface_area()[vertex] /
          body.desc().geometry.surface_cell;
 }
 
-ContactSide Tissue::side(std::uint32_t vertex) const {
+contact::ContactSide Tissue::side(std::uint32_t vertex) const {
   PROSECTOR_ASSERT(vertex < anatomy().embedding.rows.size());
-  ContactSide out;
-  out.kind = ContactSide::Kind::soft;
+  contact::ContactSide out;
+  out.kind = contact::ContactSide::Kind::soft;
   out.body = index;
   out.add(anatomy().embedding.rows[vertex], 1);
   return out;
@@ -56,13 +57,13 @@ double Tissue::inner_reach(double h) const {
   return 2 * h * (v.colwise() - mean).cwiseAbs().maxCoeff();
 }
 
-Aabb Tissue::outer_box() const {
+collision::Aabb Tissue::outer_box() const {
   if (surface.proxy()) return surface.proxy()->box();
-  return Aabb{surface.vertices().lo(), surface.vertices().hi()}.grown(half_thickness());
+  return collision::Aabb{surface.vertices().lo(), surface.vertices().hi()}.grown(half_thickness());
 }
 
-SoftSkin Tissue::skin() {
-  const TriangleSurface* faces = surface.moved_faces();
+contact::SoftSkin Tissue::skin() {
+  const collision::TriangleSurface* faces = surface.moved_faces();
   return {&surface.vertices(), faces, half_thickness(), desc().geometry.surface_cell};
 }
 
@@ -72,7 +73,7 @@ const std::vector<char>& Tissue::inside_out() {
   knows_inside_out_ = true;
   inside_out_.clear();
   std::vector<char> nodes;
-  if (!mark_inverted(solver->linear_tets(), state.motion.x, nodes)) return inside_out_;
+  if (!contact::mark_inverted(solver->linear_tets(), state.motion.x, nodes)) return inside_out_;
   for (const SparseMap::Row& row : anatomy().embedding.rows) {
     double share = 0;
     for (std::size_t k = 0; k < row.node.size(); ++k) share += nodes[row.node[k]] ? row.weight[k] : 0;
@@ -110,7 +111,7 @@ void Tissue::freeze() {
   stop(state);
 }
 
-void stop(SoftBodyState& state) {
+void stop(soft::SoftBodyState& state) {
   state.motion.v.setZero();
   state.warm_start.setZero();
   state.motion.has_history = false;

@@ -18,25 +18,25 @@ namespace prosector {
 struct Tissue {
   /// Creates a soft body in its rest shape, at rest. The rest shape counts as its equilibrium under gravity
   /// until another is found. `index` is its index among the soft bodies.
-  Tissue(std::size_t index, std::unique_ptr<SoftBody> solver, const SoftCollision& collision);
+  Tissue(std::size_t index, std::unique_ptr<soft::SoftBody> solver, const contact::SoftCollision& collision);
   /// Creates a soft body in its rest shape, at rest, with a contact surface that was already built from the
   /// solver's anatomy. `index` is its index among the soft bodies.
-  Tissue(std::size_t index, std::unique_ptr<SoftBody> solver, const SoftCollision& collision,
-         TissueSurface surface);
+  Tissue(std::size_t index, std::unique_ptr<soft::SoftBody> solver, const contact::SoftCollision& collision,
+         contact::TissueSurface surface);
 
   std::size_t index;  // among the soft bodies
-  std::unique_ptr<SoftBody> solver;
-  SoftCollision collision;
+  std::unique_ptr<soft::SoftBody> solver;
+  contact::SoftCollision collision;
 
   // ---- State
-  SoftBodyState state;
-  ContactMemories memories;
+  soft::SoftBodyState state;
+  contact::ContactMemories memories;
   VecX equilibrium;            // 3n, m: node positions at rest under gravity
   std::uint32_t revision = 0;  // of the topology
   Numbering numbering;
 
   // ---- Caches
-  TissueSurface surface;
+  contact::TissueSurface surface;
   struct StoredEnergy {
     double elastic = 0, weight = 0;  // J
   };
@@ -52,18 +52,18 @@ struct Tissue {
   /// vertex' area, divided by the surface cell size, times the scene's factor.
   double contact_stiffness(std::size_t vertex) const;
   /// Returns the side of a contact (nodes and weights) at a vertex of the body's surface.
-  ContactSide side(std::uint32_t vertex) const;
+  contact::ContactSide side(std::uint32_t vertex) const;
   Vec3 middle() const;  // m: centre of mass
   /// Returns an upper bound of how far any node of the body moves within h s, in m.
   double reach(double h) const;
   /// Returns an upper bound of how much two points of the body can approach each other within h s, in m.
   double inner_reach(double h) const;
   /// Returns an axis-aligned box that encloses the body's contact geometry, thickness included.
-  Aabb outer_box() const;
+  collision::Aabb outer_box() const;
 
   /// Returns the body's surface for contacts with other soft bodies, at its position in this tick.
-  SoftSkin skin();
-  const ElementSurface& elements() { return surface.elements(state.motion.x); }
+  contact::SoftSkin skin();
+  const contact::ElementSurface& elements() { return surface.elements(state.motion.x); }
   /// Returns, by surface vertex, whether the vertex is embedded in inverted elements (1) or not (0). The
   /// positions of such vertices do not indicate where the body is. Empty if there is no inverted element.
   /// Computed once per tick.
@@ -88,6 +88,6 @@ struct Tissue {
 
 /// Stops a soft body: clears its velocity, the solver's warm start, and the motion history from which the
 /// next step is predicted.
-void stop(SoftBodyState& state);
+void stop(soft::SoftBodyState& state);
 
 }  // namespace prosector

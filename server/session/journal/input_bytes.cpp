@@ -146,7 +146,7 @@ void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
+void entry(Io& io, typename Io::template Entry<panel::HeadPlace>& e) {
   auto& [participant, at, ahead] = e;
   io.number(participant);
   io.numbers(at.data(), 3);
@@ -154,9 +154,9 @@ void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
+void entry(Io& io, typename Io::template Entry<panel::PanelEvent>& e) {
   auto& [kind, participant, body, control, value, at] = e;
-  io.limited(kind, last_panel_event, "unknown kind of event of a panel");
+  io.limited(kind, panel::last_panel_event, "unknown kind of event of a panel");
   io.number(participant);
   io.number(body);
   io.limited(control, PanelControl::stiffness, "no such control");
@@ -165,7 +165,7 @@ void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<HeldPlace>& e) {
+void entry(Io& io, typename Io::template Entry<panel::HeldPlace>& e) {
   auto& [participant, thing, seen, at] = e;
   io.number(participant);
   io.limited(thing, HeldObject::stylus, "nothing that is held");

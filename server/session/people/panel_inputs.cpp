@@ -26,9 +26,10 @@ Refusal PanelInputs::take(ParticipantId who, const OpenPanel& command) {
   const auto& [body, placing, at] = command;
   if (placing > last_panel_placement)
     return fmt::format("unknown panel placement {}", fmt::underlying(placing));
-  PanelEvent event{.participant = who, .body = body, .at = at};
+  panel::PanelEvent event{.participant = who, .body = body, .at = at};
   if (placing != PanelPlacement::stays) {
-    event.kind = placing == PanelPlacement::put ? PanelEvent::Kind::put : PanelEvent::Kind::put_back;
+    event.kind =
+        placing == PanelPlacement::put ? panel::PanelEvent::Kind::put : panel::PanelEvent::Kind::put_back;
     return ask_of_open(event);
   }
   if (body >= parts_.size())
@@ -39,18 +40,18 @@ Refusal PanelInputs::take(ParticipantId who, const OpenPanel& command) {
 }
 
 Refusal PanelInputs::take(ParticipantId who, const ClosePanel&) {
-  return ask_of_open({.kind = PanelEvent::Kind::close, .participant = who});
+  return ask_of_open({.kind = panel::PanelEvent::Kind::close, .participant = who});
 }
 
 Refusal PanelInputs::take(ParticipantId who, const SetControl& command) {
-  return ask_of_open({.kind = PanelEvent::Kind::set,
+  return ask_of_open({.kind = panel::PanelEvent::Kind::set,
                       .participant = who,
                       .control = command.control,
                       .value = command.value});
 }
 
 /// Queues an event of a participant's open panel. Refuses it if there is none.
-Refusal PanelInputs::ask_of_open(const PanelEvent& event) {
+Refusal PanelInputs::ask_of_open(const panel::PanelEvent& event) {
   if (std::find(open_.begin(), open_.end(), event.participant) == open_.end())
     return "you have no panel open";
   asked_.push_back(event);
@@ -66,9 +67,9 @@ void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands)
   }
   if (!has_hands) known_heads_.erase(who);  // the simulation forgets the head, too
   if (!input.head_tracked || !has_hands) return;
-  const HeadPlace head{who, input.head.p, direction_ahead(input.head)};
+  const panel::HeadPlace head{who, input.head.p, direction_ahead(input.head)};
   const auto [known, is_new] = known_heads_.try_emplace(who, head);
-  const HeadPlace& last = known->second;
+  const panel::HeadPlace& last = known->second;
   if (!is_new && (head.at - last.at).norm() < head_step && (head.ahead - last.ahead).norm() < head_turn)
     return;
   known->second = head;
@@ -76,7 +77,7 @@ void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands)
 }
 
 void PanelInputs::move_into(TickInput& out) {
-  for (const PanelEvent& event : asked_) out.panels.push_back(event);
+  for (const panel::PanelEvent& event : asked_) out.panels.push_back(event);
   asked_.clear();
   out.heads = std::exchange(heads_, {});
   out.held = std::exchange(moved_, {});

@@ -39,7 +39,7 @@ class PanelInputs {
   template <class MayTouch>
   void consume(const MayTouch& may_touch, TickInput& out) {
     for (const ParticipantId who : open_)
-      if (!may_touch(who)) out.panels.push_back({.kind = PanelEvent::Kind::close, .participant = who});
+      if (!may_touch(who)) out.panels.push_back({.kind = panel::PanelEvent::Kind::close, .participant = who});
     for (auto& [held, unseen] : held_)
       if (!may_touch(held.first)) unseen = held_timeout_;
     move_into(out);
@@ -51,14 +51,14 @@ class PanelInputs {
  private:
   std::vector<bool> parts_;
   std::vector<ParticipantId> open_;
-  std::vector<PanelEvent> asked_;
-  std::map<ParticipantId, HeadPlace> known_heads_;  // head places that the simulation has
-  std::vector<HeadPlace> heads_;
+  std::vector<panel::PanelEvent> asked_;
+  std::map<ParticipantId, panel::HeadPlace> known_heads_;  // head places that the simulation has
+  std::vector<panel::HeadPlace> heads_;
   std::uint64_t held_timeout_;
   std::map<std::pair<ParticipantId, HeldObject>, std::uint64_t> held_;  // ticks since the last update of each
-  std::vector<HeldPlace> moved_;
+  std::vector<panel::HeldPlace> moved_;
 
-  Refusal ask_of_open(const PanelEvent& event);
+  Refusal ask_of_open(const panel::PanelEvent& event);
   void move_into(TickInput& out);
 };
 

@@ -57,7 +57,7 @@ void RecordingIndex::take(const JournalTick& tick) {
   for (const HandEvent& event : tick.input.input.events)
     if (event.kind == HandEvent::Kind::reset_body)
       mark(tick.tick, MarkKind::reset, name_of(event.participant));
-  for (const HeadPlace& head : tick.input.input.heads)
+  for (const panel::HeadPlace& head : tick.input.input.heads)
     heads_[head.participant].push_back({tick.tick, head.at});
 }
 

@@ -13,7 +13,7 @@ constexpr double report_rate = 2;  // Hz: rate of reports
 
 /// Returns how many substeps the body's method needs now for a tick of h s; 0: it is solved in one step.
 std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double h) {
-  const Substepper* own = simulation.soft(body).substepper();
+  const soft::Substepper* own = simulation.soft(body).substepper();
   if (own == nullptr) return 0;
   const double needed = own->needed(h, simulation.soft_state(body));
   return needed <= own->allowed() ? static_cast<std::uint32_t>(needed) : 0;

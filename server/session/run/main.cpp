@@ -90,7 +90,7 @@ void describe(const Simulation& simulation) {
       "{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB of memory",
       scene.name, scene.rigid.size(), scene.soft.size(), tet_count(simulation), nodes, triangles,
       usage.ru_maxrss / 1024));
-  for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
+  for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, soft::in_words(soft)));
   for (const std::string& hint : scene_hints(scene)) say("  " + hint);
 }
 

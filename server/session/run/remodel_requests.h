@@ -21,7 +21,7 @@ class RemodelRequests {
                   std::function<void(const std::string&)> say);
 
   /// Passes the host's requests for bodies' accuracy to the remodeller, which changes bodies' models. Sends
-  /// the results of earlier requests to the participants that made them, as soon as they are in the session.
+  /// the results of earlier requests to the participants that made them, once those participants have joined.
   void pass_on(Session& session, BodyReports& bodies);
   /// Sets the errors and costs that are available for bodies, so that the host learns them.
   void set_prices(BodyReports& bodies) const;

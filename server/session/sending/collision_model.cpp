@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-TriangleMesh outline(const SphereShape& sphere) {
+TriangleMesh outline(const collision::SphereShape& sphere) {
   PartDesc part;
   part.shape = "sphere";
   part.size = Vec3::Constant(2 * sphere.radius);
@@ -16,7 +16,7 @@ TriangleMesh outline(const SphereShape& sphere) {
   return mesh_of(part);
 }
 
-TriangleMesh outline(const BoxShape& box) {
+TriangleMesh outline(const collision::BoxShape& box) {
   PartDesc part;
   part.size = 2 * box.half;
   part.pose = box.pose;
@@ -27,20 +27,20 @@ TriangleMesh outline(const BoxShape& box) {
 
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface) {
   if (surface.positions.empty()) return std::nullopt;
-  const Cloud cloud{surface.positions};
+  const collision::Cloud cloud{surface.positions};
   switch (body.contact.collision) {
     case Fidelity::none:
     case Fidelity::mesh:
       return std::nullopt;
     case Fidelity::hull:
       if (!body.geometry.parts.empty()) return std::nullopt;  // each part is convex
-      return convex_hull(surface.positions);
+      return collision::convex_hull(surface.positions);
     case Fidelity::sphere:
-      return outline(enclosing_sphere({&cloud, 1}));
+      return outline(collision::enclosing_sphere({&cloud, 1}));
     case Fidelity::aabb:
-      return outline(enclosing_box_along(body.pose.q.conjugate(), {&cloud, 1}));
+      return outline(collision::enclosing_box_along(body.pose.q.conjugate(), {&cloud, 1}));
     case Fidelity::obb:
-      return outline(enclosing_oriented_box({&cloud, 1}));
+      return outline(collision::enclosing_oriented_box({&cloud, 1}));
   }
   return std::nullopt;
 }

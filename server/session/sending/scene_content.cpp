@@ -89,7 +89,7 @@ SceneBody describe_soft(const Simulation& simulation, BodyId body, const Surface
   const SoftDesc& desc = simulation.soft(body).desc();
   SceneBody out = describe(simulation, desc, BodyKind::soft);
   out.moves = true;
-  out.method = in_words(desc);
+  out.method = soft::in_words(desc);
   out.show_figures = desc.show_figures;
   out.points = log.stream()->points;
   out.chunk_points = log.stream()->chunk_points;
@@ -126,7 +126,7 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
       out.scene.bodies.push_back(std::move(body));
       continue;
     }
-    const SoftBody& soft = simulation.soft(b);
+    const soft::SoftBody& soft = simulation.soft(b);
     const TopologyChange begin{.body = b,
                                .revision = simulation.revision(b),
                                .content_hash = simulation.topology_hash(b),

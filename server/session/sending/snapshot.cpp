@@ -26,7 +26,7 @@ SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const Topology
     out.sources =
         std::make_shared<SparseMap>(sources_of(*out.stream, simulation.soft(body).anatomy().embedding));
   out.asleep = simulation.asleep(body);
-  const Motion& motion = simulation.soft_state(body).motion;
+  const soft::Motion& motion = simulation.soft_state(body).motion;
   // A reset moves a body without waking it, so the positions of a sleeping body are compared, too.
   if (out.asleep && before != nullptr && before->asleep && before->revision == out.revision &&
       before->rehung == out.rehung && *before->x == motion.x) {

@@ -34,13 +34,15 @@ Pose after(const Pose& pose, const Vec3& linear, const Vec3& angular, double t) 
 
 }  // namespace
 
-CollisionObject::CollisionObject(std::shared_ptr<const RigidOutline> outline)
+CollisionObject::CollisionObject(std::shared_ptr<const collision::RigidOutline> outline)
     : outline_(std::move(outline)), part_poses_(outline_->rest_poses()) {
   place({});
 }
 
 CollisionObject::CollisionObject(const TriangleMesh& surface, Fidelity fidelity, double thickness)
-    : fidelity_(fidelity), rounding_(thickness / 2), surface_(std::make_shared<TriangleSurface>(surface)) {
+    : fidelity_(fidelity),
+      rounding_(thickness / 2),
+      surface_(std::make_shared<collision::TriangleSurface>(surface)) {
   if (!(thickness >= 0) || !std::isfinite(thickness))
     throw InputError(
         fmt::format("collision surface: thickness {} m; it must be finite and not negative", thickness));
@@ -76,29 +78,30 @@ bool CollisionObject::move(std::span<const Vec3> positions, std::span<const Vec3
 }
 
 void CollisionObject::cut(const TriangleMesh& surface) {
-  surface_ = std::make_shared<TriangleSurface>(surface);
+  surface_ = std::make_shared<collision::TriangleSurface>(surface);
   velocities_.clear();
   fit_surface();
 }
 
-std::vector<CollisionPiece> CollisionObject::surface_pieces(std::shared_ptr<const TriangleSurface> surface,
-                                                            const Quat* axes) const {
-  const std::array<Cloud, 1> cloud{{{surface->positions(), rounding_}}};
+std::vector<collision::CollisionPiece> CollisionObject::surface_pieces(
+    std::shared_ptr<const collision::TriangleSurface> surface, const Quat* axes) const {
+  const std::array<collision::Cloud, 1> cloud{{{surface->positions(), rounding_}}};
   switch (fidelity_) {
     case Fidelity::none:
       return {};
     case Fidelity::sphere:
-      return {enclosing_sphere(cloud)};
+      return {collision::enclosing_sphere(cloud)};
     case Fidelity::aabb: {
-      const Aabb box = surface->box().grown(rounding_);
-      return {BoxShape{{box.center(), Quat::Identity()}, box.half()}};
+      const collision::Aabb box = surface->box().grown(rounding_);
+      return {collision::BoxShape{{box.center(), Quat::Identity()}, box.half()}};
     }
     case Fidelity::obb:
-      return {axes ? enclosing_box_along(*axes, cloud) : enclosing_oriented_box(cloud)};
+      return {axes ? collision::enclosing_box_along(*axes, cloud) : collision::enclosing_oriented_box(cloud)};
     case Fidelity::hull:
-      return {ConvexShape{std::make_shared<SurfaceHull>(std::move(surface), rounding_), {}}};
+      return {collision::ConvexShape{std::make_shared<collision::SurfaceHull>(std::move(surface), rounding_),
+                                     {}}};
     case Fidelity::mesh:
-      return {MeshShape{std::move(surface), {}, rounding_}};
+      return {collision::MeshShape{std::move(surface), {}, rounding_}};
   }
   return {};
 }
@@ -110,11 +113,11 @@ void CollisionObject::fit_surface() {
 
 void CollisionObject::fit_box() {
   box_ = {};
-  for (const CollisionPiece& piece : pieces_) box_.add(box_of(piece));
+  for (const collision::CollisionPiece& piece : pieces_) box_.add(collision::box_of(piece));
 }
 
-std::vector<CollisionPiece> CollisionObject::pieces_after(double t) const {
-  std::vector<CollisionPiece> out;
+std::vector<collision::CollisionPiece> CollisionObject::pieces_after(double t) const {
+  std::vector<collision::CollisionPiece> out;
   if (!soft()) {
     outline_->place(after(pose_, linear_, angular_, t), part_poses_, out);
     return out;
@@ -122,9 +125,9 @@ std::vector<CollisionPiece> CollisionObject::pieces_after(double t) const {
   if (velocities_.empty() || t == 0) return pieces_;
   std::vector<Vec3> positions(surface_->positions().begin(), surface_->positions().end());
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i] += t * velocities_[i];
-  const auto moved = std::make_shared<TriangleSurface>(*surface_);
+  const auto moved = std::make_shared<collision::TriangleSurface>(*surface_);
   if (!moved->move(positions)) return pieces_;
-  const auto* box = pieces_.empty() ? nullptr : std::get_if<BoxShape>(&pieces_.front());
+  const auto* box = pieces_.empty() ? nullptr : std::get_if<collision::BoxShape>(&pieces_.front());
   return surface_pieces(moved, box ? &box->pose.q : nullptr);
 }
 
@@ -136,8 +139,8 @@ CollisionObject::Speed CollisionObject::speed() const {
   Speed out;
   if (!soft()) {
     double reach = 0;
-    for (const CollisionPiece& piece : pieces_) {
-      const Aabb box = box_of(piece);
+    for (const collision::CollisionPiece& piece : pieces_) {
+      const collision::Aabb box = collision::box_of(piece);
       reach = std::max(reach, (box.center() - pose_.p).norm() + box.half().norm());
     }
     // A box along the room's axes changes as it turns: its corners by √3 of what its sides do.
@@ -151,12 +154,12 @@ CollisionObject::Speed CollisionObject::speed() const {
   return out;
 }
 
-Aabb CollisionObject::swept_box(double t) const {
+collision::Aabb CollisionObject::swept_box(double t) const {
   if (pieces_.empty()) return box_;
   const Speed s = speed();
   const Vec3 way = t * s.linear;
-  Aabb out = box_;
-  out.add(Aabb{box_.lo + way, box_.hi + way});
+  collision::Aabb out = box_;
+  out.add(collision::Aabb{box_.lo + way, box_.hi + way});
   return out.grown(t * s.spread);
 }
 

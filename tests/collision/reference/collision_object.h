@@ -21,7 +21,7 @@ namespace prosector {
 /// units.
 class CollisionObject {
  public:
-  explicit CollisionObject(std::shared_ptr<const RigidOutline> outline);
+  explicit CollisionObject(std::shared_ptr<const collision::RigidOutline> outline);
   /// A soft surface where it is now. Throws InputError as TriangleSurface does, and for a thickness below 0.
   CollisionObject(const TriangleMesh& surface, Fidelity fidelity, double thickness = 0);
   CollisionObject(CollisionObject&&) = default;
@@ -41,19 +41,19 @@ class CollisionObject {
   /// Soft, after a cut: another surface in the place of this one, at rest until moved. Throws InputError.
   void cut(const TriangleMesh& surface);
 
-  std::span<const CollisionPiece> pieces() const { return pieces_; }
+  std::span<const collision::CollisionPiece> pieces() const { return pieces_; }
   /// Around the pieces; empty for none.
-  const Aabb& box() const { return box_; }
+  const collision::Aabb& box() const { return box_; }
   const Pose& pose() const { return pose_; }
   /// Soft: its surface; rigid: null.
-  const TriangleSurface* surface() const { return surface_.get(); }
+  const collision::TriangleSurface* surface() const { return surface_.get(); }
   /// A point of the room in the frame that the body has after t seconds; of a soft body, which has none, as
   /// it is.
   Vec3 local(const Vec3& x, double t = 0) const;
 
   /// Where the pieces are after t seconds of constant velocities: of the body, or of each vertex. A soft obb
   /// keeps its axes.
-  std::vector<CollisionPiece> pieces_after(double t) const;
+  std::vector<collision::CollisionPiece> pieces_after(double t) const;
   /// No point of a piece moves differently from `linear` by more than `spread`; m/s.
   struct Speed {
     Vec3 linear = Vec3::Zero();
@@ -61,25 +61,25 @@ class CollisionObject {
   };
   Speed speed() const;
   /// Around the pieces over the next t seconds.
-  Aabb swept_box(double t) const;
+  collision::Aabb swept_box(double t) const;
 
  private:
   void fit_surface();
-  std::vector<CollisionPiece> surface_pieces(std::shared_ptr<const TriangleSurface> surface,
-                                             const Quat* axes) const;
+  std::vector<collision::CollisionPiece> surface_pieces(
+      std::shared_ptr<const collision::TriangleSurface> surface, const Quat* axes) const;
   void fit_box();
 
-  std::vector<CollisionPiece> pieces_;
-  Aabb box_;
+  std::vector<collision::CollisionPiece> pieces_;
+  collision::Aabb box_;
   // Rigid
-  std::shared_ptr<const RigidOutline> outline_;
+  std::shared_ptr<const collision::RigidOutline> outline_;
   std::vector<Pose> part_poses_;
   Pose pose_;
   Vec3 linear_ = Vec3::Zero(), angular_ = Vec3::Zero();
   // Soft
   Fidelity fidelity_ = Fidelity::none;
   double rounding_ = 0;
-  std::shared_ptr<TriangleSurface> surface_;
+  std::shared_ptr<collision::TriangleSurface> surface_;
   std::vector<Vec3> velocities_;  // empty: at rest
 };
 

@@ -84,7 +84,7 @@ void CollisionWorld::refresh_boxes(double h) {
 void CollisionWorld::detect_pair(Id a, Id b, double h) {
   const CollisionObject &p = object(a), &q = object(b);
   const bool continuous = entries_[a].options.continuous || entries_[b].options.continuous;
-  std::optional<Proximity> found = proximity(p, q, margin_);
+  std::optional<collision::Proximity> found = proximity(p, q, margin_);
   double gap = found ? found->gap : 0;
   std::optional<double> impact;
   if (continuous) {

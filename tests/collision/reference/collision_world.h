@@ -20,9 +20,9 @@ struct ObjectTouch {
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
   double gap = 0;               // m, < 0: depth
   Vec3 local_a = Vec3::Zero(),
-       local_b = Vec3::Zero();   // m: on a and on b, in their frames; soft: in the room's
-  SurfacePoint at_a, at_b;       // soft at fidelity mesh: which material point
-  std::optional<double> impact;  // s from now: when a continuous pair meets; 0: touches already
+       local_b = Vec3::Zero();         // m: on a and on b, in their frames; soft: in the room's
+  collision::SurfacePoint at_a, at_b;  // soft at fidelity mesh: which material point
+  std::optional<double> impact;        // s from now: when a continuous pair meets; 0: touches already
 };
 
 struct CollisionReport {
@@ -36,7 +36,7 @@ struct CollisionReport {
 struct CollisionOptions {
   bool moves = true;
   bool continuous = false;  // also find when it meets others within the tick
-  CollisionMask mask;
+  collision::CollisionMask mask;
 };
 
 /// The same calls find the same touches, bit for bit; what came before doesn't matter.
@@ -63,7 +63,7 @@ class CollisionWorld {
   /// Everything that touches now or, where one is continuous, within h seconds.
   const CollisionReport& detect(double h = 0);
 
-  const BroadPhase& broad_phase() const { return broad_; }
+  const collision::BroadPhase& broad_phase() const { return broad_; }
 
  private:
   struct Entry {
@@ -79,7 +79,7 @@ class CollisionWorld {
   std::vector<Entry> entries_;
   std::size_t size_ = 0;
   double swept_ = 0;  // s that the boxes are for
-  BroadPhase broad_;
+  collision::BroadPhase broad_;
   CollisionReport report_;
 };
 

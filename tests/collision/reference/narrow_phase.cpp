@@ -6,13 +6,13 @@
 namespace prosector {
 namespace {
 
-using Pieces = std::span<const CollisionPiece>;
+using Pieces = std::span<const collision::CollisionPiece>;
 
 constexpr int most_gjk_steps = 200;
 
-std::vector<Aabb> boxes_of(Pieces pieces) {
-  std::vector<Aabb> out;
-  for (const CollisionPiece& piece : pieces) out.push_back(box_of(piece));
+std::vector<collision::Aabb> boxes_of(Pieces pieces) {
+  std::vector<collision::Aabb> out;
+  for (const collision::CollisionPiece& piece : pieces) out.push_back(collision::box_of(piece));
   return out;
 }
 
@@ -29,7 +29,7 @@ void near_pieces(Pieces a, Pieces b, const Reach& reach, const F& f) {
     std::size_t i, j;
   };
   std::vector<Candidate> candidates;
-  const std::vector<Aabb> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
+  const std::vector<collision::Aabb> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
   const double most = reach() * reach();
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
@@ -45,23 +45,25 @@ void near_pieces(Pieces a, Pieces b, const Reach& reach, const F& f) {
 }
 
 /// How long they may go on before the gap can be down to half of the slop; s.
-double safe_time(const CollisionPiece& a, const CollisionPiece& b, const Proximity& now, double slop,
-                 const Vec3& relative, double spread) {
+double safe_time(const collision::CollisionPiece& a, const collision::CollisionPiece& b,
+                 const collision::Proximity& now, double slop, const Vec3& relative, double spread) {
   // Convex shapes stay apart while the planes between them do; triangles have no such planes.
-  const bool planes = !is_mesh(a) && !is_mesh(b);
+  const bool planes = !collision::is_mesh(a) && !collision::is_mesh(b);
   const double closing = (planes ? std::max(0.0, -relative.dot(now.normal)) : relative.norm()) + spread;
   return closing > 0 ? (now.gap - slop / 2) / closing : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-std::optional<Proximity> proximity(const CollisionObject& a, const CollisionObject& b, double margin) {
-  std::optional<Proximity> best;
+std::optional<collision::Proximity> proximity(const CollisionObject& a, const CollisionObject& b,
+                                              double margin) {
+  std::optional<collision::Proximity> best;
   const auto reach = [&] { return std::max(0.0, best ? std::min(best->gap, margin) : margin); };
-  near_pieces(a.pieces(), b.pieces(), reach, [&](const CollisionPiece& p, const CollisionPiece& q) {
-    const auto found = proximity(p, q, best ? reach() : margin);
-    if (found && (!best || found->gap < best->gap)) best = found;
-  });
+  near_pieces(a.pieces(), b.pieces(), reach,
+              [&](const collision::CollisionPiece& p, const collision::CollisionPiece& q) {
+                const auto found = collision::proximity(p, q, best ? reach() : margin);
+                if (found && (!best || found->gap < best->gap)) best = found;
+              });
   return best;
 }
 
@@ -72,17 +74,19 @@ std::optional<Impact> time_of_impact(const CollisionObject& a, const CollisionOb
   const double spread = speed_a.spread + speed_b.spread, fastest = relative.norm() + spread;
   Impact out;
   for (int step = 0; step < most_gjk_steps; ++step) {
-    const std::vector<CollisionPiece> of_a = a.pieces_after(out.time), of_b = b.pieces_after(out.time);
+    const std::vector<collision::CollisionPiece> of_a = a.pieces_after(out.time),
+                                                 of_b = b.pieces_after(out.time);
     double ahead = std::numeric_limits<double>::infinity();
-    std::optional<Proximity> nearest;
+    std::optional<collision::Proximity> nearest;
     // Farther ones can neither meet within the time nor shorten this step.
     const auto reach = [&] { return slop + fastest * std::min(h - out.time, ahead); };
-    near_pieces(of_a, of_b, reach, [&](const CollisionPiece& p, const CollisionPiece& q) {
-      const auto found = proximity(p, q, reach());
-      if (!found) return;
-      ahead = std::min(ahead, safe_time(p, q, *found, slop, relative, spread));
-      if (!nearest || found->gap < nearest->gap) nearest = found;
-    });
+    near_pieces(of_a, of_b, reach,
+                [&](const collision::CollisionPiece& p, const collision::CollisionPiece& q) {
+                  const auto found = collision::proximity(p, q, reach());
+                  if (!found) return;
+                  ahead = std::min(ahead, safe_time(p, q, *found, slop, relative, spread));
+                  if (!nearest || found->gap < nearest->gap) nearest = found;
+                });
     if (!nearest) return std::nullopt;
     out.at = *nearest;
     if (nearest->gap <= slop) return out;

@@ -9,12 +9,13 @@ namespace prosector {
 
 /// The deepest, or nearest, of all pairs of pieces, each object at its own fidelity. Nothing when farther
 /// apart than `margin` (m), or when one has no pieces.
-std::optional<Proximity> proximity(const CollisionObject& a, const CollisionObject& b, double margin);
+std::optional<collision::Proximity> proximity(const CollisionObject& a, const CollisionObject& b,
+                                              double margin);
 
 struct Impact {
-  double time = 0;        // s from now
-  bool converged = true;  // false: they are not nearer than that before this time, and may never be
-  Proximity at;           // at that time
+  double time = 0;          // s from now
+  bool converged = true;    // false: they are not nearer than that before this time, and may never be
+  collision::Proximity at;  // at that time
 };
 
 /// The first time within h seconds, velocities constant, at which their gap is at most `slop` (m, above 0):

@@ -17,7 +17,7 @@ struct SelfContact {
 
 /// Candidates: pairs of triangles nearer than `margin` (m), ascending. Pairs that were that near in `rest`
 /// already (positions of the shape at rest; empty: none were) are neighbours, not contacts.
-std::vector<SelfContact> self_contacts(const TriangleSurface& surface, double margin,
+std::vector<SelfContact> self_contacts(const collision::TriangleSurface& surface, double margin,
                                        std::span<const Vec3> rest = {});
 
 }  // namespace prosector

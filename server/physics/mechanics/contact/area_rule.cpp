@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 // Fractions of the area; exact for quadratic functions.
@@ -65,4 +65,4 @@ std::span<const Vec3> places_on_quarters() {
   return places;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

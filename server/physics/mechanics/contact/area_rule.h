@@ -11,7 +11,7 @@
 
 #include "common/mesh.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 struct AreaPoint {
   Vec3 weights = Vec3::Zero();  // barycentric
@@ -43,4 +43,4 @@ std::uint32_t first_face_point(Division division);
 /// triangle's centroid.
 std::span<const Vec3> places_on_quarters();
 
-}  // namespace prosector
+}  // namespace prosector::contact

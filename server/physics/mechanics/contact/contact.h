@@ -9,7 +9,7 @@
 #include "common/assert.h"
 #include "common/mesh.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// One side of a contact: a point that moves with a rigid body, or with the nodes of a soft body.
 struct ContactSide {
@@ -81,4 +81,4 @@ struct Tie {
   Vec3 force = Vec3::Zero();  // N, on a, at the tick's end
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double rest_time = 0.15;  // s: time constant with which rest gaps rise to 0
@@ -108,4 +108,4 @@ void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& 
             [](const ContactMemory& a, const ContactMemory& b) { return key(a) < key(b); });
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

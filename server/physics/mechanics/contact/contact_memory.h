@@ -15,7 +15,7 @@
 
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// State of one contact of a soft body that is stored from one tick to the next: friction slip, force,
 /// normal, stiffness and rest gap.
@@ -62,4 +62,4 @@ bool is_consistent(const ContactMemory& memory);
 /// tick was solved.
 void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& memories);
 
-}  // namespace prosector
+}  // namespace prosector::contact

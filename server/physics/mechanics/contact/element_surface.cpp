@@ -5,11 +5,11 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
-std::vector<SurfaceTree::Corners> elements_of(const Anatomy& anatomy) {
-  std::vector<SurfaceTree::Corners> out;
+std::vector<collision::SurfaceTree::Corners> elements_of(const Anatomy& anatomy) {
+  std::vector<collision::SurfaceTree::Corners> out;
   for (const auto& [a, b] : anatomy.segments) out.push_back({a, b, b});
   for (const auto& [a, b, c, d] : anatomy.quads) {
     out.push_back({a, b, c});
@@ -31,7 +31,7 @@ ElementSurface::ElementSurface(const Anatomy& anatomy)
 }
 
 void ElementSurface::find_edges() {
-  for (const SurfaceTree::Corners& c : elements_)
+  for (const collision::SurfaceTree::Corners& c : elements_)
     for (std::size_t k = 0; k < 3; ++k)
       if (const auto [a, b] = std::minmax(c[k], c[(k + 1) % 3]); a != b) edges_.push_back({a, b});
   std::sort(edges_.begin(), edges_.end());
@@ -59,7 +59,7 @@ bool ElementSurface::hang_together(std::uint32_t element, std::uint32_t other, d
   reach_ = reach;
   std::vector<std::uint32_t>& met = together_[element];
   if (met.empty()) {
-    const Triangle own = at_rest(element);
+    const collision::Triangle own = at_rest(element);
     std::vector<std::uint32_t> seen = {element};  // ascending
     met.push_back(element);
     for (std::size_t n = 0; n < met.size(); ++n)
@@ -67,7 +67,7 @@ bool ElementSurface::hang_together(std::uint32_t element, std::uint32_t other, d
         const auto place = std::lower_bound(seen.begin(), seen.end(), next);
         if (place != seen.end() && *place == next) continue;
         seen.insert(place, next);
-        if (closest(own, at_rest(next)).squared_distance < reach * reach) met.push_back(next);
+        if (collision::closest(own, at_rest(next)).squared_distance < reach * reach) met.push_back(next);
       }
     std::sort(met.begin(), met.end());
   }
@@ -121,7 +121,7 @@ bool ElementSurface::crest_at(std::uint32_t element, const Vec3& weights, const 
 }
 
 Vec3 ElementSurface::doubled_area(std::uint32_t element) const {
-  const Triangle t = now(element);
+  const collision::Triangle t = now(element);
   return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
@@ -154,4 +154,4 @@ void ElementSurface::add(std::uint32_t element, const Vec3& weights, ContactSide
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

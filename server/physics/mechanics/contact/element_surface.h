@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Elements of a thin body for contact: the triangles of a sheet, each stored once, or the segments of a
 /// rope. A segment is stored as a triangle whose last two corners are equal. Corners are nodes of the body.
@@ -21,10 +21,10 @@ class ElementSurface {
   /// Moves the corners to the current node positions x (three coordinates per node, m) and refits the tree.
   void move(const VecX& x);
 
-  const SurfaceTree& tree() const { return tree_; }
-  const SurfaceTree::Corners& corners(std::uint32_t element) const { return elements_[element]; }
-  Triangle now(std::uint32_t element) const { return triangle(element, positions_); }
-  Triangle at_rest(std::uint32_t element) const { return triangle(element, rest_); }
+  const collision::SurfaceTree& tree() const { return tree_; }
+  const collision::SurfaceTree::Corners& corners(std::uint32_t element) const { return elements_[element]; }
+  collision::Triangle now(std::uint32_t element) const { return triangle(element, positions_); }
+  collision::Triangle at_rest(std::uint32_t element) const { return triangle(element, rest_); }
   /// Returns the indices of the elements that share a corner with this element, itself included; ascending.
   std::span<const std::uint32_t> around(std::uint32_t element) const {
     return {around_.data() + around_begin_[element], around_.data() + around_begin_[element + 1]};
@@ -56,7 +56,7 @@ class ElementSurface {
   void add(std::uint32_t element, const Vec3& weights, ContactSide& side) const;
 
  private:
-  Triangle triangle(std::uint32_t element, const std::vector<Vec3>& of) const {
+  collision::Triangle triangle(std::uint32_t element, const std::vector<Vec3>& of) const {
     const auto& c = elements_[element];
     return {of[c[0]], of[c[1]], of[c[2]]};
   }
@@ -68,7 +68,7 @@ class ElementSurface {
     bool has(std::uint32_t n) const {
       return std::find(node.begin(), node.begin() + count, n) != node.begin() + count;
     }
-    bool within(const SurfaceTree::Corners& c) const {
+    bool within(const collision::SurfaceTree::Corners& c) const {
       return std::all_of(node.begin(), node.begin() + count,
                          [&](std::uint32_t n) { return std::find(c.begin(), c.end(), n) != c.end(); });
     }
@@ -78,7 +78,7 @@ class ElementSurface {
   void find_edges();
   void find_neighbours();
 
-  std::vector<SurfaceTree::Corners> elements_;
+  std::vector<collision::SurfaceTree::Corners> elements_;
   std::vector<std::array<std::uint32_t, 2>> edges_;  // ascending
   std::vector<Vec3> rest_, positions_;               // by node
   std::vector<std::uint32_t> around_begin_, around_;
@@ -86,7 +86,7 @@ class ElementSurface {
   /// itself included, ascending. Empty if it was not computed.
   mutable std::vector<std::vector<std::uint32_t>> together_;
   mutable double reach_ = 0;
-  SurfaceTree tree_;
+  collision::SurfaceTree tree_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -6,7 +6,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 // Height that vertices keep over their opposite face, as a fraction of the rest height.
@@ -109,4 +109,4 @@ void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -12,7 +12,7 @@
 
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Parameters of the search of one soft body for tetrahedra that are flat or inverted.
 struct FlatElementSearch {
@@ -42,4 +42,4 @@ inline bool within_element(const Contact& c) {
          c.feature == Contact::no_feature;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 // 1/m: curvature reported for meshes, which is unknown; not 0, since 0 means flat.
@@ -55,7 +55,7 @@ void GridDistance::splat(const TriangleMesh& mesh) {
       for (int j = first[1]; j <= last[1]; ++j)
         for (int i = first[0]; i <= last[0]; ++i) {
           const Vec3 p = origin_ + cell_ * Vec3(i, j, k);
-          const Vec3 w = closest_weights(p, a, b, c);
+          const Vec3 w = collision::closest_weights(p, a, b, c);
           const double d = (w[0] * a + w[1] * b + w[2] * c - p).norm();
           float& sample = samples_[index(i, j, k)];
           sample = std::min(sample, static_cast<float>(d));
@@ -146,4 +146,4 @@ Distance GridDistance::at(const Vec3& x) const {
   return {value + beyond, slope > 0 ? Vec3(gradient / slope) : Vec3(Vec3::UnitY()), untold_curvature};
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

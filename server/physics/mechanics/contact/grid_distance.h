@@ -7,7 +7,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/contact/signed_distance.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Signed distance to a triangle mesh, sampled on a grid and interpolated trilinearly; the normal is the
 /// interpolant's gradient. Samples within a few cells of the surface are exact, samples farther away are a
@@ -31,4 +31,4 @@ class GridDistance final : public SignedDistance {
   std::vector<float> samples_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double slack = 0.1;      // rad: tolerance of normal cones
 constexpr double parallel = 0.98;  // least cosine of normals of parallel layers
 
-Vec3 doubled_area(const Triangle& t) {
+Vec3 doubled_area(const collision::Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
@@ -29,9 +29,10 @@ struct Landing {
 };
 
 Landing land(const LayerElement& own, Eigen::Index k, const LayerElement& other, double limit) {
-  const Triangle& y = other.now;
+  const collision::Triangle& y = other.now;
   const Vec3& corner = own.now[static_cast<std::size_t>(k)];
-  const Vec3 weights = closest_weights(corner, y[0], y[1], y[2]), apart = corner - at(y, weights);
+  const Vec3 weights = collision::closest_weights(corner, y[0], y[1], y[2]),
+             apart = corner - collision::at(y, weights);
   const double distance = apart.norm();
   if (!(distance <= limit) || !(distance > 0)) return {};
   const Vec3 n = apart / distance;
@@ -74,7 +75,7 @@ void add_edges(const LayerElement& a, const LayerElement& b, double limit, doubl
     const Vec3 &p = a.now[i], d = a.now[(i + 1) % 3] - p;
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 &q = b.now[j], e = b.now[(j + 1) % 3] - q;
-      const auto [s, t] = closest_parameters(p, d, q, e);
+      const auto [s, t] = collision::closest_parameters(p, d, q, e);
       if (!inside(s) || !inside(t)) continue;
       const Vec3 apart = p + s * d - q - t * e;
       const double distance = apart.norm();
@@ -101,4 +102,4 @@ void meet_features(const LayerElement& a, const LayerElement& b, double limit, d
   add_edges(a, b, limit, thickness, out);
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -10,12 +10,12 @@
 
 #include "server/physics/mechanics/contact/layers.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 struct LayerElement {
   const ElementSurface& of;
   std::uint32_t index;
-  const Triangle& now;
+  const collision::Triangle& now;
 };
 
 /// Returns whether contact of two elements of thin bodies is taken between their corners, edges and faces
@@ -29,4 +29,4 @@ bool meet_by_features(const LayerElement& a, const LayerElement& b);
 void meet_features(const LayerElement& a, const LayerElement& b, double limit, double thickness,
                    std::vector<LayerMeeting>& out);
 
-}  // namespace prosector
+}  // namespace prosector::contact

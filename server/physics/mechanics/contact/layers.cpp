@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/collision/surface/surface_pairs.h"
 #include "server/physics/mechanics/contact/layer_features.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double alike = 0.01;    // thicknesses: tolerance of gaps between parallel layers
@@ -17,7 +17,7 @@ constexpr double remembered = 2;  // thicknesses: the side is stored for element
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of element indices
 
-Aabb box_around(const Triangle& t) {
+collision::Aabb box_around(const collision::Triangle& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
@@ -29,9 +29,9 @@ class Search {
 
   void run() {
     const double limit = how_.thickness + how_.margin;
-    descend_pairs(
+    collision::descend_pairs(
         a_.tree(), b_.tree(), Mat3::Identity(), Vec3::Zero(), [&] { return limit * limit; },
-        [&](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
+        [&](const collision::SurfaceTree::Node& p, const collision::SurfaceTree::Node& q) {
           if (same_ && p.begin > q.begin) return;  // the swapped pair is visited, too
           for (std::uint32_t i = p.begin; i < p.end; ++i)
             for (std::uint32_t j = q.begin; j < q.end; ++j) {
@@ -61,7 +61,8 @@ class Search {
     if (!(apart > 0)) return AtRest::far;
     const auto around = a_.around(s);
     if (same_ && std::binary_search(around.begin(), around.end(), t)) return AtRest::joined;
-    if (!(closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < apart * apart)) return AtRest::far;
+    if (!(collision::closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < apart * apart))
+      return AtRest::far;
     return same_ && a_.hang_together(s, t, apart) ? AtRest::joined : AtRest::parted;
   }
 
@@ -69,7 +70,7 @@ class Search {
   double thickness(AtRest were, std::uint32_t s, const Vec3& weights_a, std::uint32_t t,
                    const Vec3& weights_b) const {
     if (were == AtRest::far) return how_.thickness;
-    const Vec3 way = at(a_.at_rest(s), weights_a) - at(b_.at_rest(t), weights_b);
+    const Vec3 way = collision::at(a_.at_rest(s), weights_a) - collision::at(b_.at_rest(t), weights_b);
     return std::min(how_.thickness, way.norm() - how_.seam);
   }
 
@@ -96,20 +97,20 @@ class Search {
   }
 
   void look_at(std::uint32_t s, std::uint32_t t, double limit) {
-    const Triangle of_a = a_.now(s), of_b = b_.now(t);
-    const Aabb box_a = box_around(of_a), box_b = box_around(of_b);
+    const collision::Triangle of_a = a_.now(s), of_b = b_.now(t);
+    const collision::Aabb box_a = box_around(of_a), box_b = box_around(of_b);
     if (box_a.squared_distance(box_b) > limit * limit) return;
     const AtRest were = at_rest(s, t);
     if (were == AtRest::joined) return;
     if (box_a.overlaps(box_b))
-      if (const TriangleCrossing crosses = crossing(of_a, of_b); crosses.count > 0)
+      if (const collision::TriangleCrossing crosses = collision::crossing(of_a, of_b); crosses.count > 0)
         return add_crossing(s, t, of_a, of_b, crosses, were);
     add_near(s, t, of_a, of_b, limit, were);
   }
 
-  void add_near(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b, double limit,
-                AtRest were) {
-    const TrianglePair pair = closest(of_a, of_b);
+  void add_near(std::uint32_t s, std::uint32_t t, const collision::Triangle& of_a,
+                const collision::Triangle& of_b, double limit, AtRest were) {
+    const collision::TrianglePair pair = collision::closest(of_a, of_b);
     double distance = std::sqrt(pair.squared_distance);
     if (!(distance <= limit) || !(distance > 0)) return;
     const LayerElement own{a_, s, of_a}, other{b_, t, of_b};
@@ -148,26 +149,27 @@ class Search {
   }
 
   /// Adds contacts that send the ends of intersecting edges back through the other face.
-  void add_crossing(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b,
-                    const TriangleCrossing& crosses, AtRest were) {
-    const auto touching = [&](const Piercing& piercing) {
-      const Triangle& face = piercing.of_a ? of_b : of_a;
+  void add_crossing(std::uint32_t s, std::uint32_t t, const collision::Triangle& of_a,
+                    const collision::Triangle& of_b, const collision::TriangleCrossing& crosses,
+                    AtRest were) {
+    const auto touching = [&](const collision::Piercing& piercing) {
+      const collision::Triangle& face = piercing.of_a ? of_b : of_a;
       Vec3 along = Vec3::Zero();
       along[piercing.edge] = 1 - piercing.along;
       along[(piercing.edge + 1) % 3] = piercing.along;
-      const Vec3 within = closest_weights(piercing.point, face[0], face[1], face[2]);
+      const Vec3 within = collision::closest_weights(piercing.point, face[0], face[1], face[2]);
       return piercing.of_a ? thickness(were, s, along, t, within) : thickness(were, s, within, t, along);
     };
     const auto all = std::span(crosses.piercings).first(crosses.count);
-    if (std::ranges::none_of(all, [&](const Piercing& p) { return touching(p) > 0; })) return;
+    if (std::ranges::none_of(all, [&](const collision::Piercing& p) { return touching(p) > 0; })) return;
     ++passed;
     const std::optional<Vec3> side = side_of(s, t);
     if (!side) return;
     const Vec3 n = *side;
     sides.push_back({s, t, n});
-    for (const Piercing& piercing : all) {
+    for (const collision::Piercing& piercing : all) {
       if (!(touching(piercing) > 0)) continue;
-      const Triangle& edge_of = piercing.of_a ? of_a : of_b;
+      const collision::Triangle& edge_of = piercing.of_a ? of_a : of_b;
       const std::size_t from = piercing.edge, to = (from + 1) % 3;
       const Vec3 way = piercing.of_a ? n : Vec3(-n);  // out of the other element
       const std::size_t end = way.dot(edge_of[from]) < way.dot(edge_of[to]) ? from : to;
@@ -178,9 +180,9 @@ class Search {
                      Vec3::Unit(static_cast<Eigen::Index>(end)),
                      n,
                      way.dot(edge_of[end] - piercing.point) - touching(piercing)};
-      const Triangle& face = piercing.of_a ? of_b : of_a;
+      const collision::Triangle& face = piercing.of_a ? of_b : of_a;
       (piercing.of_a ? m.weights_b : m.weights_a) =
-          closest_weights(piercing.point, face[0], face[1], face[2]);
+          collision::closest_weights(piercing.point, face[0], face[1], face[2]);
       gaps.push_back({{s, t}, m.gap});
       meetings.push_back(m);
     }
@@ -247,4 +249,4 @@ int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSea
   return found.passed;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/contact/element_surface.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Kind of a contact between elements of sheets or ropes. For parallel elements it is a corner of one element
 /// against any point of the other, or two edges (layer_features.h). Otherwise it is between the nearest
@@ -63,4 +63,4 @@ struct LayerSearch {
 int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSearch& search,
                 std::vector<LayerSide>& sides, std::vector<LayerMeeting>& out);
 
-}  // namespace prosector
+}  // namespace prosector::contact

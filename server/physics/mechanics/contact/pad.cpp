@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double pad_modulus = 1e5;  // Pa, E/(1 − ν²): skin and fat; contact radius 4 mm under 1 N
@@ -39,4 +39,4 @@ const PadMemory* find(const std::vector<PadMemory>& memories, std::uint32_t part
   return nearest;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -10,7 +10,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 inline constexpr std::size_t patch_points = 3;
 
@@ -40,4 +40,4 @@ struct PadMemory {
 const PadMemory* find(const std::vector<PadMemory>& memories, std::uint32_t part, std::size_t body,
                       const Vec3& place);
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -5,27 +5,27 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/contact/surface_detector.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double rounding = 1e-9;  // m
 
 /// Returns the half extents of a part's bounding box in room axes, m. An ellipsoid's distance is an estimate,
 /// so its box is larger. A mesh's distance is exact only near the mesh, so its box is infinite.
-Vec3 half_extents(const ShapePart& part, const Mat3& turned) {
+Vec3 half_extents(const collision::ShapePart& part, const Mat3& turned) {
   switch (part.kind) {
-    case ShapeKind::sphere:
+    case collision::ShapeKind::sphere:
       return Vec3::Constant(part.half.x());
-    case ShapeKind::capsule:
+    case collision::ShapeKind::capsule:
       return part.half.y() * turned.col(1).cwiseAbs() + Vec3::Constant(part.half.x());
-    case ShapeKind::cylinder:
+    case collision::ShapeKind::cylinder:
       return turned.cwiseAbs() * Vec3(part.half.x(), part.half.y(), part.half.x());
-    case ShapeKind::box:
+    case collision::ShapeKind::box:
       return turned.cwiseAbs() * part.half;
-    case ShapeKind::ellipsoid:
+    case collision::ShapeKind::ellipsoid:
       return Vec3::Constant(part.half.sum());
-    case ShapeKind::hull:
-    case ShapeKind::triangles:
+    case collision::ShapeKind::hull:
+    case collision::ShapeKind::triangles:
       break;
   }
   return Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -51,4 +51,4 @@ const std::vector<std::uint32_t>& PartBoxes::meeting(const Vec3& lo, const Vec3&
   return found_;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

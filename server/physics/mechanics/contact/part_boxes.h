@@ -7,7 +7,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 struct Collider;
 
@@ -31,4 +31,4 @@ class PartBoxes {
   std::vector<std::uint32_t> found_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double deep = 0.5;   // cells: contacts do not stay deeper than this
@@ -21,10 +21,10 @@ bool is_inside(const SoftSkin& to, const Vec3& x) {
 }
 
 /// Returns a third of the area vector (m², along the normals) of the triangles around the vertex.
-Vec3 area_vector(const TriangleSurface& faces, std::uint32_t vertex) {
+Vec3 area_vector(const collision::TriangleSurface& faces, std::uint32_t vertex) {
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t t : faces.topology().around(vertex)) {
-    const Triangle x = faces.triangle(t);
+    const collision::Triangle x = faces.triangle(t);
     sum += (x[1] - x[0]).cross(x[2] - x[0]) / 6;
   }
   return sum;
@@ -36,7 +36,7 @@ bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const V
   if (from.faces == nullptr || to.faces == nullptr || from.skin > 0 || to.skin > 0) return false;
   if (found.empty()) {
     const Vec3& x = from.vertices->positions()[0];
-    const Aabb& box = to.faces->box();
+    const collision::Aabb& box = to.faces->box();
     return (x.array() > box.lo.array()).all() && (x.array() < box.hi.array()).all() && is_inside(to, x);
   }
   return std::any_of(found.begin(), found.end(),
@@ -105,4 +105,4 @@ std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& o
   return now;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

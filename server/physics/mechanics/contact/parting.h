@@ -17,7 +17,7 @@
 
 #include "server/physics/mechanics/contact/soft_meeting.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Part of a solid's surface that is inside another solid: the vertices, the largest depth, and the area with
 /// its mean direction.
@@ -73,4 +73,4 @@ std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& o
                                        const Vec3& between_middles, const Entanglement* before, bool pressed,
                                        double cell, double h);
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Potential of a spring whose force never exceeds a bound F (Huber function of the displacement d): ½kd² up
 /// to d = F/k, then linear with slope F.
@@ -58,4 +58,4 @@ struct EvenSpring {
   }
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

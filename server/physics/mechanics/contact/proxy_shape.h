@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/collision/outlines/bounding.h"
 #include "server/physics/mechanics/contact/shape_matching.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Proxy shape that replaces a soft body in contact detection, refitted to the moved surface in each tick:
 ///   aabb: a box that is aligned with the room's axes at rest;
@@ -28,8 +28,8 @@ class ProxyShape {
   /// surface vertex positions (m).
   void fit(const VecX& x, std::span<const Vec3> surface);
 
-  const CollisionPiece& piece() const { return piece_; }
-  const Aabb& box() const { return box_; }
+  const collision::CollisionPiece& piece() const { return piece_; }
+  const collision::Aabb& box() const { return box_; }
   const ShapeMatching& shape_matching() const { return shape_matching_; }
 
  private:
@@ -38,11 +38,11 @@ class ProxyShape {
   Fidelity fidelity_;
   double rounding_;  // m
   ShapeMatching shape_matching_;
-  std::vector<Vec3> rest_;                    // m, vertices at rest relative to their mean
-  Quat rest_axes_ = Quat::Identity();         // axes of the box at rest
-  std::shared_ptr<TriangleSurface> surface_;  // for hull
-  CollisionPiece piece_;
-  Aabb box_;
+  std::vector<Vec3> rest_;                               // m, vertices at rest relative to their mean
+  Quat rest_axes_ = Quat::Identity();                    // axes of the box at rest
+  std::shared_ptr<collision::TriangleSurface> surface_;  // for hull
+  collision::CollisionPiece piece_;
+  collision::Aabb box_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Returns the stiffness (N/m) of contacts between rigid bodies of an island (bodies solved together) for a
 /// tick of h s. `heaviest`: mass of the island's heaviest body, kg. The stiffness is so large that this body
@@ -10,4 +10,4 @@ inline double rigid_contact_stiffness(double heaviest, double h) {
   return rigid_contact_factor * heaviest / (h * h);
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

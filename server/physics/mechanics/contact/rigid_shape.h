@@ -7,12 +7,12 @@
 #include "server/physics/mechanics/collision/shapes/shape.h"
 #include "server/physics/mechanics/contact/signed_distance.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Collision parts of a rigid body, in its centre-of-mass frame, each with its signed distance function.
 struct RigidShape {
-  std::vector<ShapePart> parts;
+  std::vector<collision::ShapePart> parts;
   std::vector<std::unique_ptr<SignedDistance>> distances;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

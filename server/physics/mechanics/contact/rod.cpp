@@ -4,7 +4,7 @@
 
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 std::optional<SegmentTriangle> crossing(const Vec3& from, const Vec3& to,
@@ -25,16 +25,16 @@ std::optional<SegmentTriangle> crossing(const Vec3& from, const Vec3& to,
 
 }  // namespace
 
-std::optional<Rod> rod_of(const ShapePart& part, const Pose& pose) {
+std::optional<Rod> rod_of(const collision::ShapePart& part, const Pose& pose) {
   Rod out;
   double half = 0;
   out.radius = part.half.x();
-  if (part.kind == ShapeKind::capsule) {
+  if (part.kind == collision::ShapeKind::capsule) {
     half = part.half.y();
-  } else if (part.kind == ShapeKind::cylinder) {
+  } else if (part.kind == collision::ShapeKind::cylinder) {
     out.radius = std::min(part.half.x(), part.half.y());
     half = part.half.y() - out.radius;
-  } else if (part.kind != ShapeKind::sphere) {
+  } else if (part.kind != collision::ShapeKind::sphere) {
     return std::nullopt;
   }
   out.from = pose * Vec3(0, -half, 0);
@@ -53,10 +53,12 @@ SegmentTriangle closest(const Vec3& from, const Vec3& to, const std::array<Vec3,
     const double distance = (point - on_segment).norm();
     if (best.distance < 0 || distance < best.distance) best = {weights, on_segment, distance};
   };
-  for (const Vec3& end : {from, to}) offer(end, closest_weights(end, triangle[0], triangle[1], triangle[2]));
+  for (const Vec3& end : {from, to})
+    offer(end, collision::closest_weights(end, triangle[0], triangle[1], triangle[2]));
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
-    const auto [s, t] = closest_parameters(from, to - from, triangle[k], triangle[next] - triangle[k]);
+    const auto [s, t] =
+        collision::closest_parameters(from, to - from, triangle[k], triangle[next] - triangle[k]);
     Vec3 weights = Vec3::Zero();
     weights[static_cast<Eigen::Index>(k)] = 1 - t;
     weights[static_cast<Eigen::Index>(next)] = t;
@@ -65,4 +67,4 @@ SegmentTriangle closest(const Vec3& from, const Vec3& to, const std::array<Vec3,
   return best;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

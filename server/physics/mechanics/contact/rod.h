@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Capsule in the world frame: all points within `radius` of a segment.
 struct Rod {
@@ -18,7 +18,7 @@ struct Rod {
 /// Returns a collision part as a capsule in the room frame. `pose`: of the part, in the room frame. A sphere
 /// becomes a capsule whose segment has length 0, a cylinder the largest capsule inside it. Returns none for
 /// other shapes.
-std::optional<Rod> rod_of(const ShapePart& part, const Pose& pose);
+std::optional<Rod> rod_of(const collision::ShapePart& part, const Pose& pose);
 
 /// Closest points of a segment and a triangle, with their distance.
 struct SegmentTriangle {
@@ -32,4 +32,4 @@ struct SegmentTriangle {
 /// their intersection.
 SegmentTriangle closest(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& triangle);
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -6,7 +6,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double far_apart = 2.5;     // cells, at rest: parts that don't face each other touch from here on
@@ -171,11 +171,11 @@ void SelfCollision::list(const SoftSkin& own, double reach) {
 
 void SelfCollision::list_vertex(const SoftSkin& own, std::uint32_t vertex, double reach, Pairs& out) const {
   const Vec3& x = own.vertices->positions()[vertex];
-  const Aabb box = Aabb{x, x}.grown(reach);
+  const collision::Aabb box = collision::Aabb{x, x}.grown(reach);
   const std::size_t first = out.size();
-  const SurfaceTree& tree = own.faces->tree();
-  tree.visit([&](const Aabb& other) { return box.overlaps(other); },
-             [&](const SurfaceTree::Node& leaf) {
+  const collision::SurfaceTree& tree = own.faces->tree();
+  tree.visit([&](const collision::Aabb& other) { return box.overlaps(other); },
+             [&](const collision::SurfaceTree::Node& leaf) {
                for (std::uint32_t k = leaf.begin; k < leaf.end; ++k)
                  if (may_meet(vertex, tree.order()[k])) out.emplace_back(vertex, tree.order()[k]);
              });
@@ -190,7 +190,7 @@ void SelfCollision::list_changed(const SoftSkin& own, double reach) {
     list_vertex(own, vertex, reach, fresh);
   }
   for (const std::uint32_t triangle : changed_faces_) {
-    const Triangle x = own.faces->triangle(triangle);
+    const collision::Triangle x = own.faces->triangle(triangle);
     const Vec3 lo = x[0].cwiseMin(x[1]).cwiseMin(x[2]), hi = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
     own.vertices->in_box(lo - Vec3::Constant(reach), hi + Vec3::Constant(reach), [&](std::uint32_t vertex) {
       if (is_changed[vertex] == 0 && may_meet(vertex, triangle)) fresh.emplace_back(vertex, triangle);
@@ -230,9 +230,9 @@ void SelfCollision::find(const SoftSkin& own, double margin, std::vector<VertexM
     std::optional<VertexMeeting> nearest;
     for (; i < near_.size() && near_[i].first == vertex; ++i) {
       const std::uint32_t triangle = near_[i].second;
-      const Triangle corners = own.faces->triangle(triangle);
-      const Vec3 weights = closest_weights(x, corners[0], corners[1], corners[2]);
-      const Vec3 away = x - at(corners, weights);
+      const collision::Triangle corners = own.faces->triangle(triangle);
+      const Vec3 weights = collision::closest_weights(x, corners[0], corners[1], corners[2]);
+      const Vec3 away = x - collision::at(corners, weights);
       const double distance = away.norm();
       if (!(distance <= reach) || (nearest && distance >= std::abs(nearest->gap))) continue;
       const Vec3 outward = own.faces->normal_at(triangle, weights);
@@ -247,4 +247,4 @@ void SelfCollision::find(const SoftSkin& own, double margin, std::vector<VertexM
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/contact/soft_meeting.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Search for contacts of a solid's surface with itself. The rest shape determines which parts may touch:
 /// distant parts, except the two sides of a wall, and parts that face each other across a gap.
@@ -70,4 +70,4 @@ class SelfCollision {
 /// for a surface without triangles, such as that of a rope.
 double mean_edge(const TriangleMesh& surface);
 
-}  // namespace prosector
+}  // namespace prosector::contact

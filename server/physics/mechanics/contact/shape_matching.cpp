@@ -7,7 +7,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr std::size_t most_shares = 4;
@@ -106,4 +106,4 @@ Vec3 ShapeMatching::hang(const Vec3& p, const Vec3& normal, std::size_t index, C
   return share.centre + from_centre;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

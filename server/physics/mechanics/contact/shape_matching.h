@@ -7,7 +7,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Map that expresses a point of a soft body's proxy shape (a sphere, box or hull that replaces it in
 /// contact) as a weighted sum of nodes. The point p moves with the affine map that fits the nodes best
@@ -46,4 +46,4 @@ class ShapeMatching {
   std::vector<Share> shares_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/collision/narrow/collision_piece.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Point at which two shapes a and b touch or nearly touch, with normal and gap.
 struct ShapeTouch {
@@ -19,7 +19,7 @@ struct ShapeTouch {
 /// sphere, this is the deepest point only. For two boxes, these are the corners of the clipped contact face.
 /// For a mesh b, these are the mesh's vertices and the other shape's corners. For other pairs, these are the
 /// deepest point and the support points of both shapes in eight directions, tilted from its normal.
-void find_touches(const CollisionPiece& a, const CollisionPiece& b, double margin,
+void find_touches(const collision::CollisionPiece& a, const collision::CollisionPiece& b, double margin,
                   std::vector<ShapeTouch>& out);
 
-}  // namespace prosector
+}  // namespace prosector::contact

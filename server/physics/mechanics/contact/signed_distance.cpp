@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/contact/grid_distance.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 /// Returns the distance to a surface that is curved in `directions` (1 or 2) directions. `d`: vector from its
@@ -80,23 +80,23 @@ class EllipsoidDistance final : public SignedDistance {
 
 }  // namespace
 
-std::unique_ptr<SignedDistance> make_signed_distance(const ShapePart& part) {
+std::unique_ptr<SignedDistance> make_signed_distance(const collision::ShapePart& part) {
   switch (part.kind) {
-    case ShapeKind::box:
+    case collision::ShapeKind::box:
       return std::make_unique<BoxDistance>(part.half);
-    case ShapeKind::sphere:
+    case collision::ShapeKind::sphere:
       return std::make_unique<CapsuleDistance>(part.half.x(), 0);
-    case ShapeKind::capsule:
+    case collision::ShapeKind::capsule:
       return std::make_unique<CapsuleDistance>(part.half.x(), part.half.y());
-    case ShapeKind::cylinder:
+    case collision::ShapeKind::cylinder:
       return std::make_unique<CylinderDistance>(part.half.x(), part.half.y());
-    case ShapeKind::ellipsoid:
+    case collision::ShapeKind::ellipsoid:
       return std::make_unique<EllipsoidDistance>(part.half);
-    case ShapeKind::hull:
-    case ShapeKind::triangles:
+    case collision::ShapeKind::hull:
+    case collision::ShapeKind::triangles:
       break;
   }
   return std::make_unique<GridDistance>(*part.mesh);
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Signed distance from a point to the surface of a body, with the surface's normal and curvature there.
 struct Distance {
@@ -25,6 +25,6 @@ class SignedDistance {
 /// Creates the signed distance function of a collision part. It is exact outside and inside for a box,
 /// sphere, capsule and cylinder. For an ellipsoid it is exact on the surface and accurate to first order near
 /// it. For a mesh it is interpolated between samples on a grid (see GridDistance).
-std::unique_ptr<SignedDistance> make_signed_distance(const ShapePart& part);
+std::unique_ptr<SignedDistance> make_signed_distance(const collision::ShapePart& part);
 
-}  // namespace prosector
+}  // namespace prosector::contact

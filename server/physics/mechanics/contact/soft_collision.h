@@ -5,12 +5,12 @@
 #include "server/physics/mechanics/collision/broad/collision_mask.h"
 #include "server/physics/mechanics/rigid/room.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 struct SoftCollision {
   Fidelity fidelity = Fidelity::mesh;
-  CollisionMask mask;
-  RoomSides passes = 0;  // sides of the room that the body passes through
+  collision::CollisionMask mask;
+  rigid::RoomSides passes = 0;  // sides of the room that the body passes through
   bool continuous = false;
   bool with_itself = false;
   double cell = 0;              // m, for self-collision: mean edge of the surface as compiled; ropes: 0
@@ -19,4 +19,4 @@ struct SoftCollision {
   bool over_area = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

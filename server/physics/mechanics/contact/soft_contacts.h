@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Contacts of two soft bodies a and b, or of one soft body with itself (a = b).
 struct SoftPair {
@@ -31,4 +31,4 @@ struct SoftContacts {
   }
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

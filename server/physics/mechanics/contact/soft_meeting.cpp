@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double least_facing = 0.1;  // cosine between a solid's inward normal and the contact normal
 
 /// Returns the normal at a vertex; zero if it has no faces.
-Vec3 vertex_normal(const TriangleSurface& faces, std::uint32_t vertex) {
+Vec3 vertex_normal(const collision::TriangleSurface& faces, std::uint32_t vertex) {
   const auto around = faces.topology().around(vertex);
   if (around.empty()) return Vec3::Zero();
   const auto& corners = faces.topology().triangles()[around.front()];
@@ -41,4 +41,4 @@ void find_meetings(const SoftSkin& from, const SoftSkin& to, double margin, std:
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

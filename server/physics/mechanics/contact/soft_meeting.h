@@ -7,13 +7,13 @@
 #include "server/physics/mechanics/collision/surface/triangle_surface.h"
 #include "server/physics/mechanics/contact/surface_detector.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Surface of a soft body in its current shape, for contact detection: the spatial index of its vertices, the
 /// tree of its triangles, and their mean size.
 struct SoftSkin {
   const SurfaceDetector* vertices = nullptr;
-  const TriangleSurface* faces = nullptr;  // null: a rope has no faces
+  const collision::TriangleSurface* faces = nullptr;  // null: a rope has no faces
   double skin = 0;  // m, from the simulated surface to the contact surface; 0: solid, with an inside
   double cell = 0;  // m: approximate edge length of its triangles
 };
@@ -21,7 +21,7 @@ struct SoftSkin {
 /// Contact of a surface vertex of one soft body with a point of another soft surface.
 struct VertexMeeting {
   std::uint32_t vertex = 0;
-  SurfacePoint at;              // on the other surface
+  collision::SurfacePoint at;   // on the other surface
   Vec3 normal = Vec3::UnitY();  // unit, from the other surface to the vertex
   double gap = 0;               // m, < 0 penetrates
 };
@@ -36,4 +36,4 @@ inline constexpr double deepest_meeting = 3;
 /// If `from` is a solid, a vertex outside is skipped if its own surface normal does not point towards `to`.
 void find_meetings(const SoftSkin& from, const SoftSkin& to, double margin, std::vector<VertexMeeting>& out);
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -7,7 +7,7 @@
 #include "common/assert.h"
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr std::size_t triangles_at_once = 1024;
@@ -42,8 +42,8 @@ SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh&
       two_sided_(two_sided),
       neighbours_(rest.triangles.size()),
       stars_(rest.triangles, rest.positions.size()) {
-  parallel_both([&] { triangle_order_ = SpaceOrder(middles(rest.positions, rest.triangles)); },
-                [&] { order_ = SpaceOrder(rest.positions); });
+  parallel_both([&] { triangle_order_ = collision::SpaceOrder(middles(rest.positions, rest.triangles)); },
+                [&] { order_ = collision::SpaceOrder(rest.positions); });
   parallel_chunks(neighbours_.size(), triangles_at_once,
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t i = first; i < last; ++i)
@@ -303,7 +303,7 @@ namespace {
 
 /// Updates `best` if the part is nearer. `local`: the point in the collider's frame.
 void take_nearer(const Collider& collider, std::size_t i, const Vec3& local, double margin, Distance& best) {
-  const ShapePart& part = (*collider.parts)[i];
+  const collision::ShapePart& part = (*collider.parts)[i];
   const Pose& pose = collider.part_poses[i];
   const bool primitive = part.mesh == nullptr;
   // At least the bounding radius.
@@ -330,4 +330,4 @@ Distance distance_to(const Collider& collider, const Vec3& x, double margin,
   return best;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -19,9 +19,11 @@
 #include "server/physics/mechanics/contact/rod.h"
 #include "server/physics/mechanics/contact/signed_distance.h"
 
-namespace prosector {
-
+namespace prosector::collision {
 class RigidOutline;
+}  // namespace prosector::collision
+
+namespace prosector::contact {
 
 /// Rigid body, hand or side of the room as seen by contact detection with soft bodies: pose, velocity, parts
 /// and contact properties in the current tick.
@@ -29,7 +31,7 @@ struct Collider {
   std::size_t slot = 0;
   Pose pose;                                           // of the centre of mass, in the room frame
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // m/s, rad/s
-  const std::vector<ShapePart>* parts = nullptr;
+  const std::vector<collision::ShapePart>* parts = nullptr;
   const std::vector<std::unique_ptr<SignedDistance>>* distances = nullptr;
   std::vector<Pose> part_poses;               // current poses of the parts, which change as fingers bend
   double pull = 0;                            // m: bound of its displacement by other bodies within the tick
@@ -38,10 +40,10 @@ struct Collider {
   double rolling_resistance = 0;  // as RigidContactDesc::rolling_resistance
   bool fixed = false;
   std::optional<Pose> driven_to;  // fixed: pose at the tick's end
-  CollisionMask mask;
-  bool continuous = false;                // contacts are found at the time of impact if the body is fast
-  bool held_blade = false;                // its edge cuts and makes no contact
-  const RigidOutline* outline = nullptr;  // for bodies that collide as proxy shapes; null: none
+  collision::CollisionMask mask;
+  bool continuous = false;  // contacts are found at the time of impact if the body is fast
+  bool held_blade = false;  // its edge cuts and makes no contact
+  const collision::RigidOutline* outline = nullptr;  // for bodies that collide as proxy shapes; null: none
 };
 
 /// Contact of a surface triangle with a thin part of a rigid body or with a corner of a box. The contact
@@ -171,11 +173,11 @@ class SurfaceDetector {
   /// For each triangle and each edge k (from corner k to k + 1), the index of the neighbouring triangle
   /// across the edge. It is the triangle's own index if there is no neighbour.
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
-  SpaceOrder triangle_order_;  // by centroid at rest
+  collision::SpaceOrder triangle_order_;  // by centroid at rest
   std::vector<TriangleChunk> triangle_chunks_;
   std::vector<double> longest_;  // m²: squared longest edge of each triangle
-  VertexStars stars_;
-  SpaceOrder order_;             // of vertices, at rest
+  collision::VertexStars stars_;
+  collision::SpaceOrder order_;  // of vertices, at rest
   std::vector<Vec3> positions_;  // by vertex
   std::vector<Chunk> chunks_;
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
@@ -199,8 +201,8 @@ constexpr std::uint32_t corners_per_part = 8;
 template <class F>
 void box_corners(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi, const F& f) {
   for (std::uint32_t i = 0; i < collider.parts->size(); ++i) {
-    const ShapePart& part = (*collider.parts)[i];
-    if (part.kind != ShapeKind::box) continue;
+    const collision::ShapePart& part = (*collider.parts)[i];
+    if (part.kind != collision::ShapeKind::box) continue;
     const Pose pose = collider.pose * collider.part_poses[i];
     for (std::uint32_t k = 0; k < corners_per_part; ++k) {
       const Vec3 sign((k & 1U) != 0 ? 1 : -1, (k & 2U) != 0 ? 1 : -1, (k & 4U) != 0 ? 1 : -1);
@@ -298,4 +300,4 @@ void SurfaceDetector::near(const Collider& collider, double margin, const F& f) 
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

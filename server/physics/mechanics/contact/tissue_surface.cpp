@@ -2,7 +2,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 SurfaceDetector detector(const Anatomy& anatomy) {
@@ -59,7 +59,7 @@ void TissueSurface::place(const VecX& x) {
   if (proxy_) proxy_->fit(x, vertices_.positions());
 }
 
-const TriangleSurface* TissueSurface::faces() {
+const collision::TriangleSurface* TissueSurface::faces() {
   if (faces_ || anatomy_->surface.triangles.empty()) return faces_ ? &*faces_ : nullptr;
   if (cut_)
     faces_.emplace(anatomy_->surface, vertices_.triangle_order());
@@ -68,8 +68,8 @@ const TriangleSurface* TissueSurface::faces() {
   return &*faces_;
 }
 
-const TriangleSurface* TissueSurface::moved_faces() {
-  const TriangleSurface* own = faces();
+const collision::TriangleSurface* TissueSurface::moved_faces() {
+  const collision::TriangleSurface* own = faces();
   if (own && !faces_moved_) faces_->move(vertices_.positions());
   faces_moved_ = true;
   return own;
@@ -82,4 +82,4 @@ const ElementSurface& TissueSurface::elements(const VecX& x) {
   return *elements_;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/contact/soft_collision.h"
 #include "server/physics/mechanics/contact/soft_meeting.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Contact geometry of a soft body: the spatial index of its surface, the tree of its triangles, the search
 /// for self-contact, the elements of thin bodies, and the proxy shape.
@@ -57,10 +57,10 @@ class TissueSurface {
   const SurfaceDetector& vertices() const { return vertices_; }
   /// Returns the tree of surface triangles in the position to which it was last moved. It is built at rest on
   /// first use. Returns null for a rope, which has no triangles.
-  const TriangleSurface* faces();
+  const collision::TriangleSurface* faces();
   /// Returns the tree of surface triangles, moved to the current vertices once per tick; null for a rope,
   /// which has no triangles.
-  const TriangleSurface* moved_faces();
+  const collision::TriangleSurface* moved_faces();
   /// Returns the elements (triangles or segments) of a sheet or rope, moved to the node positions `x` (m)
   /// once per tick.
   const ElementSurface& elements(const VecX& x);
@@ -74,7 +74,7 @@ class TissueSurface {
  private:
   const Anatomy* anatomy_;
   SurfaceDetector vertices_;
-  std::optional<TriangleSurface> faces_;
+  std::optional<collision::TriangleSurface> faces_;
   std::optional<SelfCollision> self_collision_;
   std::optional<ElementSurface> elements_;
   std::optional<ProxyShape> proxy_;
@@ -83,4 +83,4 @@ class TissueSurface {
   bool faces_moved_ = false, elements_moved_ = false;  // already moved in this tick
 };
 
-}  // namespace prosector
+}  // namespace prosector::contact

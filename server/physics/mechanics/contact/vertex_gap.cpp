@@ -1,7 +1,7 @@
 #include "server/physics/mechanics/contact/vertex_gap.h"
 #include "common/commands.h"
 
-namespace prosector {
+namespace prosector::contact {
 namespace {
 
 constexpr double same = 0.5;  // cosine: the nearest normal still counts as the known one
@@ -50,4 +50,4 @@ std::optional<Distance> side_of(const Collider& collider, const Approach& vertex
   return back;
 }
 
-}  // namespace prosector
+}  // namespace prosector::contact

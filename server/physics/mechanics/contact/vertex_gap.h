@@ -9,7 +9,7 @@
 
 #include "server/physics/mechanics/contact/surface_detector.h"
 
-namespace prosector {
+namespace prosector::contact {
 
 /// Position, normals and last contact of a tissue vertex that is close to a rigid collider.
 struct Approach {
@@ -25,4 +25,4 @@ struct Approach {
 /// vertex came. Returns none if the collider's edge only grazes the vertex.
 std::optional<Distance> side_of(const Collider& collider, const Approach& vertex);
 
-}  // namespace prosector
+}  // namespace prosector::contact

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 // s: half-life of the slack, longer than the oscillation periods of soft organs.
@@ -62,7 +62,7 @@ void EnergyGuard::begin(Island& island) {
 
 double EnergyGuard::stored(const SoftMember& m) const {
   return m.body->potential().elastic_energy(m.state->motion.x) +
-         kinetic_energy(m.body->node_mass(), m.state->motion.v);
+         soft::kinetic_energy(m.body->node_mass(), m.state->motion.v);
 }
 
 double EnergyGuard::allowed(std::size_t m, double work) const {
@@ -71,7 +71,8 @@ double EnergyGuard::allowed(std::size_t m, double work) const {
   const SoftDesc& desc = s.body->desc();
   const double stiffness = desc.material.youngs_modulus * s.body->total_mass() / desc.material.density;  // J
   return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
-         fall_energy(s.body->node_mass(), s.body->stepper().remembered().x, s.state->motion.x, s.weight) +
+         soft::fall_energy(s.body->node_mass(), s.body->stepper().remembered().x, s.state->motion.x,
+                           s.weight) +
          least_strain * least_strain * stiffness;
 }
 
@@ -106,7 +107,7 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     if (after_[m] <= allowed(m, work[m])) continue;
     SoftMember& s = island_->soft[m];
-    Motion& motion = s.state->motion;
+    soft::Motion& motion = s.state->motion;
     const VecX& start = s.body->stepper().remembered().x;
     const VecX x = motion.x - start, v = motion.v;
     const Vec3 dx = mean(x, s.body->node_mass()), dv = mean(v, s.body->node_mass());
@@ -135,7 +136,7 @@ void EnergyGuard::finish(const std::vector<double>& work, double h) {
                    work.size() == after_.size() && h > 0);
   const double kept = std::max(least_kept, std::exp2(-h / slack_halved));
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
-    SoftBodyState& state = *island_->soft[m].state;
+    soft::SoftBodyState& state = *island_->soft[m].state;
     // Stored energy may be negative by rounding, or by its law: then the slack is 0.
     const double most = most_slack * std::max(after_[m], 0.0);
     const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most);
@@ -143,4 +144,4 @@ void EnergyGuard::finish(const std::vector<double>& work, double h) {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

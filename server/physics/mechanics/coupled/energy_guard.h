@@ -18,7 +18,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Limits the velocity of each node of a soft body, relative to the body's mean velocity, to ten diagonals of
 /// the body per tick of h s. Sets `limited` in the member if a velocity was reduced. No sensible input causes
@@ -63,4 +63,4 @@ class EnergyGuard {
   std::vector<double> before_, after_;  // J, elastic and kinetic, of each soft member
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/coupled/tied_response.h"
 #include "server/physics/mechanics/soft/integrators/substepper.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr int sweeps = 4;  // Gauss-Seidel sweeps over all contacts and ties, per substep
@@ -32,7 +32,7 @@ struct Side {
   SoftMember* soft = nullptr;
   std::size_t member = 0;
   Rigid* rigid = nullptr;
-  const ContactSide* at = nullptr;
+  const contact::ContactSide* at = nullptr;
   Vec3 start = Vec3::Zero();     // m, soft: position of the point at the tick's start
   Mat3 mobility = Mat3::Zero();  // 1/kg: velocity of the point per impulse on it
 };
@@ -82,7 +82,7 @@ class Coupling {
     }
     contacts_.clear();
     for (const std::size_t c : tick.contacts) {
-      Contact& contact = island.contacts[c];
+      contact::Contact& contact = island.contacts[c];
       ImpulseJoint& joint = contacts_.emplace_back();
       joint = {resolve(contact.a), resolve(contact.b)};
       joint.opening_speed =
@@ -134,10 +134,10 @@ class Coupling {
     r.inverse_inertia = (m.inertia + turned * Mat3::Identity()).inverse();
   }
 
-  Side resolve(const ContactSide& side) {
+  Side resolve(const contact::ContactSide& side) {
     Side out;
     out.at = &side;
-    if (side.kind == ContactSide::Kind::soft) {
+    if (side.kind == contact::ContactSide::Kind::soft) {
       while (island_.soft[out.member].index != side.body) ++out.member;
       out.soft = &island_.soft[out.member];
       double sum = 0;
@@ -147,7 +147,7 @@ class Coupling {
         sum += side.weight[k] * side.weight[k] / out.soft->body->node_mass()[node];
       }
       out.mobility = sum * Mat3::Identity();
-    } else if (side.kind == ContactSide::Kind::rigid) {
+    } else if (side.kind == contact::ContactSide::Kind::rigid) {
       std::size_t m = 0;
       while (island_.rigid[m].slot != side.body) ++m;
       out.rigid = &rigid_[m];
@@ -158,7 +158,7 @@ class Coupling {
 
   Mat3 mobility(const Rigid& rigid, const Vec3& arm) const {
     if (rigid.held) return lever(arm) * held_.response(*rigid.held, *rigid.held) * lever(arm).transpose();
-    const Mat3 cross = cross_matrix(arm);
+    const Mat3 cross = soft::cross_matrix(arm);
     return rigid.inverse_mass * Mat3::Identity() - cross * rigid.inverse_inertia * cross;
   }
 
@@ -197,7 +197,7 @@ class Coupling {
 
   /// Returns the gap between the surfaces. Impulses open overlaps without storing elastic energy, so no rest
   /// gap is needed.
-  double gap(const ImpulseJoint& joint, const Contact& contact) const {
+  double gap(const ImpulseJoint& joint, const contact::Contact& contact) const {
     return contact.gap + contact.rest + contact.normal.dot(displacement(joint.a) - displacement(joint.b));
   }
 
@@ -206,7 +206,7 @@ class Coupling {
   double push(const Side& side, const Vec3& impulse, double ahead) const {
     double gained = 0;
     if (side.soft) {
-      Motion& motion = side.soft->state->motion;
+      soft::Motion& motion = side.soft->state->motion;
       for (std::size_t k = 0; k < side.at->nodes; ++k) {
         const auto node = static_cast<Eigen::Index>(side.at->node[k]);
         const Vec3 change = side.at->weight[k] / side.soft->body->node_mass()[node] * impulse;
@@ -295,7 +295,7 @@ class Coupling {
   }
 
   /// Applies the tie's spring over the substep, integrated by implicit Euler and bounded.
-  void pull(ImpulseJoint& joint, const Tie& tie, double hs) const {
+  void pull(ImpulseJoint& joint, const contact::Tie& tie, double hs) const {
     const Vec3 stretch = tie.offset + tied_at(joint.a, hs) - tied_at(joint.b, hs);
     const Mat3 A = Mat3::Identity() +
                    hs * tie.stiffness *
@@ -307,7 +307,7 @@ class Coupling {
     joint.impulse = total;
   }
 
-  void press(ImpulseJoint& joint, const Contact& contact, double hs) const {
+  void press(ImpulseJoint& joint, const contact::Contact& contact, double hs) const {
     const Mat3 mobility = joint.a.mobility + joint.b.mobility;
     const double along = contact.normal.dot(mobility * contact.normal);
     if (!(along > 0)) return;
@@ -320,7 +320,7 @@ class Coupling {
   }
 
   /// Removes tangential velocity by friction, within Coulomb's cone.
-  void rub(ImpulseJoint& joint, const Contact& contact, const Mat3& mobility) const {
+  void rub(ImpulseJoint& joint, const contact::Contact& contact, const Mat3& mobility) const {
     const double most = contact.friction * joint.normal;
     if (!(most > 0) && joint.impulse.isZero()) return;
     const Vec3& n = contact.normal;
@@ -333,7 +333,7 @@ class Coupling {
     joint.impulse = total;
   }
 
-  Contact& contact(std::size_t c) const { return island_.contacts[tick_.contacts[c]]; }
+  contact::Contact& contact(std::size_t c) const { return island_.contacts[tick_.contacts[c]]; }
 
   Island& island_;
   const SubstepTick& tick_;
@@ -362,4 +362,4 @@ void ImpulseCoupling::run(Island& island, const SubstepTick& tick, std::span<Sub
   Coupling(island, tick, work, impl_->buffers).run();
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -7,12 +7,12 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Inputs for stepping an island's substepped bodies through one tick: the soft bodies' states at its start,
 /// the contacts and ties to solve, and the number of substeps. All referenced data must outlive the call.
 struct SubstepTick {
-  std::span<const SoftBodyState> start;         // state of each soft member at the tick's start
+  std::span<const soft::SoftBodyState> start;   // state of each soft member at the tick's start
   std::span<const char> substepped;             // by soft member: whether it is substepped here
   std::span<const std::size_t> contacts, ties;  // indices of the island's contacts and ties to solve
   int substeps = 1;                             // number of equal substeps
@@ -59,4 +59,4 @@ class ImpulseCoupling {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

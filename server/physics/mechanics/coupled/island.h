@@ -14,18 +14,18 @@
 #include "server/physics/mechanics/hands/pull.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 struct SoftMember {
   std::size_t index = 0;  // as in ContactSide::body
-  SoftBody* body = nullptr;
-  SoftBodyState* state = nullptr;
+  soft::SoftBody* body = nullptr;
+  soft::SoftBodyState* state = nullptr;
   // 3n, m: node positions at rest under gravity; null: the rest shape.
   const VecX* equilibrium = nullptr;
-  Weight weight = {};  // gravity in this tick, see weigh()
+  soft::Weight weight = {};  // gravity in this tick, see weigh()
   // Results besides the state:
   int substeps = 0;  // number of substeps; 0: the body was minimised
   // The body's own method needs more substeps than allowed, or diverged in this tick: the body was stepped by
@@ -44,15 +44,15 @@ struct RigidMember {
   Mat3 inertia = Mat3::Zero();    // kg·m², world frame
   Vec6 predicted = Vec6::Zero();  // ξ̃: h times the velocity that it would have without contacts
   Vec6 steady = Vec6::Zero();     // h times its velocity at the tick's start
-  std::optional<Pull> pull;
+  std::optional<hands::Pull> pull;
   Vec6 twist = Vec6::Zero();  // result
 };
 
 struct Island {
   std::vector<SoftMember> soft;
   std::vector<RigidMember> rigid;
-  std::vector<Contact> contacts;
-  std::vector<Tie> ties;
+  std::vector<contact::Contact> contacts;
+  std::vector<contact::Tie> ties;
   bool driven = false;  // a kinematic body touches it, so it does not sleep
 };
 
@@ -73,4 +73,4 @@ struct IslandReport {
   bool finite = true;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

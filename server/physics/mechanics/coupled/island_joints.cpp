@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/contact/pad.h"
 #include "server/physics/mechanics/contact/potentials.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 // Tolerances of the contact forces on a body after the last Newton step. The first two are relative to its
@@ -18,9 +18,9 @@ constexpr double stick_speed = 5e-4;  // m/s: contacts without slip memory stick
 
 /// Returns a side's position at the tick's start by the linear map of the unknowns, minus its kinematic
 /// motion, m.
-Vec3 start_of(const Island& island, const IslandLayout& layout, const ContactSide& side) {
+Vec3 start_of(const Island& island, const IslandLayout& layout, const contact::ContactSide& side) {
   Vec3 x = -side.moved;
-  if (side.kind != ContactSide::Kind::soft) return x;
+  if (side.kind != contact::ContactSide::Kind::soft) return x;
   const VecX& nodes = island.soft[layout.soft_members[side.body]].state->motion.x;
   for (std::size_t k = 0; k < side.nodes; ++k)
     x += side.weight[k] * nodes.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
@@ -46,17 +46,17 @@ void IslandJoints::begin(Island& island, const IslandLayout& layout, double h) {
   contacts_.resize(island.contacts.size());
   ties_.clear();
   for_contacts(contacts_.size(), [&](std::size_t i) {
-    const Contact& c = island.contacts[i];
+    const contact::Contact& c = island.contacts[i];
     contacts_[i] = join(c.a, c.b);
     contacts_[i].threshold =
-        c.feature != Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
+        c.feature != contact::Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
   });
-  for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  for (const contact::Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
   lagged_.assign(contacts_.size(), 0);
   untaken_ = 1;
 }
 
-Joint IslandJoints::join(const ContactSide& a, const ContactSide& b) const {
+Joint IslandJoints::join(const contact::ContactSide& a, const contact::ContactSide& b) const {
   return {layout_->resolve(a), layout_->resolve(b),
           start_of(*island_, *layout_, a) - start_of(*island_, *layout_, b)};
 }
@@ -65,7 +65,7 @@ Joint IslandJoints::join(const ContactSide& a, const ContactSide& b) const {
 /// if it falls, friction keeps its elastic slip. A spring that stiffens while it is stretched would return
 /// more energy than it stored (Thornton and Randall 1988).
 Vec3 IslandJoints::held_slip(std::size_t c) const {
-  const Contact& contact = island_->contacts[c];
+  const contact::Contact& contact = island_->contacts[c];
   if (contact.grip.isZero(0)) return contact.grip;
   const double before = contact.friction * contact.gripped, stretch = std::min(1.0, contact.grip.norm());
   const double share = lagged_[c] > before ? before / lagged_[c] : 1;
@@ -75,9 +75,9 @@ Vec3 IslandJoints::held_slip(std::size_t c) const {
 }
 
 Vec3 IslandJoints::tie_force(std::size_t t, const VecX& q) const {
-  const Tie& tie = island_->ties[t];
+  const contact::Tie& tie = island_->ties[t];
   const Vec3 d = tie.offset + displacement(ties_[t], q);
-  return BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
+  return contact::BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
 }
 
 void IslandJoints::add_energy(const VecX& q, double& sum) const {
@@ -87,9 +87,9 @@ void IslandJoints::add_energy(const VecX& q, double& sum) const {
                [&](std::size_t c) { energies_[c] = contact_energy(c, displacement(contacts_[c], q)); });
   for (const double energy : energies_) sum += energy;
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_->ties[t];
-    sum +=
-        BoundedSpring{tie.stiffness, tie.max_force}.energy((tie.offset + displacement(ties_[t], q)).norm());
+    const contact::Tie& tie = island_->ties[t];
+    sum += contact::BoundedSpring{tie.stiffness, tie.max_force}.energy(
+        (tie.offset + displacement(ties_[t], q)).norm());
   }
 }
 
@@ -120,9 +120,9 @@ void IslandJoints::linearise(const VecX& q) {
     contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
   });
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_->ties[t];
+    const contact::Tie& tie = island_->ties[t];
     const double d = (tie.offset + displacement(ties_[t], q)).norm();
-    ties_[t].D = BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
+    ties_[t].D = contact::BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
   }
 }
 
@@ -145,15 +145,15 @@ void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& w
 }
 
 double IslandJoints::normal_force(std::size_t c, const VecX& q) const {
-  const Contact& contact = island_->contacts[c];
+  const contact::Contact& contact = island_->contacts[c];
   const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
-  return std::max(0.0, -EvenSpring{contact.stiffness, contact.spread}.slope(gap));
+  return std::max(0.0, -contact::EvenSpring{contact.stiffness, contact.spread}.slope(gap));
 }
 
 double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
   const std::uint32_t bearer = island_->contacts[c].bearer;
   PROSECTOR_ASSERT(bearer <= c);
-  return bearer > 0 ? normal_force(c - bearer, q) / patch_points : normal_force(c, q);
+  return bearer > 0 ? normal_force(c - bearer, q) / contact::patch_points : normal_force(c, q);
 }
 
 void IslandJoints::lag_friction(const VecX& q) {
@@ -222,7 +222,7 @@ void IslandJoints::write_joint_forces(const VecX& q, bool all_held) const {
                    island_->ties.size() == ties_.size());
   const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    Contact& contact = island_->contacts[c];
+    contact::Contact& contact = island_->contacts[c];
     contact.force = normal_force(c, q);
     contact.exchanged = -contacts_[c].exchanged / taken;
     contact.grip_after.setZero();
@@ -236,21 +236,21 @@ void IslandJoints::write_joint_forces(const VecX& q, bool all_held) const {
 }
 
 double IslandJoints::contact_energy(std::size_t c, const Vec3& u) const {
-  const Contact& contact = island_->contacts[c];
+  const contact::Contact& contact = island_->contacts[c];
   const double along = contact.normal.dot(u);
   const double slip = (u - along * contact.normal + contacts_[c].held).norm();
-  return EvenSpring{contact.stiffness, contact.spread}.energy(contact.gap + along) +
-         lagged_[c] * FrictionNorm{contacts_[c].threshold}.energy(slip);
+  return contact::EvenSpring{contact.stiffness, contact.spread}.energy(contact.gap + along) +
+         lagged_[c] * contact::FrictionNorm{contacts_[c].threshold}.energy(slip);
 }
 
 Vec3 IslandJoints::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
-  const Contact& contact = island_->contacts[c];
+  const contact::Contact& contact = island_->contacts[c];
   const Vec3& n = contact.normal;
   const double along = n.dot(u), gap = contact.gap + along;
-  const EvenSpring area{contact.stiffness, contact.spread};
+  const contact::EvenSpring area{contact.stiffness, contact.spread};
   const Vec3 slip = u - along * n + contacts_[c].held;
   const double drag =
-      lagged_[c] > 0 ? lagged_[c] * FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;
+      lagged_[c] > 0 ? lagged_[c] * contact::FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;
   if (D) {
     const Mat3 nn = n * n.transpose();
     *D = area.stiffness(gap) * nn + drag * (Mat3::Identity() - nn);
@@ -258,4 +258,4 @@ Vec3 IslandJoints::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
   return area.slope(gap) * n + drag * slip;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

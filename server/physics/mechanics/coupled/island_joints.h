@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/coupled/island_layout.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 // m: slip over which friction builds up; sticking contacts yield by less.
 inline constexpr double slip_threshold = 2e-5;
@@ -62,7 +62,7 @@ class IslandJoints {
     double normal = 0, normal_off = 0, friction = 0, friction_off = 0;
   };
 
-  Joint join(const ContactSide& a, const ContactSide& b) const;
+  Joint join(const contact::ContactSide& a, const contact::ContactSide& b) const;
   Vec3 held_slip(std::size_t c) const;
   double normal_force(std::size_t c, const VecX& q) const;      // N
   double load_of_friction(std::size_t c, const VecX& q) const;  // N: normal load of its friction
@@ -83,4 +83,4 @@ class IslandJoints {
   mutable std::vector<Vec3> forces_;      // N, by contact, of the last find_forces()
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

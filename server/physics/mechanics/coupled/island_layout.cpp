@@ -2,7 +2,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 void set(std::vector<std::size_t>& members, std::size_t body, std::size_t member) {
@@ -25,10 +25,10 @@ void IslandLayout::begin(const Island& island) {
   for (std::size_t m = 0; m < island.rigid.size(); ++m) set(rigid_members, island.rigid[m].slot, m);
 }
 
-JointSide IslandLayout::resolve(const ContactSide& side) const {
-  PROSECTOR_ASSERT(side.nodes <= ContactSide::most_nodes);
+JointSide IslandLayout::resolve(const contact::ContactSide& side) const {
+  PROSECTOR_ASSERT(side.nodes <= contact::ContactSide::most_nodes);
   JointSide out;
-  if (side.kind == ContactSide::Kind::soft) {
+  if (side.kind == contact::ContactSide::Kind::soft) {
     const std::size_t m = soft_members[side.body];
     PROSECTOR_ASSERT(m < soft.size());
     out.member = m;
@@ -36,7 +36,7 @@ JointSide IslandLayout::resolve(const ContactSide& side) const {
     out.weight = side.weight;
     for (std::size_t k = 0; k < side.nodes; ++k)
       out.offset[k] = soft[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
-  } else if (side.kind == ContactSide::Kind::rigid) {
+  } else if (side.kind == contact::ContactSide::Kind::rigid) {
     PROSECTOR_ASSERT(side.body < rigid_members.size() && rigid(rigid_members[side.body]) < size);
     out.rigid = rigid(rigid_members[side.body]);
     out.arm = side.arm;
@@ -44,4 +44,4 @@ JointSide IslandLayout::resolve(const ContactSide& side) const {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/coupled/island.h"
 #include "server/physics/mechanics/coupled/joint.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 struct IslandLayout {
   Eigen::Index size = 0;
@@ -30,7 +30,7 @@ struct IslandLayout {
   }
   /// Converts a side of a contact or tie, given by body and nodes, into indices in the island's vector of
   /// unknowns. The side must be fixed or on a body of this island. A fixed side has no unknowns.
-  JointSide resolve(const ContactSide& side) const;
+  JointSide resolve(const contact::ContactSide& side) const;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 #include "server/physics/mechanics/soft/mechanical_energy.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr int rigid_newton_iterations = 12;
@@ -47,18 +47,18 @@ bool borne_by_tissue(const Island& island, std::vector<BorneBody>& bodies) {
   for (const RigidMember& m : island.rigid)
     if (!m.pull) bodies.push_back({m.slot, false});
   std::sort(bodies.begin(), bodies.end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
-  const auto find = [&](const ContactSide& side) {
-    if (side.kind != ContactSide::Kind::rigid) return bodies.end();
+  const auto find = [&](const contact::ContactSide& side) {
+    if (side.kind != contact::ContactSide::Kind::rigid) return bodies.end();
     const auto at =
         std::lower_bound(bodies.begin(), bodies.end(), side.body,
                          [](const BorneBody& body, std::size_t slot) { return body.slot < slot; });
     return at != bodies.end() && at->slot == side.body ? at : bodies.end();
   };
   bool more = !bodies.empty();
-  const auto spread = [&](const ContactSide& from, const ContactSide& to) {
+  const auto spread = [&](const contact::ContactSide& from, const contact::ContactSide& to) {
     const auto giver = find(from), taker = find(to);
     if (taker == bodies.end() || taker->on_tissue) return;
-    if (from.kind == ContactSide::Kind::soft || (giver != bodies.end() && giver->on_tissue))
+    if (from.kind == contact::ContactSide::Kind::soft || (giver != bodies.end() && giver->on_tissue))
       taker->on_tissue = more = true;
   };
   const auto spread_both = [&](const auto& joint) {
@@ -69,12 +69,12 @@ bool borne_by_tissue(const Island& island, std::vector<BorneBody>& bodies) {
     std::for_each(island.contacts.begin(), island.contacts.end(), spread_both);
     std::for_each(island.ties.begin(), island.ties.end(), spread_both);
   }
-  const auto borne = [&](const ContactSide& side) {
+  const auto borne = [&](const contact::ContactSide& side) {
     const auto known = find(side);
     return known != bodies.end() && known->on_tissue;
   };
-  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& c) {
-    return c.a.kind != ContactSide::Kind::soft && (borne(c.a) || borne(c.b));
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const contact::Contact& c) {
+    return c.a.kind != contact::ContactSide::Kind::soft && (borne(c.a) || borne(c.b));
   });
 }
 
@@ -101,7 +101,7 @@ double enough_for_size(const Island& island) {
 /// would leave them trembling and creeping.
 double enough(const Island& island) {
   const bool rough = std::any_of(island.contacts.begin(), island.contacts.end(),
-                                 [](const Contact& c) { return c.friction > 0; });
+                                 [](const contact::Contact& c) { return c.friction > 0; });
   const double by_size = enough_for_size(island);
   return rough ? std::min(by_size, enough_share * slip_threshold) : by_size;
 }
@@ -141,7 +141,8 @@ void choose_integrators(Island& island) {
 /// Returns whether nothing holds the island in the room.
 bool floats(const Island& island) {
   const auto to_room = [](const auto& joint) {
-    return joint.a.kind == ContactSide::Kind::fixed || joint.b.kind == ContactSide::Kind::fixed;
+    return joint.a.kind == contact::ContactSide::Kind::fixed ||
+           joint.b.kind == contact::ContactSide::Kind::fixed;
   };
   return std::none_of(island.contacts.begin(), island.contacts.end(), to_room) &&
          std::none_of(island.ties.begin(), island.ties.end(), to_room) &&
@@ -168,16 +169,16 @@ struct IslandSolver::Limits {
   bool held = false;     // nothing moves freely: momentum need not be conserved
   bool careful = false;  // exact tangents from the first iteration, more halvings in the line search
   double enough = enough_step, converged = converged_steps * enough_step;  // m, of Newton steps
-  SolverSettings settings;
-  LinearSolver* solver = nullptr;
+  soft::SolverSettings settings;
+  soft::LinearSolver* solver = nullptr;
 };
 
 IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   Limits limits;
   const bool soft = !island.soft.empty();
   const std::string name = soft ? island.soft.front().body->desc().configuration.solver : rigid_solver;
-  std::unique_ptr<LinearSolver>& solver = solvers_[name];
-  if (!solver) solver = make_solver(name);
+  std::unique_ptr<soft::LinearSolver>& solver = solvers_[name];
+  if (!solver) solver = soft::make_solver(name);
   limits.solver = solver.get();
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
   limits.in_company = !limits.alone && solid(island) && !relaxing(island) && !island.driven;
@@ -188,7 +189,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   if (!soft) return limits;
   int steps_down = static_cast<int>(max_steps_down);
   for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
-  const Effort effort = effort_of(island.soft.front().body->desc().configuration, steps_down);
+  const soft::Effort effort = soft::effort_of(island.soft.front().body->desc().configuration, steps_down);
   limits.newton = effort.newton_iterations;
   limits.settings = {effort.solver_iterations, effort.solver_tolerance};
   return limits;
@@ -236,7 +237,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
     right_ = g_;
     system_.condense(right_);
     solved_.setZero();
-    SolveReport solved =
+    soft::SolveReport solved =
         limits.solver->solve(system_, right_, {limits.settings.max_iterations, tolerance}, solved_);
     report.solver_iterations += solved.iterations;
     system_.expand(g_, solved_, step_);
@@ -287,8 +288,8 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
   Vec3 force = Vec3::Zero();
   double inertia = 0;  // N/m
   for (std::size_t m = 0; m < island.soft.size(); ++m) {
-    const SoftBody& body = *island.soft[m].body;
-    const Stage& stage = body.stepper().stage();
+    const soft::SoftBody& body = *island.soft[m].body;
+    const soft::Stage& stage = body.stepper().stage();
     force += g_.segment(system_.layout().soft[m], 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
     inertia += (stage.alpha + body.desc().material.damping_mass / stage.dxdv) * body.total_mass();
   }
@@ -335,7 +336,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
       island.rigid[m].twist = q_.segment<6>(system_.layout().rigid(m));
     system_.joints().write_joint_forces(q_, limits.held);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
-      SoftBody& body = *island.soft[m].body;
+      soft::SoftBody& body = *island.soft[m].body;
       body.stepper().finish_stage(stage, h, q_.segment(system_.layout().soft[m], 3 * body.nodes()),
                                   *island.soft[m].state);
     }
@@ -349,8 +350,8 @@ IslandSolver::Account IslandSolver::account(const Island& island, double h) {
   Account sum{guard_.before(), 0, stored_};
   for (const SoftMember& m : island.soft) {
     sum.given +=
-        fall_energy(m.body->node_mass(), m.body->stepper().remembered().x, m.state->motion.x, m.weight);
-    sum.has += kinetic_energy(m.body->node_mass(), m.state->motion.v);
+        soft::fall_energy(m.body->node_mass(), m.body->stepper().remembered().x, m.state->motion.x, m.weight);
+    sum.has += soft::kinetic_energy(m.body->node_mass(), m.state->motion.v);
   }
   for (const RigidMember& m : island.rigid) {
     const auto product = [&](const Vec6& a, const Vec6& b) {
@@ -420,4 +421,4 @@ IslandReport IslandSolver::solve(Island& island, double h) {
   return report;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/coupled/island_system.h"
 #include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Rigid body that no hand pulls, by its slot, and whether it rests on soft tissue, directly or through other
 /// rigid bodies.
@@ -60,12 +60,12 @@ class IslandSolver {
 
   IslandSystem system_;
   EnergyGuard guard_;
-  std::map<std::string, std::unique_ptr<LinearSolver>> solvers_;  // by name; created on first use
-  VecX start_, q_, g_, step_, next_;                              // vectors of the system's unknowns
-  VecX right_, solved_;                                           // condensed right side and solution
-  std::vector<double> work_;                                      // J, work of joints on each soft member
-  std::vector<BorneBody> bodies_;                                 // by slot
-  double stored_ = 0;                                             // J: in tissue and joints at the tick's end
+  std::map<std::string, std::unique_ptr<soft::LinearSolver>> solvers_;  // by name; created on first use
+  VecX start_, q_, g_, step_, next_;                                    // vectors of the system's unknowns
+  VecX right_, solved_;                                                 // condensed right side and solution
+  std::vector<double> work_;       // J, work of joints on each soft member
+  std::vector<BorneBody> bodies_;  // by slot
+  double stored_ = 0;              // J: in tissue and joints at the tick's end
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

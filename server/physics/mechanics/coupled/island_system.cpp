@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 512;
@@ -93,7 +93,7 @@ void IslandSystem::linearise(const VecX& q) {
 void IslandSystem::gradient(const VecX& q, VecX& g) {
   g.resize(layout_.size);
   parallel_each(island_->soft.size(), [&](std::size_t m) {
-    SoftBody& body = *island_->soft[m].body;
+    soft::SoftBody& body = *island_->soft[m].body;
     body.potential().gradient(soft_part(*island_, layout_, m, q),
                               g.segment(layout_.soft[m], 3 * body.nodes()));
   });
@@ -118,7 +118,7 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
 bool IslandSystem::assemble_soft(const VecX& q, bool exact) {
   kept_.assign(island_->soft.size(), 0);
   parallel_each(kept_.size(), [&](std::size_t m) {
-    SoftBody& body = *island_->soft[m].body;
+    soft::SoftBody& body = *island_->soft[m].body;
     const auto x = soft_part(*island_, layout_, m, q);
     if (exact)
       body.potential().assemble(x);
@@ -177,7 +177,7 @@ void IslandSystem::multigrid(const VecX& r, VecX& z) const {
   PROSECTOR_ASSERT(r.size() == layout_.size);
   z.resize(layout_.size);
   parallel_each(island_->soft.size(), [&](std::size_t m) {
-    SoftBody& body = *island_->soft[m].body;
+    soft::SoftBody& body = *island_->soft[m].body;
     const auto first = static_cast<std::size_t>(layout_.soft[m] / 3),
                count = static_cast<std::size_t>(body.nodes());
     body.potential().multigrid_solve(std::span(node_blocks_).subspan(first, count),
@@ -196,4 +196,4 @@ void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   rigid_.precondition(r, z);
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

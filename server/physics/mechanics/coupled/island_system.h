@@ -9,11 +9,11 @@
 #include "server/physics/mechanics/coupled/rigid_elimination.h"
 #include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Newton system of an island: the energy, gradient and matrix-free Hessian of its soft bodies, rigid bodies,
 /// contacts and ties. Also the operator and the preconditioners for the linear solver.
-class IslandSystem final : public LinearOperator {
+class IslandSystem final : public soft::LinearOperator {
  public:
   /// Sets up the system for a tick of h s. Displacements of soft nodes are measured from their current
   /// positions. Stores a pointer to `island`, which must outlive its use here. Allocates memory only for an
@@ -88,4 +88,4 @@ class IslandSystem final : public LinearOperator {
   std::vector<char> kept_;        // by soft member: whether its matrix was kept in the last assemble()
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

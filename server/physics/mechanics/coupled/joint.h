@@ -6,15 +6,16 @@
 
 #include "server/physics/mechanics/contact/contact.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Side of a contact or tie, as a linear map of the island's unknowns. It is a weighted sum of soft nodes, or
 /// a point of a rigid body at an arm from its centre of mass. A fixed side has no unknowns.
 struct JointSide {
-  std::size_t nodes = 0;                                       // soft: number of nodes
-  std::array<Eigen::Index, ContactSide::most_nodes> offset{};  // soft: index of each node's first unknown
-  std::array<double, ContactSide::most_nodes> weight{};        // soft: weight of each node
-  std::size_t member = 0;                                      // soft: index of the island's soft member
+  std::size_t nodes = 0;  // soft: number of nodes
+  std::array<Eigen::Index, contact::ContactSide::most_nodes>
+      offset{};                                                   // soft: index of each node's first unknown
+  std::array<double, contact::ContactSide::most_nodes> weight{};  // soft: weight of each node
+  std::size_t member = 0;                                         // soft: index of the island's soft member
   Eigen::Index rigid = -1;  // rigid: index of the first unknown of the body's twist; else −1
   Vec3 arm = Vec3::Zero();  // rigid: m, from the centre of mass
 };
@@ -67,4 +68,4 @@ inline void add_force(const JointSide& side, const Vec3& f, VecX& out) {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -5,7 +5,7 @@
 #include "common/assert.h"
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr std::size_t rows_at_once = 256, nodes_at_once = 128, bodies_at_once = 16;
@@ -160,4 +160,4 @@ void JointProduct::subtract_from_bodies(const VecX& p, VecX& g) const {
   add_to_bodies(g);
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

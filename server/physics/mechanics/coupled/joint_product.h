@@ -8,7 +8,7 @@
 
 #include "server/physics/mechanics/coupled/island_layout.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Stiffness matrix of an island's contacts and ties, packed for fast products with vectors in the linear
 /// solver's iterations.
@@ -77,4 +77,4 @@ class JointProduct {
   mutable std::vector<Vec3> force_;  // N, by row
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -4,7 +4,7 @@
 #include "server/physics/mechanics/coupled/island.h"
 #include "server/physics/mechanics/soft/laws/flattened_matrix.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
@@ -12,8 +12,8 @@ using Mat36 = Eigen::Matrix<double, 3, 6>;
 /// (translation, then rotation). `arm`: vector (m) from the body's centre of mass to the point, world frame.
 inline Mat36 lever(const Vec3& arm) {
   Mat36 J;
-  J << Mat3::Identity(), -cross_matrix(arm);
+  J << Mat3::Identity(), -soft::cross_matrix(arm);
   return J;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

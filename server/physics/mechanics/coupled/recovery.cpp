@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/rungs.h"
 #include "server/physics/mechanics/soft/unfold.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr double ruined_share = 0.05;  // fraction of the volume inverted or flat: recovery starts immediately
@@ -40,7 +40,7 @@ constexpr double false_turn = 0.05;  // rad: a body at rest with this apparent r
 constexpr double shivering = 0.05;
 constexpr double stuck_energy = 1e-5;  // times E and the volume: a mean strain of about half a per cent
 
-void enter(SoftBodyState& state, bool recovering) {
+void enter(soft::SoftBodyState& state, bool recovering) {
   state.recovering = recovering;
   state.law_seconds = state.energy_slack = 0;
   state.motion.has_history = false;
@@ -48,39 +48,39 @@ void enter(SoftBodyState& state, bool recovering) {
   state.history.setZero();
 }
 
-double stiffness(const SoftBody& body) {
+double stiffness(const soft::SoftBody& body) {
   return body.desc().material.youngs_modulus * body.total_mass() / body.desc().material.density;  // J
 }
 
 /// Returns the fraction of the volume that is inverted or flat; 0 if the body's own equilibrium has about as
 /// much.
-double ruined(const SoftBody& body, const SoftMember& m) {
-  const double share = inverted_share(body.linear_tets(), m.state->motion.x);
+double ruined(const soft::SoftBody& body, const SoftMember& m) {
+  const double share = soft::inverted_share(body.linear_tets(), m.state->motion.x);
   const bool own = share > 0 && m.equilibrium &&
-                   share <= like_equilibrium * inverted_share(body.linear_tets(), *m.equilibrium);
+                   share <= like_equilibrium * soft::inverted_share(body.linear_tets(), *m.equilibrium);
   return own ? 0 : share;
 }
 
 /// Returns whether the body's elastic and kinetic energy is low, or about that of its equilibrium.
-bool calm(SoftBody& body, const SoftMember& m) {
+bool calm(soft::SoftBody& body, const SoftMember& m) {
   const double most = calm_energy * stiffness(body);
   const double now = body.potential().elastic_energy(m.state->motion.x) +
-                     kinetic_energy(body.node_mass(), m.state->motion.v);
+                     soft::kinetic_energy(body.node_mass(), m.state->motion.v);
   return now < most ||
          (m.equilibrium && now < like_equilibrium * body.potential().elastic_energy(*m.equilibrium));
 }
 
 /// Returns whether no element is flat, or about as many as in the body's own equilibrium.
-bool is_whole(const SoftBody& body, const SoftMember& m) {
-  const double share = inverted_share(body.linear_tets(), m.state->motion.x, whole);
+bool is_whole(const soft::SoftBody& body, const SoftMember& m) {
+  const double share = soft::inverted_share(body.linear_tets(), m.state->motion.x, whole);
   return share == 0 ||
          (m.equilibrium && ruined(body, m) == 0 &&
-          share <= like_equilibrium * inverted_share(body.linear_tets(), *m.equilibrium, whole));
+          share <= like_equilibrium * soft::inverted_share(body.linear_tets(), *m.equilibrium, whole));
 }
 
 /// Returns whether a recovering body has come to rest with nothing inverted. A press or its weight holds it,
 /// and it would otherwise recover forever.
-bool stands(const SoftBody& body, const SoftMember& m) {
+bool stands(const soft::SoftBody& body, const SoftMember& m) {
   return m.state->quiet_ticks == quiet_ticks_to_sleep && ruined(body, m) == 0;
 }
 
@@ -89,10 +89,10 @@ bool stands(const SoftBody& body, const SoftMember& m) {
 /// elastic energy.
 bool stuck(const SoftMember& s, const VecX& equilibrium) {
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
-  SoftBody& body = s.body->in_force(*s.state);
-  if (!quiet && mesh_kind(body.anatomy()) == MeshKind::tets) return false;
+  soft::SoftBody& body = s.body->in_force(*s.state);
+  if (!quiet && soft::mesh_kind(body.anatomy()) == soft::MeshKind::tets) return false;
   const double stored = body.potential().elastic_energy(s.state->motion.x);
-  if (!quiet && kinetic_energy(body.node_mass(), s.state->motion.v) > shivering * stored) return false;
+  if (!quiet && soft::kinetic_energy(body.node_mass(), s.state->motion.v) > shivering * stored) return false;
   return stored > 2 * body.potential().elastic_energy(equilibrium) + stuck_energy * stiffness(body);
 }
 
@@ -100,21 +100,22 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
 /// 1/cos of the angle. Tissue under tension stores energy at rest, too.
 bool falsely_turned(const SoftMember& s) {
   const VecX& x = s.state->motion.x;
-  if (s.state->recovering || !rotated_by(*s.body, false_turn, x)) return false;
-  IncrementalPotential& potential = s.body->potential();
+  if (s.state->recovering || !soft::rotated_by(*s.body, false_turn, x)) return false;
+  soft::IncrementalPotential& potential = s.body->potential();
   return potential.elastic_energy(x) <
          potential.elastic_energy(s.body->rest()) + stuck_energy * stiffness(*s.body);
 }
 
 /// Returns whether the body's volume differs from that of its equilibrium by more than any press causes.
-bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibrium) {
-  const double own = volume_share(body.linear_tets(), equilibrium);
+bool has_lost_volume(double volume, const soft::SoftBody& body, const VecX& equilibrium) {
+  const double own = soft::volume_share(body.linear_tets(), equilibrium);
   return volume < least_volume * own || volume > most_volume * own;
 }
 
 /// Returns how long the body may stay in its current shape, s; infinite: permanently.
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
-  const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
+  const double volume = soft::volume_share(s.body->linear_tets(), s.state->motion.x),
+               share = ruined(*s.body, s);
   if (volume > absurd_volume) return absurd_seconds;
   if (about.jammed) return std::numeric_limits<double>::infinity();
   if (volume <= 0) return absurd_seconds;
@@ -127,7 +128,7 @@ double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, co
 
 /// Returns the rotation, rad, up to which the body stays under a law for small rotations. A free body returns
 /// to that law only if it is nearly unrotated, because nothing would rotate it back there.
-double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
+double turn_allowed(const soft::SoftBody& body, const soft::SoftBodyState& state) {
   if (body.attached()) return most_turn;
   return state.recovering ? false_turn : most_free_turn;
 }
@@ -136,8 +137,8 @@ double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
 
 void choose_law(SoftMember& member, double h) {
   PROSECTOR_ASSERT(member.body != nullptr && member.state != nullptr && h > 0);
-  SoftBody& body = *member.body;
-  SoftBodyState& state = *member.state;
+  soft::SoftBody& body = *member.body;
+  soft::SoftBodyState& state = *member.state;
   member.degraded = member.refused = member.guarded = member.limited = false;
   member.note.clear();
   if (!body.recovery().exists() || !state.motion.x.allFinite()) return;
@@ -149,7 +150,7 @@ void choose_law(SoftMember& member, double h) {
         "configured model";
     return;
   }
-  const bool turned = rotated_by(body, turn_allowed(body, state), state.motion.x);
+  const bool turned = soft::rotated_by(body, turn_allowed(body, state), state.motion.x);
   if (state.recovering) {
     const bool out =
         !turned && ((is_whole(body, member) && calm(body.in_force(state), member)) || stands(body, member));
@@ -185,7 +186,7 @@ bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equ
   const double time_limit = seconds_until_unfolded(s, about, equilibrium);
   s.state->tangled_ticks = std::isfinite(time_limit) ? s.state->tangled_ticks + ticks : 0;
   if (s.state->tangled_ticks * h < time_limit) return false;
-  unfold(*s.body, *s.state);
+  soft::unfold(*s.body, *s.state);
   // A body under load must still settle in its equilibrium.
   s.state->tangled_ticks = s.state->quiet_ticks = 0;
   s.note =
@@ -193,4 +194,4 @@ bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equ
   return true;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -12,7 +12,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Decides before a tick of h s whether the soft body is stepped under its own material law or under the
 /// recovery law (corotational). The recovery law is used while elements are inverted or flat, or while the
@@ -55,4 +55,4 @@ struct Surroundings {
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr double least_approach = 0.2;  // m/s, as in Bullet: slower impacts have no restitution
@@ -21,11 +21,11 @@ struct Body {
 /// One side of an impact; no body: fixed.
 struct Side {
   Body* body;
-  const ContactSide* at;
+  const contact::ContactSide* at;
 };
 
 struct Impact {
-  Contact* contact;
+  contact::Contact* contact;
   Side a, b;
   double mobility = 0;  // 1/kg, along the normal
   double least = 0;     // N·s: most negative impulse; an overlap's push may be taken back
@@ -57,21 +57,24 @@ double rebound_speed(double restitution, double approach) {
 
 bool bounce(Island& island, double h) {
   PROSECTOR_ASSERT(h > 0);
-  const auto presses = [](const Contact& c) { return c.a.kind != ContactSide::Kind::soft && c.force > 0; };
-  if (std::none_of(island.contacts.begin(), island.contacts.end(),
-                   [&](const Contact& c) { return presses(c) && (c.rebound > 0 || c.gap < -overlap); }))
+  const auto presses = [](const contact::Contact& c) {
+    return c.a.kind != contact::ContactSide::Kind::soft && c.force > 0;
+  };
+  if (std::none_of(island.contacts.begin(), island.contacts.end(), [&](const contact::Contact& c) {
+        return presses(c) && (c.rebound > 0 || c.gap < -overlap);
+      }))
     return false;
   std::vector<Body> bodies;
   for (const RigidMember& m : island.rigid)
     bodies.push_back({m.twist.head<3>() / h, m.twist.tail<3>() / h, 1 / m.mass, m.inertia.inverse()});
-  const auto resolve = [&](const ContactSide& side) -> Side {
-    if (side.kind != ContactSide::Kind::rigid) return {nullptr, &side};
+  const auto resolve = [&](const contact::ContactSide& side) -> Side {
+    if (side.kind != contact::ContactSide::Kind::rigid) return {nullptr, &side};
     std::size_t m = 0;
     while (island.rigid[m].slot != side.body) ++m;
     return {&bodies[m], &side};
   };
   std::vector<Impact> impacts;
-  for (Contact& c : island.contacts) {
+  for (contact::Contact& c : island.contacts) {
     if (!presses(c)) continue;
     Impact& impact = impacts.emplace_back(Impact{&c, resolve(c.a), resolve(c.b)});
     impact.mobility = mobility(impact.a, c.normal) + mobility(impact.b, c.normal);
@@ -96,4 +99,4 @@ bool bounce(Island& island, double h) {
   return true;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

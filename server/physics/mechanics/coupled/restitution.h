@@ -8,7 +8,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Returns the separation speed (m/s) after an impact of two rigid bodies: restitution × approach speed.
 /// `approach`: relative normal velocity before the tick, m/s, negative when approaching. Returns 0 for
@@ -20,4 +20,4 @@ double rebound_speed(double restitution, double approach);
 /// false, without changes, if no pressing contact has restitution or overlaps by more than 1 mm.
 bool bounce(Island& island, double h);
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 void insert(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
@@ -117,4 +117,4 @@ void RigidBlock::solve(const Eigen::Ref<const VecX>& r, Eigen::Ref<VecX> z) cons
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

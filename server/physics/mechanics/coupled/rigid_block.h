@@ -12,7 +12,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Sparse symmetric matrix with a 6×6 block for each rigid body and each coupled pair of bodies, and its
 /// Cholesky factor.
@@ -53,4 +53,4 @@ class RigidBlock {
   mutable VecX work_;                   // by rank
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

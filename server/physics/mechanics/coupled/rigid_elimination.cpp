@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/coupled/lever.h"
 #include "server/physics/mechanics/coupled/rigid_energy.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr std::size_t factors_at_once = 16;
@@ -109,4 +109,4 @@ void RigidElimination::precondition(const VecX& r, VecX& z) const {
     solve(r, z);
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

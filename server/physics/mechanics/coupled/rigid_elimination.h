@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/coupled/joint_product.h"
 #include "server/physics/mechanics/coupled/rigid_block.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Rigid bodies' part of an island's Newton system. Where soft and rigid bodies are coupled, it is eliminated
 /// by Schur complement, so that the linear solver only works on soft nodes.
@@ -66,4 +66,4 @@ class RigidElimination {
   mutable VecX work_, rest_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -4,7 +4,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Returns the inertia term of a rigid body's incremental energy, J: ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃). ξ is `twist`,
 /// the displacement over the tick of h s; ξ̃ is the displacement without contacts; M is the mass and inertia
@@ -20,4 +20,4 @@ void set_gradient(const RigidMember& body, const Vec6& twist, double h, Eigen::R
 /// over the tick of h s. The stiffness of a hand's pull is replaced by its secant stiffness, an upper bound.
 Mat6 hessian_of(const RigidMember& body, const Vec6& twist, double h);
 
-}  // namespace prosector
+}  // namespace prosector::coupled

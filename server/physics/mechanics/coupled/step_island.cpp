@@ -18,7 +18,7 @@
 #include "server/physics/mechanics/soft/integrators/substepper.h"
 #include "server/physics/mechanics/soft/mechanical_energy.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr double least_power = 6e-5;  // W, per body of 1 kg or more: smaller power is ignored
@@ -27,14 +27,14 @@ constexpr int refinements = 2;        // largest number of refinements for a sma
 constexpr double negligible_speed = 0.02;  // m/s: energy of a body at this speed is small
 constexpr double most_unexplained = 0.2;   // of the body's energy: unexplained gain after the last refinement
 
-bool good(const SoftBodyState& state) {
+bool good(const soft::SoftBodyState& state) {
   return state.motion.x.allFinite() && state.motion.v.allFinite() &&
          state.motion.x.lpNorm<Eigen::Infinity>() < max_coordinate;
 }
 
 /// Buffers of a tick, by soft member unless noted.
 struct TickBuffers {
-  std::vector<SoftBodyState> start;
+  std::vector<soft::SoftBodyState> start;
   std::vector<double> energy;     // J: at the tick's start
   std::vector<SubstepWork> work;  // of impulses
   std::vector<char> substepped, minimised_always;
@@ -86,13 +86,13 @@ class Tick {
  private:
   static double energy(const SoftMember& m) {
     return m.body->potential().elastic_energy(m.state->motion.x) +
-           kinetic_energy(m.body->node_mass(), m.state->motion.v);
+           soft::kinetic_energy(m.body->node_mass(), m.state->motion.v);
   }
 
   double fallen(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
-    return std::max(0.0, fall_energy(member.body->node_mass(), start_[m].motion.x, member.state->motion.x,
-                                     member.weight));
+    return std::max(0.0, soft::fall_energy(member.body->node_mass(), start_[m].motion.x,
+                                           member.state->motion.x, member.weight));
   }
 
   /// Returns whether a substepped body's energy is explained by its start, gravity and impulses. Includes the
@@ -100,7 +100,7 @@ class Tick {
   bool tame(std::size_t m) const {
     PROSECTOR_ASSERT(m < energy_.size() && island_.soft[m].body->substepper() != nullptr);
     const SoftMember& member = island_.soft[m];
-    const Substepper& own = *member.body->substepper();
+    const soft::Substepper& own = *member.body->substepper();
     const double explained =
         own.most_gain(h_) * (energy_[m] + fallen(m)) + own.most_pushed(h_) * std::max(0.0, work_[m].done);
     return energy(member) <= explained + least_power * std::min(1.0, member.body->total_mass()) * h_;
@@ -130,7 +130,7 @@ class Tick {
     substepped_.assign(island_.soft.size(), 0);
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       SoftMember& member = island_.soft[m];
-      const Substepper* own = member.body->substepper();
+      const soft::Substepper* own = member.body->substepper();
       if (!own) continue;
       member.substeps = 0;
       const double needed = own->needed(h_, *member.state);
@@ -159,7 +159,7 @@ class Tick {
 
   void refuse(SoftMember& member, double needed) const {
     const SoftDesc& desc = member.body->desc();
-    const Substepper& own = *member.body->substepper();
+    const soft::Substepper& own = *member.body->substepper();
     const std::string& method =
         desc.configuration.is_position_based() ? desc.configuration.model : desc.configuration.integrator;
     member.degraded = true;
@@ -185,8 +185,9 @@ class Tick {
   void join_minimised() {
     for (bool again = true; again;) {
       again = false;
-      for (const Contact& c : island_.contacts) {
-        if (c.a.kind != ContactSide::Kind::soft || c.b.kind != ContactSide::Kind::soft) continue;
+      for (const contact::Contact& c : island_.contacts) {
+        if (c.a.kind != contact::ContactSide::Kind::soft || c.b.kind != contact::ContactSide::Kind::soft)
+          continue;
         const std::size_t a = member_of(c.a), b = member_of(c.b);
         if (substepped_[a] == substepped_[b]) continue;
         const std::size_t joins = substepped_[a] ? a : b;
@@ -200,15 +201,15 @@ class Tick {
     if (std::none_of(substepped_.begin(), substepped_.end(), [](char s) { return s != 0; })) substeps_ = 0;
   }
 
-  std::size_t member_of(const ContactSide& side) const {
-    PROSECTOR_ASSERT(side.kind == ContactSide::Kind::soft);
+  std::size_t member_of(const contact::ContactSide& side) const {
+    PROSECTOR_ASSERT(side.kind == contact::ContactSide::Kind::soft);
     std::size_t m = 0;
     while (island_.soft[m].index != side.body) ++m;
     return m;
   }
 
-  bool of_substepped(const ContactSide& side) const {
-    if (side.kind != ContactSide::Kind::soft) return false;
+  bool of_substepped(const contact::ContactSide& side) const {
+    if (side.kind != contact::ContactSide::Kind::soft) return false;
     for (std::size_t m = 0; m < island_.soft.size(); ++m)
       if (island_.soft[m].index == side.body) return substepped_[m] != 0;
     return false;
@@ -232,7 +233,7 @@ class Tick {
         member_of.push_back(m);
       }
     for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
-      const Contact& contact = island_.contacts[c];
+      const contact::Contact& contact = island_.contacts[c];
       if (of_substepped(contact.a) || of_substepped(contact.b)) {
         buffers_.contacts.push_back(c);
       } else {
@@ -241,7 +242,7 @@ class Tick {
       }
     }
     for (std::size_t t = 0; t < island_.ties.size(); ++t) {
-      const Tie& tie = island_.ties[t];
+      const contact::Tie& tie = island_.ties[t];
       if (of_substepped(tie.a) || of_substepped(tie.b))
         buffers_.ties.push_back(t);
       else
@@ -270,7 +271,7 @@ class Tick {
     bool again = false;
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       SoftMember& member = island_.soft[m];
-      Substepper* own = member.body->substepper();
+      soft::Substepper* own = member.body->substepper();
       if (!own) continue;
       const bool held = own->finish(substepped_[m] ? h_ / substeps_ : 0, *member.state);
       if (!substepped_[m]) continue;
@@ -290,7 +291,7 @@ class Tick {
     }
     if (!again) return true;
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-      SoftBodyState& state = *island_.soft[m].state;
+      soft::SoftBodyState& state = *island_.soft[m].state;
       const double omega =
           std::isfinite(state.omega) ? std::max(state.omega, start_[m].omega) : start_[m].omega;
       state = start_[m];
@@ -301,7 +302,7 @@ class Tick {
 
   Island& island_;
   double h_;
-  std::vector<SoftBodyState>& start_;
+  std::vector<soft::SoftBodyState>& start_;
   std::vector<double>& energy_;
   std::vector<SubstepWork>& work_;
   std::vector<char>&substepped_, &minimised_always_;
@@ -316,7 +317,7 @@ struct IslandStepper::Buffers {
   TickBuffers tick;
   Solvers solvers;
   // By soft member: the body itself, if another law's body replaces it in the tick.
-  std::vector<SoftBody*> own;
+  std::vector<soft::SoftBody*> own;
 };
 
 IslandStepper::IslandStepper() : buffers_(std::make_unique<Buffers>()) {}
@@ -325,7 +326,7 @@ IslandStepper::IslandStepper(IslandStepper&&) noexcept = default;
 
 IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) {
   PROSECTOR_ASSERT(h > 0);
-  std::vector<SoftBody*>& own = buffers_->own;
+  std::vector<soft::SoftBody*>& own = buffers_->own;
   own.clear();
   for (SoftMember& m : island.soft) {
     own.push_back(m.body);
@@ -353,4 +354,4 @@ IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) 
   return report;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

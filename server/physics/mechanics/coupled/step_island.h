@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Steps islands, groups of bodies connected by contacts and ties, through a tick. First, implicit and rigid
 /// bodies are minimised together (island_solver.h). Then explicit and position-based bodies take equal
@@ -30,4 +30,4 @@ class IslandStepper {
   std::unique_ptr<Buffers> buffers_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

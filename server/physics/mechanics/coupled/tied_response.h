@@ -8,7 +8,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Velocity response to impulses of the rigid bodies that are joined by ties, such as a tool and the hand
 /// that holds it. Allocates memory only when there are more bodies than before.
@@ -37,4 +37,4 @@ class TiedResponse {
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::coupled

@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 constexpr double calmed_after = 2, over_after = 2.5;  // s
@@ -43,7 +43,7 @@ VibrationState Lingerers::linger(const WatchedBody& now) {
   return seconds > calmed_after ? VibrationState::calmed : VibrationState::moving;
 }
 
-std::optional<double> lingering_bound(const SoftBody& body, bool touches) {
+std::optional<double> lingering_bound(const soft::SoftBody& body, bool touches) {
   const bool thin = body.anatomy().thickness > 0;
   if (!touches && !thin) return std::nullopt;
   return (thin && touches ? 1 : least_share) * body.desc().geometry.cell;
@@ -55,4 +55,4 @@ VecX points_of(const Pose& pose) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

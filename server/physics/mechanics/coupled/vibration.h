@@ -11,7 +11,7 @@
 #include "common/math.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 
-namespace prosector {
+namespace prosector::coupled {
 
 /// Record of a body that may vibrate in place without coming to rest: its position when watching began, and
 /// for how many ticks it has stayed there.
@@ -64,7 +64,7 @@ class Lingerers {
 /// `touches`: whether it is in contact. A sheet or rope in contact sways, and may move by one cell of its
 /// mesh. Without contact, or for a solid in contact, it is a tenth of a cell. None for a solid without
 /// contact, which is never stopped for vibrating.
-std::optional<double> lingering_bound(const SoftBody& body, bool touches);
+std::optional<double> lingering_bound(const soft::SoftBody& body, bool touches);
 /// Distances (m, per axis) within which the points of a rigid body may move while it counts as staying in
 /// place. `rigid_lingering_bound` applies to bodies in contact with tissue, `lone_lingering_bound` to others.
 inline constexpr double rigid_lingering_bound = 2e-3, lone_lingering_bound = 5e-3;
@@ -76,4 +76,4 @@ VecX points_of(const Pose& pose);
 /// Factor by which the velocity of a body that vibrates in place is multiplied in each tick, to calm it.
 inline constexpr double calming = 0.9;
 
-}  // namespace prosector
+}  // namespace prosector::coupled

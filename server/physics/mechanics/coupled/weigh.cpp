@@ -3,12 +3,12 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/coupled/island.h"
 
-namespace prosector {
+namespace prosector::coupled {
 namespace {
 
 bool is_met(const Island& island, const SoftMember& member) {
-  const auto its = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::soft && side.body == member.index;
+  const auto its = [&](const contact::ContactSide& side) {
+    return side.kind == contact::ContactSide::Kind::soft && side.body == member.index;
   };
   const auto meets = [&](const auto& joint) { return its(joint.a) || its(joint.b); };
   return std::any_of(island.contacts.begin(), island.contacts.end(), meets) ||
@@ -27,4 +27,4 @@ void weigh(Island& island, const Vec3& gravity) {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::coupled

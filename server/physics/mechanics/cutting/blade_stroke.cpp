@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/tet_tree.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 using EdgePoint = BladeStroke::EdgePoint;
@@ -232,4 +232,4 @@ void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& co
   stroke.edge = std::move(line);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

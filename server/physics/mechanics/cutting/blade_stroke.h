@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class TetTree;
 
@@ -77,4 +77,4 @@ void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& co
 /// Validates a blade's edge. Throws InputError for fewer than two points and for numbers that are not finite.
 void check_edge(std::span<const Vec3> edge);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 struct Carry {
@@ -31,4 +31,4 @@ void carry(const TopologyOp& op, std::vector<Vec3>& values) {
   std::visit(Carry{values}, op);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

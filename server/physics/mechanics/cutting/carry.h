@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Updates node data (`values`, such as positions or velocities, by node id) for a topology change; `values`
 /// grows. A new node on an edge gets the interpolated value of the edge's ends, and copies of a node get the
@@ -13,4 +13,4 @@ namespace prosector {
 /// conserved.
 void carry(const TopologyOp& op, std::vector<Vec3>& values);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 bool is_marked_face(const TetComplex& complex, const Marks& marks, TetId tet, std::size_t k) {
@@ -105,4 +105,4 @@ SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, dou
   return op;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

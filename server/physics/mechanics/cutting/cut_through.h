@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/cutting/edge_splitter.h"
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Returns a mark (plane of the cut at a node, in the rest shape) for a node that the swept surface missed.
 /// The plane passes through the node, with the mean normal of its marked neighbours.
@@ -17,4 +17,4 @@ BladeStroke::Mark mark_between(const TetComplex& complex, const Marks& marks, No
 /// faces completes the cut.
 SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, double least_fragment);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

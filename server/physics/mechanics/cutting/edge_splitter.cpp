@@ -9,7 +9,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/cutting/tet_shape.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 // Relative to a node's shortest edge: a node closer to the blade counts as lying on the blade.
@@ -279,4 +279,4 @@ void split_edges(TetComplex& complex, const SweptSurface& sheet, std::span<const
   EdgeSplitter(complex, sheet, x, marks, result).run(candidates);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

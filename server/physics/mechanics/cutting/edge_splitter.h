@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/cutting/mesh_cut.h"
 #include "server/physics/mechanics/cutting/swept_surface.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Nodes that count as lying on the swept surface of a stroke, each with the plane of the surface at the
 /// node, indexed by node id.
@@ -37,4 +37,4 @@ class Marks {
 void split_edges(TetComplex& complex, const SweptSurface& sheet, std::span<const TetId> candidates,
                  std::vector<Vec3>& x, Marks& marks, CutResult& result);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

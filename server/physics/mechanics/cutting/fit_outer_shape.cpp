@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 #include "server/physics/mechanics/cutting/outer_shape.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 constexpr double farthest = 0.75;  // longest offset from the boundary, relative to the edge length
@@ -172,12 +172,12 @@ class OuterShape::Fit {
   /// Returns the offset to the nearest surface point on the ray; zero if the ray meets no surface.
   Vec3 offset_at(const Vec3& x, const Vec3& normal, double reach) const {
     const Vec3 direction = reach * normal;
-    Aabb box;
+    collision::Aabb box;
     box.add(x - direction);
     box.add(x + direction);
     double nearest = 2;
-    tree_.visit([&](const Aabb& other) { return box.overlaps(other); },
-                [&](const SurfaceTree::Node& leaf) {
+    tree_.visit([&](const collision::Aabb& other) { return box.overlaps(other); },
+                [&](const collision::SurfaceTree::Node& leaf) {
                   for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
                     const auto& t = surface_.triangles[tree_.order()[k]];
                     const auto s = hit(x, direction, surface_.positions[t[0]], surface_.positions[t[1]],
@@ -228,7 +228,7 @@ class OuterShape::Fit {
 
   const TetComplex& complex_;
   const TriangleMesh& surface_;
-  SurfaceTree tree_;
+  collision::SurfaceTree tree_;
   std::vector<Face> face_;
   std::vector<Side> edge_;  // one side of each edge; ascending
   // Rays of nodes, then of edge midpoints. place_: origin in the rest shape, m. normal_: direction. reach_:
@@ -243,4 +243,4 @@ OuterShape::OuterShape(const TetComplex& uncut, const TriangleMesh& surface) {
   Fit(uncut, surface).find(*this);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

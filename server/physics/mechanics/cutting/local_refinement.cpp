@@ -7,7 +7,7 @@
 #include "common/assert.h"
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 constexpr std::size_t most_at_once = 600;  // most tetrahedra added in one tick
@@ -218,4 +218,4 @@ void LocalRefinement::bisect(std::span<const RefinedEdge> edges) {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -19,7 +19,7 @@
 #include "server/physics/mechanics/cutting/tet_complex.h"
 #include "server/physics/mechanics/cutting/touched_places.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 struct RefinementLimits {
   double edge = 0;           // m: longest edge allowed near a touched place
@@ -127,4 +127,4 @@ class LocalRefinement {
   mutable std::vector<TetId> around_;  // scratch
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/cutting/sheet_passage.h"
 #include "server/physics/mechanics/cutting/swept_surface.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 // m: a point of the edge that moved less stays where it is until it has moved that far. The direction of
@@ -325,4 +325,4 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   return result;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -15,7 +15,7 @@
 #include "server/physics/mechanics/cutting/tet_complex.h"
 #include "server/physics/mechanics/cutting/tet_tree.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Smallest dihedral angle of a tetrahedron (or angle of a sheet's triangle), in degrees, that a cut may
 /// create. Smaller angles that the mesh had before are not reduced.
@@ -46,4 +46,4 @@ struct CutResult {
 CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
               BladeStroke& stroke);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

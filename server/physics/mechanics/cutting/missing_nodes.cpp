@@ -7,7 +7,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 using Vertex = std::uint32_t;
@@ -290,4 +290,4 @@ std::vector<NodeId> missing_nodes(const TetComplex& complex, const Marks& marks,
   return between_sides.find(most + 1) <= most ? between_sides.bottleneck() : through_all.bottleneck();
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

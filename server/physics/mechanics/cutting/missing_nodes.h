@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/cutting/edge_splitter.h"
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Returns the largest number of nodes that the swept surface may have missed in a complete cut: 5 % of the
 /// marked nodes, and at least 4 (1 for a sheet). If more nodes connect the two sides of the cut, the blade
@@ -19,4 +19,4 @@ std::size_t most_missing(const TetComplex& complex, const Marks& marks);
 /// minimum vertex cut of a unit-capacity network (Dinic 1970; Even and Tarjan 1975).
 std::vector<NodeId> missing_nodes(const TetComplex& complex, const Marks& marks, std::size_t most);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/sheet_mass.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 NodeMasses::NodeMasses(double density) : density_(density) {
   if (!(density > 0) || !std::isfinite(density))
@@ -118,4 +118,4 @@ void NodeMasses::share_back(const PartNode& op) {
   mass_[op.node] = before_[op.copies.front().node].a;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -8,7 +8,7 @@
 
 #include "server/physics/mechanics/cutting/tet_tables.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class NodeMasses {
  public:
@@ -63,4 +63,4 @@ class NodeMasses {
   bool deferred_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 OuterShape::Place OuterShape::place(NodeId node) const {
   if (node >= outer_.size() || outer_[node] == 0) return {};
@@ -54,4 +54,4 @@ bool OuterShape::has_middle(const Place& a, const Place& b) const {
   return found != nullptr && found->middle;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

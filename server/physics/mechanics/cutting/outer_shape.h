@@ -9,7 +9,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Outer shape of a body that can be cut: offsets from the boundary of the compiled mesh to the finer surface
 /// at which the body is drawn and touched. They are given at nodes and edge midpoints and quadratic in
@@ -57,4 +57,4 @@ class OuterShape {
   std::vector<Edge> edges_;           // ascending
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

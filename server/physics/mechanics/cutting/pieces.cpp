@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 std::vector<std::vector<TetId>> pieces(const TetComplex& complex) {
   std::vector<TetId> piece_of(complex.tet_end(), TetComplex::none), open;
@@ -65,4 +65,4 @@ bool hang_together(const TetComplex& complex, std::span<const TetId> tets) {
   return groups <= 1;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Returns the connected pieces of a body, each as the ids of its tetrahedra, ascending. Tetrahedra are
 /// connected through common faces. Pieces are sorted by their lowest id.
@@ -15,4 +15,4 @@ std::vector<std::vector<TetId>> pieces(const TetComplex& complex);
 /// through faces. They must have been connected before. The search stops when the answer is known.
 bool hang_together(const TetComplex& complex, std::span<const TetId> tets);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -2,7 +2,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 EdgeMasses share_mass(const EdgeEnd& a, const EdgeEnd& b, double t) {
   PROSECTOR_ASSERT(t > 0 && t < 1);
@@ -12,4 +12,4 @@ EdgeMasses share_mass(const EdgeEnd& a, const EdgeEnd& b, double t) {
   return {f * a.mass, f * b.mass, f * m};
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

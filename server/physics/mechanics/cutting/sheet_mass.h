@@ -2,7 +2,7 @@
 // Node masses of a sheet that is cut. Springs have no volume to lump: a new node takes mass from its
 // neighbours.
 
-namespace prosector {
+namespace prosector::cutting {
 
 struct EdgeMasses {
   double a = 0, b = 0, node = 0;  // kg: of the ends, and of the new node between them
@@ -21,4 +21,4 @@ struct EdgeEnd {
 /// the new node. The total mass is conserved.
 EdgeMasses share_mass(const EdgeEnd& a, const EdgeEnd& b, double t);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

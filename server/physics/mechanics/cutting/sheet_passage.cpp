@@ -3,7 +3,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/segment_hit.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> triangles, std::span<const Vec3> x,
                            std::span<const Vec3> from, std::span<const Vec3> to) {
@@ -13,19 +13,19 @@ SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> trian
   SheetPassage out;
   for (const TetId t : triangles) {
     const auto c = sheet.corners(t);
-    const Triangle corners = {x[c[0]], x[c[1]], x[c[2]]};
+    const collision::Triangle corners = {x[c[0]], x[c[1]], x[c[2]]};
     const auto passes_through = [&](std::span<const Vec3> line) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        if (segment_hit(line[i], line[i + 1], corners, slack)) return true;
+        if (collision::segment_hit(line[i], line[i + 1], corners, slack)) return true;
       return false;
     };
     out.was_in = out.was_in || passes_through(from);
     out.is_in = out.is_in || passes_through(to);
     out.end_came_through = out.end_came_through ||
-                           segment_hit(from.front(), to.front(), corners, slack).has_value() ||
-                           segment_hit(from.back(), to.back(), corners, slack).has_value();
+                           collision::segment_hit(from.front(), to.front(), corners, slack).has_value() ||
+                           collision::segment_hit(from.back(), to.back(), corners, slack).has_value();
   }
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 struct SheetPassage {
   bool was_in = false, is_in = false;  // whether the line crossed the sheet before, and crosses it now
@@ -19,4 +19,4 @@ struct SheetPassage {
 SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> triangles, std::span<const Vec3> x,
                            std::span<const Vec3> from, std::span<const Vec3> to);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

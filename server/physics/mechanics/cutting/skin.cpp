@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 constexpr std::uint32_t none = UINT32_MAX;
@@ -314,4 +314,4 @@ void Skin::put_face(const TetComplex& complex, TetId tet, std::size_t k, Change&
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

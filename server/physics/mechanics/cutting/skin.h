@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/cutting/outer_shape.h"
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class Skin {
  public:
@@ -99,4 +99,4 @@ class Skin {
   std::vector<Edge> double_edges_;  // ascending
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -6,7 +6,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 namespace {
 
@@ -93,7 +93,7 @@ std::optional<SweptSurface::Foot> SweptSurface::foot(const Vec3& x, double reach
   for (const Piece& p : pieces_) {
     if (((p.low - x).array() > reach).any() || ((x - p.high).array() > reach).any()) continue;
     if (std::abs(p.normal.dot(x - p.corner[0])) > reach) continue;
-    const Vec3 w = closest_weights(x, p.corner[0], p.corner[1], p.corner[2]);
+    const Vec3 w = collision::closest_weights(x, p.corner[0], p.corner[1], p.corner[2]);
     const Vec3 point = w[0] * p.corner[0] + w[1] * p.corner[1] + w[2] * p.corner[2];
     const double distance = (point - x).norm();
     if (distance > reach || (best && best->distance <= distance)) continue;
@@ -103,4 +103,4 @@ std::optional<SweptSurface::Foot> SweptSurface::foot(const Vec3& x, double reach
   return best;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

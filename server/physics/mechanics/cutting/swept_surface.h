@@ -8,7 +8,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class SweptSurface {
  public:
@@ -44,8 +44,8 @@ class SweptSurface {
   /// nothing if it does not cross, or is parallel to the surface.
   std::optional<Crossing> crossing(const Vec3& a, const Vec3& b) const;
   /// Returns the foot of x on the swept surface: distance and normal at the nearest triangle, and the
-  /// projection of x. The projection is onto the plane through that triangle with the normal Piece::up of the
-  /// smoothed surface. Returns nothing if the distance exceeds `reach`, m.
+  /// projection of x. The projection is onto the plane through the triangle's point nearest to x, with the
+  /// smoothed surface's normal Piece::up. Returns nothing if the distance exceeds `reach`, m.
   std::optional<Foot> foot(const Vec3& x, double reach) const;
 
  private:
@@ -53,4 +53,4 @@ class SweptSurface {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -7,7 +7,7 @@
 #include "common/assert.h"
 #include "common/hash.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 TetComplex::TetComplex(TetTables tables, NodeMasses masses)
     : tables_(std::move(tables)), masses_(std::move(masses)) {
@@ -27,11 +27,11 @@ TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vecto
 }
 
 void TetComplex::apply(const TopologyOp& op) {
-  std::visit([&](const auto& o) { prosector::apply(o, EditedTables{tables_, masses_, scratch_}); }, op);
+  std::visit([&](const auto& o) { cutting::apply(o, EditedTables{tables_, masses_, scratch_}); }, op);
 }
 
 void TetComplex::take_back(const TopologyOp& op) {
-  std::visit([&](const auto& o) { prosector::take_back(o, EditedTables{tables_, masses_, scratch_}); }, op);
+  std::visit([&](const auto& o) { cutting::take_back(o, EditedTables{tables_, masses_, scratch_}); }, op);
   ++undone_;
 }
 
@@ -82,4 +82,4 @@ std::vector<TetId> tet_ids(const TetComplex& complex) {
   return ids;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -15,7 +15,7 @@
 #include "server/physics/mechanics/cutting/topology_edits.h"
 #include "server/physics/mechanics/cutting/topology_op.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class TetComplex {
  public:
@@ -99,4 +99,4 @@ inline bool has_corner(const TetComplex& complex, TetId tet, NodeId node) {
   return complex.corner_index(tet, node) < 4;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

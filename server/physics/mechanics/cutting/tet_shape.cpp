@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace prosector {
+namespace prosector::cutting {
 
 double cos_least_dihedral(const std::array<Vec3, 4>& x) {
   const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], e3 = x[3] - x[0];
@@ -31,4 +31,4 @@ double cos_least_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min(most, 1.0);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -5,7 +5,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Returns the cosine of the smallest of a tetrahedron's six dihedral angles; 1 for a flat tetrahedron. `x`:
 /// its corners.
@@ -14,4 +14,4 @@ double cos_least_dihedral(const std::array<Vec3, 4>& x);
 /// Returns the cosine of the smallest of the three angles of triangle abc; 1 if two corners coincide.
 double cos_least_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -11,7 +11,7 @@
 #include "common/assert.h"
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 void fill_stars(TetTables& tables) {
@@ -223,4 +223,4 @@ void TetTables::enter(NodeId node, TetId t) {
   of.insert(std::lower_bound(of.begin(), of.end(), t), t);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

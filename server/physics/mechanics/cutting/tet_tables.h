@@ -11,7 +11,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/cutting/topology_op.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Parent and children of a tetrahedron: a split replaces a tetrahedron by two children.
 struct Lineage {
@@ -98,4 +98,4 @@ TetTables tables_of_sheet(const Anatomy& sheet);
 /// face. The message names the tetrahedron.
 void connect(TetTables& tables);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -8,7 +8,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/collision/surface/space_order.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 constexpr std::size_t leaf_size = 8, leaves_per_chunk = 128, nodes_per_chunk = 2048;
@@ -30,7 +30,7 @@ void TetTree::build(const TetComplex& complex) {
   for (const TetId t : ids) middles.push_back(centroid(complex, t));
   std::vector<TetId> tets;
   tets.reserve(ids.size());
-  for (const SpaceOrder order(std::move(middles)); const std::uint32_t i : order.order())
+  for (const collision::SpaceOrder order(std::move(middles)); const std::uint32_t i : order.order())
     tets.push_back(ids[i]);
   leaf_of_.assign(complex.tet_end(), 0);
   if (!tets.empty()) split(tets, 0, tets.size());
@@ -190,4 +190,4 @@ void TetTree::query(const Vec3& low, const Vec3& high, std::vector<TetId>& found
       found);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

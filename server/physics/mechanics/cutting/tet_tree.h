@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/cutting/swept_surface.h"
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class TetTree {
  public:
@@ -52,4 +52,4 @@ class TetTree {
   std::uint64_t undone_ = 0;
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -8,7 +8,7 @@
 #include "common/assert.h"
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 constexpr TetId none = TetTables::none;
@@ -286,4 +286,4 @@ void take_back(const PartNode& op, EditedTables edited) {
   masses.update(tables, op.node);
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

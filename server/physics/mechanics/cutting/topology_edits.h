@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/cutting/node_masses.h"
 #include "server/physics/mechanics/cutting/tet_tables.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Scratch memory of edge splits: the tetrahedra around the edge, and the volumes of their halves. It is
 /// reused to avoid allocations.
@@ -35,4 +35,4 @@ void take_back(const SplitEdge& op, EditedTables edited);
 void take_back(const SlitFaces& op, EditedTables edited);
 void take_back(const PartNode& op, EditedTables edited);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Ids of nodes and tetrahedra within one body. They are never reused, not even after an undo. Nodes and
 /// tetrahedra of the compiled mesh have their indices as ids.
@@ -48,4 +48,4 @@ struct PartNode {
 
 using TopologyOp = std::variant<SplitEdge, SlitFaces, PartNode>;
 
-}  // namespace prosector
+}  // namespace prosector::cutting

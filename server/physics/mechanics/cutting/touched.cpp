@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/cutting/touched.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 /// Appends the tetrahedra touched by `op`.
@@ -42,4 +42,4 @@ std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<Topol
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

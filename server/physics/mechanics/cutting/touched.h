@@ -5,10 +5,10 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 /// Returns the ids, ascending, of all tetrahedra that these topology changes, which were just applied,
 /// removed, added or connected differently. For a sheet, triangles whose nodes changed mass are included.
 std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops);
 
-}  // namespace prosector
+}  // namespace prosector::cutting

@@ -7,7 +7,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::cutting {
 namespace {
 
 /// Returns the distance between a point and a box, m.
@@ -60,4 +60,4 @@ double TouchedPlaces::distance(const Vec3& low, const Vec3& high, double limit) 
   return nearest;
 }
 
-}  // namespace prosector
+}  // namespace prosector::cutting

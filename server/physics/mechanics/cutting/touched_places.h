@@ -6,7 +6,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::cutting {
 
 class TouchedPlaces {
  public:
@@ -31,4 +31,4 @@ class TouchedPlaces {
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
 };
 
-}  // namespace prosector
+}  // namespace prosector::cutting

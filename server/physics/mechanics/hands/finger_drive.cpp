@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::hands {
 namespace {
 
 constexpr int bisections = 24;  // of an interval of length at most 2
@@ -44,4 +44,4 @@ double finger_step(double tracked, double flexion, double most, std::span<const 
   return low;
 }
 
-}  // namespace prosector
+}  // namespace prosector::hands

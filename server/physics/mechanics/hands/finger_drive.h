@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace prosector {
+namespace prosector::hands {
 
 /// Contact of a finger with a body, actual or imminent, as an obstacle to the finger's flexion. The gap is
 /// measured along the contact normal.
@@ -28,4 +28,4 @@ struct FingerDrive {
 double finger_step(double tracked, double flexion, double most, std::span<const Obstacle> obstacles,
                    const FingerDrive& drive);
 
-}  // namespace prosector
+}  // namespace prosector::hands

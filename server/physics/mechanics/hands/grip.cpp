@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-namespace prosector {
+namespace prosector::hands {
 
 std::size_t digit_of(std::size_t part) {
   constexpr std::size_t thumb_segments = 2, finger_segments = 3;
@@ -38,4 +38,4 @@ std::vector<Touch> nearest_of_each_digit(std::span<const Touch> touches) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::hands

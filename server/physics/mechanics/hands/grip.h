@@ -7,7 +7,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::hands {
 
 /// Point of a body that a part of the hand (the palm or a finger segment) touches or is close to.
 struct Touch {
@@ -35,4 +35,4 @@ std::vector<Touch> holding_touches(std::vector<Touch> touches);
 /// order of the digits.
 std::vector<Touch> nearest_of_each_digit(std::span<const Touch> touches);
 
-}  // namespace prosector
+}  // namespace prosector::hands

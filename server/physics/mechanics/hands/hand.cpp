@@ -9,7 +9,7 @@
 #include "common/rotation.h"
 #include "common/rotation_between.h"
 
-namespace prosector {
+namespace prosector::hands {
 namespace {
 
 // m: lever arm that converts the coupling's stiffness to an angular stiffness.
@@ -34,9 +34,9 @@ const Hand* hand_at(std::span<const Hand> hands, std::size_t slot) {
   return nullptr;
 }
 
-bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact> touches) {
+bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const contact::Contact> touches) {
   return std::any_of(touches.begin(), touches.end(),
-                     [&](const Contact& c) { return hand_at(hands, c.b.body) != nullptr; }) ||
+                     [&](const contact::Contact& c) { return hand_at(hands, c.b.body) != nullptr; }) ||
          std::any_of(hands.begin(), hands.end(),
                      [&](const Hand& hand) { return hand.hold && hand.hold->body == body; });
 }
@@ -112,4 +112,4 @@ Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose&
   return hold;
 }
 
-}  // namespace prosector
+}  // namespace prosector::hands

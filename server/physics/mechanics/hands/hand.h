@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/hands/hand_model.h"
 #include "server/physics/mechanics/hands/pull.h"
 
-namespace prosector {
+namespace prosector::hands {
 
 /// Hold of a hand on a body it grasps: pairs of a point of the hand and a point of the body, connected by
 /// springs of bounded force.
@@ -40,7 +40,7 @@ struct Hand {
   bool draws = false;              // whether the hand draws a cut
   std::optional<double> reaction;  // N, of the haptic arm that moves the hand; none: no arm
   std::optional<Hold> hold;
-  std::vector<PadMemory> pads;  // in the order of the last tick's contacts
+  std::vector<contact::PadMemory> pads;  // in the order of the last tick's contacts
 };
 
 /// Returns the hand that has this slot (index of a body) in the rigid world; null if the slot is not a
@@ -49,7 +49,7 @@ const Hand* hand_at(std::span<const Hand> hands, std::size_t slot);
 
 /// Returns whether any hand holds or touches the soft body `body`. `touches`: the soft body's contacts with
 /// rigid bodies, hands included.
-bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact> touches);
+bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const contact::Contact> touches);
 
 inline constexpr double max_hand_speed = 3;         // m/s, of the effective target
 inline constexpr double max_finger_rate = 8;        // 1/s, of flexion: a full fist takes 1/8 s
@@ -90,4 +90,4 @@ const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point)
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
                 const Pose& body_centre, std::span<const Touch> touches, double h);
 
-}  // namespace prosector
+}  // namespace prosector::hands

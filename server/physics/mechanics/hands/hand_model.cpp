@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace prosector {
+namespace prosector::hands {
 namespace {
 
 // m, half extents of the open hand's box.
@@ -25,11 +25,12 @@ HandModel make_hand_model(std::size_t hand, const HandDesc& desc) {
   HandModel out;
   out.center = {hand_palm(hand).center, Quat::Identity()};
   const auto poses = hand_part_poses(hand, {}, out.center);
-  out.shape.parts.push_back({ShapeKind::box, hand_palm(hand).half_extents, poses[0], nullptr});
+  out.shape.parts.push_back({collision::ShapeKind::box, hand_palm(hand).half_extents, poses[0], nullptr});
   for (const HandSegment& s : hand_segments(hand))
     out.shape.parts.push_back(
-        {ShapeKind::capsule, {s.radius, s.length / 2, s.radius}, poses[s.joint + 1], nullptr});
-  for (const ShapePart& part : out.shape.parts) out.shape.distances.push_back(make_signed_distance(part));
+        {collision::ShapeKind::capsule, {s.radius, s.length / 2, s.radius}, poses[s.joint + 1], nullptr});
+  for (const collision::ShapePart& part : out.shape.parts)
+    out.shape.distances.push_back(contact::make_signed_distance(part));
   const Vec3 s = Vec3(half_width, half_thickness, half_length).cwiseAbs2();
   out.setup.parts = out.shape.parts;
   out.setup.mass = desc.mass;
@@ -39,4 +40,4 @@ HandModel make_hand_model(std::size_t hand, const HandDesc& desc) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::hands

@@ -9,13 +9,13 @@
 #include "server/physics/mechanics/contact/rigid_shape.h"
 #include "server/physics/mechanics/rigid/rigid_world.h"
 
-namespace prosector {
+namespace prosector::hands {
 
 /// Physical model of a left or right hand as a rigid body whose parts are the palm, then the finger segments
 /// in joint order.
 struct HandModel {
-  RigidShape shape;
-  RigidSetup setup;
+  contact::RigidShape shape;
+  rigid::RigidSetup setup;
   Pose center;  // centre-of-mass frame, relative to the wrist's frame
 };
 
@@ -27,4 +27,4 @@ std::vector<Pose> hand_part_poses(std::size_t hand, const std::array<double, fin
 
 HandModel make_hand_model(std::size_t hand, const HandDesc& desc);
 
-}  // namespace prosector
+}  // namespace prosector::hands

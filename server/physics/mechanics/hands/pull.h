@@ -3,7 +3,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::hands {
 
 /// Parameters of a hand's virtual coupling in one tick: a spring with bounded force and moment that pulls the
 /// hand's rigid body towards a displacement. Its potential is quadratic up to the bound and linear beyond it.
@@ -13,4 +13,4 @@ struct Pull {
   double max_force = 0, max_moment = 0;                      // N, N·m
 };
 
-}  // namespace prosector
+}  // namespace prosector::hands

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::organs {
 
 BladeShape blade_shape(const std::vector<EdgeDesc>& edges) {
   BladeShape out;
@@ -49,4 +49,4 @@ double slicing(const Vec3& lag, const Vec3& edge, const Vec3& normal) {
   return slicing(lag.norm(), normal.cross(lag.cross(edge)).norm() / through);
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -18,7 +18,7 @@
 #include "server/physics/mechanics/contact/contact.h"
 #include "server/physics/mechanics/cutting/blade_stroke.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 inline constexpr double edge_spacing = 0.004;  // m: largest spacing of points along an edge
 inline constexpr double edge_give = 5e-4;      // m: lag of a point behind its edge when the tissue yields
@@ -76,7 +76,7 @@ struct Blade {
   std::vector<Vec3> cut_to;  // m, room frame: last cut position by point, in order of the edges
   /// Strokes of the blade that are in progress. Key: the organ, as the index of the original soft body, and
   /// the index of the blade's edge.
-  std::map<std::pair<std::size_t, std::size_t>, BladeStroke> strokes;
+  std::map<std::pair<std::size_t, std::size_t>, cutting::BladeStroke> strokes;
 };
 
 /// Spring between tissue and one point of a blade's edge, with the soft body, the instrument, the point's
@@ -91,7 +91,7 @@ struct BladeGrip {
   std::optional<double> through{};
   // m: offset of the point from that material, for a point that touched a sheet from above.
   Vec3 beside = Vec3::Zero();
-  Tie tie;
+  contact::Tie tie;
 };
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/organs/organ_log.h"
 #include "server/physics/mechanics/organs/organ_pieces.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 inline constexpr std::size_t most_listed = 1 << 24;       // entries of one operation or stroke
 inline constexpr std::size_t most_ops = 10'000'000;       // operations of one change
@@ -17,7 +17,7 @@ inline constexpr std::size_t most_changes = 10'000'000;   // changes of one log
 inline constexpr std::size_t most_soft_bodies = 1 << 20;  // pieces included
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<SplitEdge>& op) {
+void entry(Io& io, typename Io::template Entry<cutting::SplitEdge>& op) {
   auto& [a, b, node, t, first, count] = op;
   io.number(a, "first end");
   io.number(b, "second end");
@@ -28,7 +28,7 @@ void entry(Io& io, typename Io::template Entry<SplitEdge>& op) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<SlitFaces>& op) {
+void entry(Io& io, typename Io::template Entry<cutting::SlitFaces>& op) {
   auto& [faces] = op;
   io.list(faces, most_listed, "face", [&](auto& pair) {
     for (auto& tet : pair) io.number(tet, "tetrahedron");
@@ -36,7 +36,7 @@ void entry(Io& io, typename Io::template Entry<SlitFaces>& op) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<PartNode>& op) {
+void entry(Io& io, typename Io::template Entry<cutting::PartNode>& op) {
   auto& [node, copies] = op;
   io.number(node, "node");
   io.list(copies, most_listed, "copy", [&](auto& copy) {
@@ -47,15 +47,16 @@ void entry(Io& io, typename Io::template Entry<PartNode>& op) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<TopologyOp>& op) {
+void entry(Io& io, typename Io::template Entry<cutting::TopologyOp>& op) {
   enum class Kind : std::uint8_t { split_edge, slit_faces, part_node };
-  static_assert(std::variant_size_v<TopologyOp> == 3, "each operation has its Kind, in the variant's order");
+  static_assert(std::variant_size_v<cutting::TopologyOp> == 3,
+                "each operation has its Kind, in the variant's order");
   auto kind = static_cast<Kind>(op.index());
   io.number(kind, "operation");
   if constexpr (Io::reads) {
-    if (kind == Kind::split_edge) op = SplitEdge();
-    if (kind == Kind::slit_faces) op = SlitFaces();
-    if (kind == Kind::part_node) op = PartNode();
+    if (kind == Kind::split_edge) op = cutting::SplitEdge();
+    if (kind == Kind::slit_faces) op = cutting::SlitFaces();
+    if (kind == Kind::part_node) op = cutting::PartNode();
     io.require(kind <= Kind::part_node, "an unknown operation");
   }
   std::visit([&](auto& known) { entry(io, known); }, op);
@@ -84,7 +85,7 @@ void entry(Io& io, typename Io::template Entry<PieceMarks>& marks) {
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<BladeStroke>& stroke) {
+void entry(Io& io, typename Io::template Entry<cutting::BladeStroke>& stroke) {
   auto& [edge, marks, ended_inside, way] = stroke;
   double before = 0;
   io.list(edge, most_listed, "point", [&](auto& point) {
@@ -106,4 +107,4 @@ void entry(Io& io, typename Io::template Entry<BladeStroke>& stroke) {
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

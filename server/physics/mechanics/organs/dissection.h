@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/organs/organ.h"
 #include "server/physics/mechanics/organs/refined_body.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 struct Dissection {
   std::map<std::size_t, Organ> organs;  // cut organs, by index of the original soft body
@@ -26,4 +26,4 @@ struct Dissection {
   bool ever_cut() const { return !organs.empty() || !blades.empty() || strokes > 0; }
 };
 
-}  // namespace prosector
+}  // namespace prosector::organs

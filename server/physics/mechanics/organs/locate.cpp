@@ -4,7 +4,7 @@
 
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 constexpr double rounding = 1e-9;  // of a barycentric weight
@@ -24,7 +24,7 @@ std::optional<SparseMap::Row> weights_in(const std::array<std::uint32_t, 4>& tet
 
 }  // namespace
 
-Locator::Locator(const TetMesh& mesh, const VecX& x, const Aabb& box) : mesh_(&mesh), x_(&x) {
+Locator::Locator(const TetMesh& mesh, const VecX& x, const collision::Aabb& box) : mesh_(&mesh), x_(&x) {
   std::vector<std::vector<Near>> runs(chunk_count(mesh.tets.size(), tets_per_chunk));
   parallel_chunks(
       mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {
@@ -55,4 +55,4 @@ std::optional<SparseMap::Row> Locator::at(const Vec3& point) const {
   return std::nullopt;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

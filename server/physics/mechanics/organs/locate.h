@@ -7,7 +7,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Spatial index of the tetrahedra of a mesh that are near a box, for finding the tetrahedron that contains a
 /// point of that box. Building it takes one pass over the mesh.
@@ -16,7 +16,7 @@ class Locator {
   /// Collects the tetrahedra whose bounding boxes overlap `box`. `x`: node positions (3 per node, m); it may
   /// hold more nodes than the tetrahedra use. Stores pointers to `mesh` and `x`, which must outlive this
   /// object.
-  Locator(const TetMesh& mesh, const VecX& x, const Aabb& box);
+  Locator(const TetMesh& mesh, const VecX& x, const collision::Aabb& box);
   /// Returns the first tetrahedron of the indexed mesh that contains `point` (m), as its four corner nodes
   /// with barycentric weights. Points on faces count as inside. Returns none if no tetrahedron contains it.
   /// Inverted tetrahedra contain no points. `point` must lie in the box for which the index was built.
@@ -24,7 +24,7 @@ class Locator {
 
  private:
   struct Near {
-    Aabb box;
+    collision::Aabb box;
     std::uint32_t tet;
   };
   const TetMesh* mesh_;
@@ -32,4 +32,4 @@ class Locator {
   std::vector<Near> near_;  // ascending
 };
 
-}  // namespace prosector
+}  // namespace prosector::organs

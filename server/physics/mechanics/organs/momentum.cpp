@@ -6,7 +6,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 constexpr double least_inertia = 1e-6;   // of the largest moment of inertia: below this, nodes lie on an axis
@@ -73,7 +73,7 @@ void keep_momentum(std::span<const PieceMotion> before, std::span<const PieceMot
   }
   const auto all = [](const PieceMotion&, std::size_t) { return true; };
   const auto changed = [&](const PieceMotion& piece, std::size_t n) {
-    const NodeId id = piece.nodes[n];
+    const cutting::NodeId id = piece.nodes[n];
     return id >= mass_before.size() || mass_before[id] != (*piece.mass)[static_cast<Eigen::Index>(n)];
   };
   const Whole was = whole(before, all), is = whole(now, all), some = whole(now, changed);
@@ -92,4 +92,4 @@ void keep_momentum(std::span<const PieceMotion> before, std::span<const PieceMot
     }
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

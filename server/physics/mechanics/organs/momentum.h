@@ -5,15 +5,15 @@
 
 #include "server/physics/mechanics/cutting/tet_complex.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Nodes of one piece of a cut sheet, with their ids, masses (kg), positions (m) and velocities (m/s). The
 /// velocities may be corrected in place.
 struct PieceMotion {
-  std::span<const NodeId> nodes;  // ids of its n nodes
-  const VecX* mass;               // n, kg: nodal masses
-  const VecX* place;              // 3n, m: node positions
-  VecX* velocity;                 // 3n, m/s: node velocities
+  std::span<const cutting::NodeId> nodes;  // ids of its n nodes
+  const VecX* mass;                        // n, kg: nodal masses
+  const VecX* place;                       // 3n, m: node positions
+  VecX* velocity;                          // 3n, m/s: node velocities
 };
 
 /// Corrects node velocities in `now` so that a cut of a sheet conserves total momentum. `before` and `now`:
@@ -24,4 +24,4 @@ struct PieceMotion {
 /// preserving the centre of mass.
 void keep_momentum(std::span<const PieceMotion> before, std::span<const PieceMotion> now, bool spin);
 
-}  // namespace prosector
+}  // namespace prosector::organs

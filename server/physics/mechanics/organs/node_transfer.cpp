@@ -5,7 +5,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/organs/tet_lineage.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 /// Returns the barycentric weights of a point with offset r from a triangle's corner, in its plane. u and v:
@@ -34,10 +34,10 @@ std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec
 }  // namespace
 
 /// Returns the source of the position `rest` in the old tetrahedron there; none: there was no tetrahedron.
-std::optional<NodeTransfer::Source> NodeTransfer::within(const TetComplex& complex,
+std::optional<NodeTransfer::Source> NodeTransfer::within(const cutting::TetComplex& complex,
                                                          std::span<const PieceMesh* const> before,
-                                                         std::span<const EdgeNodes> edges, TetId tet,
-                                                         const Vec3& rest) {
+                                                         std::span<const soft::EdgeNodes> edges,
+                                                         cutting::TetId tet, const Vec3& rest) {
   const auto found = find_old(complex, before, tet);
   if (!found) return std::nullopt;
   const auto& [p, i] = *found;
@@ -49,23 +49,23 @@ std::optional<NodeTransfer::Source> NodeTransfer::within(const TetComplex& compl
   for (std::size_t k = 0; k < 4; ++k)
     source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
   if (quadratic)
-    for (const auto& [a, b] : EdgeNodes::edges_of_tet)
+    for (const auto& [a, b] : soft::EdgeNodes::edges_of_tet)
       source.terms[source.count++] = {p, edges[p].find(corner[a], corner[b]), 4 * w[a] * w[b]};
   return source;
 }
 
-NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before,
+NodeTransfer::NodeTransfer(const cutting::TetComplex& complex, std::span<const PieceMesh* const> before,
                            const PieceMesh& now, bool quadratic) {
-  std::vector<EdgeNodes> edges_before;
+  std::vector<soft::EdgeNodes> edges_before;
   if (quadratic)
     for (const PieceMesh* piece : before) edges_before.emplace_back(piece->mesh.tets, piece->nodes.size());
 
   PROSECTOR_ASSERT(is_ascending(now.nodes));
   // Positions in each piece's nodes, which ascend like those of `now`.
   std::vector<std::size_t> reached(before.size(), 0);
-  const auto itself = [&](NodeId id) -> std::optional<Source> {
+  const auto itself = [&](cutting::NodeId id) -> std::optional<Source> {
     for (std::uint32_t p = 0; p < before.size(); ++p) {
-      const std::vector<NodeId>& nodes = before[p]->nodes;
+      const std::vector<cutting::NodeId>& nodes = before[p]->nodes;
       std::size_t& i = reached[p];
       while (i < nodes.size() && nodes[i] < id) ++i;
       if (i == nodes.size() || nodes[i] != id) continue;
@@ -76,22 +76,22 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     return std::nullopt;
   };
   sources_.reserve(now.mesh.positions.size());
-  for (const NodeId id : now.nodes) {
+  for (const cutting::NodeId id : now.nodes) {
     std::optional<Source> source = itself(id);
     if (!source) source = within(complex, before, edges_before, complex.star(id).front(), complex.rest(id));
     sources_.push_back(source.value_or(Source{}));
   }
   if (!quadratic) return;
-  const EdgeNodes edges(now.mesh.tets, now.nodes.size());
+  const soft::EdgeNodes edges(now.mesh.tets, now.nodes.size());
   sources_.resize(now.nodes.size() + edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {  // edges that existed before
     const Source &a = sources_[edges.edges()[k][0]], &b = sources_[edges.edges()[k][1]];
     if (a.count != 1 || b.count != 1 || a.terms[0].piece != b.terms[0].piece) continue;
     const std::uint32_t p = a.terms[0].piece, node = edges_before[p].find(a.terms[0].node, b.terms[0].node);
-    if (node != EdgeNodes::none) sources_[now.nodes.size() + k] = {1, {{{p, node, 1}}}};
+    if (node != soft::EdgeNodes::none) sources_[now.nodes.size() + k] = {1, {{{p, node, 1}}}};
   }
   for (std::size_t t = 0; t < now.mesh.tets.size(); ++t)
-    for (const auto& [a, b] : EdgeNodes::edges_of_tet) {
+    for (const auto& [a, b] : soft::EdgeNodes::edges_of_tet) {
       const std::uint32_t i = now.mesh.tets[t][a], j = now.mesh.tets[t][b];
       Source& to = sources_[edges.find(i, j)];
       if (to.count > 0) continue;
@@ -108,13 +108,14 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     }
 }
 
-NodeTransfer::NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
-                           std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges)
+NodeTransfer::NodeTransfer(const cutting::TetComplex& complex, const PieceMesh& before,
+                           std::span<const cutting::NodeId> made, std::span<const cutting::TetId> tets,
+                           const soft::MeshEdit& edit, const soft::EdgeNodes* edges)
     : sources_(edit.made_nodes.size()) {
   PROSECTOR_ASSERT(made.size() <= edit.made_nodes.size() && edit.middles.size() <= 6 * tets.size());
   const PieceMesh* const pieces[] = {&before};
-  const std::span<const EdgeNodes> edges_before(edges, edges ? 1 : 0);
-  const auto find = [&](TetId tet, const Vec3& rest) {
+  const std::span<const soft::EdgeNodes> edges_before(edges, edges ? 1 : 0);
+  const auto find = [&](cutting::TetId tet, const Vec3& rest) {
     return within(complex, pieces, edges_before, tet, rest).value_or(Source{});
   };
   for (std::size_t i = 0; i < made.size(); ++i)
@@ -147,12 +148,12 @@ VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
   return out;
 }
 
-VecX NodeTransfer::carried(const VecX& field, const MeshEdit& edit) const {
+VecX NodeTransfer::carried(const VecX& field, const soft::MeshEdit& edit) const {
   PROSECTOR_ASSERT(sources_.size() == edit.made_nodes.size());
   const VecX* const fields[] = {&field};
   const VecX made = (*this)(fields);
   VecX out(3 * static_cast<Eigen::Index>(edit.kept_nodes.now));
-  for (const Kept::Run& run : edit.kept_nodes.runs)
+  for (const soft::Kept::Run& run : edit.kept_nodes.runs)
     out.segment(3 * Eigen::Index{run.to}, 3 * Eigen::Index{run.count}) =
         field.segment(3 * Eigen::Index{run.from}, 3 * Eigen::Index{run.count});
   for (std::size_t i = 0; i < edit.made_nodes.size(); ++i)
@@ -160,4 +161,4 @@ VecX NodeTransfer::carried(const VecX& field, const MeshEdit& edit) const {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/cutting/touched.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 // Fraction of the tetrahedra. If more are split, a full update of the skin costs little more than an
@@ -20,18 +20,18 @@ Organ::Organ(std::size_t body, const Anatomy& anatomy, double density, std::vect
     : whole_(without_edge_nodes(anatomy)),
       held_(std::move(held)),
       complex_(uncut(density)),
-      skin_(complex_, std::make_shared<const OuterShape>(complex_, whole_.surface)),
+      skin_(complex_, std::make_shared<const cutting::OuterShape>(complex_, whole_.surface)),
       tree_(complex_),
       grouping_(complex_, body) {}
 
-TetComplex Organ::uncut(double density) const {
-  return whole_.quads.empty() ? TetComplex(whole_.tets, density)
-                              : TetComplex::of_sheet(whole_, density, held_);
+cutting::TetComplex Organ::uncut(double density) const {
+  return whole_.quads.empty() ? cutting::TetComplex(whole_.tets, density)
+                              : cutting::TetComplex::of_sheet(whole_, density, held_);
 }
 
-CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
-                     ParticipantId author, std::uint64_t stroke) {
-  CutResult result = prosector::cut(complex_, tree_, positions, edge, blade);
+cutting::CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge,
+                              cutting::BladeStroke& blade, ParticipantId author, std::uint64_t stroke) {
+  cutting::CutResult result = prosector::cutting::cut(complex_, tree_, positions, edge, blade);
   if (result.ops.empty()) return result;
   OrganChange& change = log_.emplace_back();
   change.author = author;
@@ -39,8 +39,8 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
   change.ops = result.ops;
   const bool much =
       much_share * static_cast<double>(complex_.tets()) < static_cast<double>(result.split_tets);
-  Skin::Change skin;
-  parallel_both([&] { change.touched = touched_by(complex_, change.ops); },
+  cutting::Skin::Change skin;
+  parallel_both([&] { change.touched = cutting::touched_by(complex_, change.ops); },
                 [&] {
                   if (much) skin = skin_.update(complex_);
                 });
@@ -55,7 +55,7 @@ Refusal Organ::undo(ParticipantId author) {
   const std::vector<OrganChange*> stroke = stroke_of(log_, author);
   if (stroke.empty()) return "you have no cut to undo";
   if (Refusal why = why_not_undone(log_, stroke)) return why;
-  const TetComplex before = complex_;
+  const cutting::TetComplex before = complex_;
   try {
     take_back(stroke);
   } catch (const InputError& error) {  // a dependency that touched_by() does not cover: nothing is undone
@@ -68,7 +68,7 @@ Refusal Organ::undo(ParticipantId author) {
   entry.cause = TopologyCause::undo;
   entry.author = author;
   entry.stroke = stroke.front()->stroke;
-  std::vector<TetId> touched;
+  std::vector<cutting::TetId> touched;
   for (const OrganChange* change : stroke)
     touched.insert(touched.end(), change->touched.begin(), change->touched.end());
   grouping_.note_skin(skin_.follow(complex_, touched));
@@ -81,7 +81,7 @@ void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
     PROSECTOR_ASSERT(change != nullptr && change->cause == TopologyCause::cut && !change->taken_back);
     for (auto op = change->ops.rbegin(); op != change->ops.rend(); ++op) {
       complex_.take_back(*op);
-      if (const auto* split = std::get_if<SplitEdge>(&*op)) grouping_.note_joined(complex_, *split);
+      if (const auto* split = std::get_if<cutting::SplitEdge>(&*op)) grouping_.note_joined(complex_, *split);
     }
     change->taken_back = true;
     grouping_.note_touched(complex_, change->touched);
@@ -97,4 +97,4 @@ void Organ::follow(const PieceEdit& edit) {
   grouping_.follow(complex_, edit, log_.size());
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -17,7 +17,7 @@
 #include "server/physics/mechanics/organs/organ_log.h"
 #include "server/physics/mechanics/organs/organ_pieces.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Soft body that can be cut: the mesh of all its tetrahedra or sheet triangles, its surface, its connected
 /// pieces, and the log of all cuts, undos and rewinds.
@@ -30,8 +30,8 @@ class Organ {
 
   const Anatomy& whole() const { return whole_; }  // as compiled, without edge nodes
   const std::vector<std::uint8_t>& held() const { return held_; }
-  const TetComplex& complex() const { return complex_; }
-  const Skin& skin() const { return skin_; }
+  const cutting::TetComplex& complex() const { return complex_; }
+  const cutting::Skin& skin() const { return skin_; }
   const OrganLog& log() const { return log_; }
   const OrganPieces& grouping() const { return grouping_; }
   const std::vector<OrganPiece>& pieces() const { return grouping_.all(); }
@@ -41,8 +41,8 @@ class Organ {
   /// `positions`: node positions (m) by node id; `edge`: points of the edge at the end of the tick (m, world
   /// frame); `blade`: the stroke's state, updated. `stroke`: number of the stroke, by which `author` can undo
   /// it. If the result lists no operations, the organ did not change.
-  CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
-                ParticipantId author, std::uint64_t stroke);
+  cutting::CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge,
+                         cutting::BladeStroke& blade, ParticipantId author, std::uint64_t stroke);
   /// Undoes all cuts of the author's last stroke that is still in force. Returns an empty refusal on success;
   /// otherwise returns the reason, for instance that a later cut depends on it, and changes nothing.
   Refusal undo(ParticipantId author);
@@ -78,18 +78,18 @@ class Organ {
   void restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies);
 
  private:
-  TetComplex uncut(double density) const;
+  cutting::TetComplex uncut(double density) const;
   void take_back(const std::vector<OrganChange*>& newest_first);
   void redo(OrganChange change);
   void go_back(std::size_t length);
 
   Anatomy whole_;
   std::vector<std::uint8_t> held_;
-  TetComplex complex_;
-  Skin skin_;
-  TetTree tree_;  // cache
+  cutting::TetComplex complex_;
+  cutting::Skin skin_;
+  cutting::TetTree tree_;  // cache
   OrganLog log_;
   OrganPieces grouping_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,16 +7,17 @@
 #include "server/physics/mechanics/organs/sheet_parts.h"
 #include "server/physics/mechanics/organs/surface_follow.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
-SurfaceEdit surface_edit(const Organ& organ, std::size_t body, std::span<const NodeId> nodes,
+SurfaceEdit surface_edit(const Organ& organ, std::size_t body, std::span<const cutting::NodeId> nodes,
                          std::vector<std::uint32_t> slots, const TriangleMesh& surface,
                          const Numbering& numbering) {
   const TriangleMesh& compiled = organ.whole().surface;
   return edit_of_surface(
-      organ.complex(), organ.skin(), nodes, [&](TetId tet) { return organ.grouping().owner(tet) == body; },
-      std::move(slots), surface, numbering, static_cast<std::uint32_t>(compiled.positions.size()),
+      organ.complex(), organ.skin(), nodes,
+      [&](cutting::TetId tet) { return organ.grouping().owner(tet) == body; }, std::move(slots), surface,
+      numbering, static_cast<std::uint32_t>(compiled.positions.size()),
       static_cast<std::uint32_t>(compiled.triangles.size()));
 }
 
@@ -45,15 +46,15 @@ PieceSurface surface_of(const Organ& organ, const OrganPiece& piece) {
 std::optional<PieceEdit> cut_in_one_piece(const Organ& organ) {
   const PieceChanges& changes = organ.grouping().changes();
   if (changes.bodies.size() != 1) return std::nullopt;
-  std::vector<TetId> slit;
+  std::vector<cutting::TetId> slit;
   for (std::size_t i = changes.log_from; i < organ.log().size(); ++i) {
     if (organ.log()[i].cause != TopologyCause::cut) return std::nullopt;
-    for (const TopologyOp& op : organ.log()[i].ops)
-      if (const auto* faces = std::get_if<SlitFaces>(&op))
+    for (const cutting::TopologyOp& op : organ.log()[i].ops)
+      if (const auto* faces = std::get_if<cutting::SlitFaces>(&op))
         for (const auto& [a, b] : faces->faces) slit.insert(slit.end(), {a, b});
   }
-  const TetComplex& complex = organ.complex();
-  if (!hang_together(complex, slit)) return std::nullopt;
+  const cutting::TetComplex& complex = organ.complex();
+  if (!cutting::hang_together(complex, slit)) return std::nullopt;
   const PieceMesh& before = organ.piece(*changes.bodies.begin()).mesh;
   PieceEdit edit = edit_of(complex, before, changes.touched);
   if (complex.is_sheet())
@@ -64,7 +65,7 @@ std::optional<PieceEdit> cut_in_one_piece(const Organ& organ) {
 
 SurfaceEdit surface_edit(const Organ& organ, const PieceEdit& edit, const TriangleMesh& surface,
                          const Numbering& numbering) {
-  std::vector<NodeId> nodes = organ.piece(edit.body).mesh.nodes;
+  std::vector<cutting::NodeId> nodes = organ.piece(edit.body).mesh.nodes;
   nodes.insert(nodes.end(), edit.nodes.begin(), edit.nodes.end());
   return surface_edit(organ, edit.body, nodes, organ.grouping().changes().skin, surface, numbering);
 }
@@ -74,7 +75,7 @@ std::optional<PieceEdit> edit_since(const Organ& organ, const Regrouped& then, c
                                    [&](const OrganPiece& old) { return old.body == piece.body; });
   if (!piece.whole() || before == then.before.end()) return std::nullopt;
   // The compiled mesh may have nodes without tetrahedra.
-  const TetComplex& complex = organ.complex();
+  const cutting::TetComplex& complex = organ.complex();
   const Anatomy& whole = organ.whole();
   const TetMesh& mesh = piece.mesh.mesh;
   const bool numbered_alike = whole.tets.positions.size() == mesh.positions.size() &&
@@ -93,7 +94,7 @@ std::optional<SurfaceEdit> surface_edit_since(const Organ& organ, const Regroupe
   if (organ.complex().is_sheet() || numbering.triangles.empty() || is_uncut(organ.log())) return std::nullopt;
   // Triangles that left or joined with another piece kept their corners.
   std::vector<std::uint32_t> slots = then.skin_changed;
-  const Skin& skin = organ.skin();
+  const cutting::Skin& skin = organ.skin();
   const auto first = static_cast<std::uint32_t>(organ.whole().surface.triangles.size());
   auto had = numbering.triangles.begin();
   for (std::uint32_t slot = 0; slot < skin.triangles().size(); ++slot) {
@@ -106,4 +107,4 @@ std::optional<SurfaceEdit> surface_edit_since(const Organ& organ, const Regroupe
   return surface_edit(organ, piece.body, piece.mesh.nodes, std::move(slots), surface, numbering);
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 #include "server/physics/base/topology.h"
 #include "server/physics/mechanics/organs/organ.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Returns the mesh and the surface of a piece of a cut organ. For a solid, the surface includes the walls of
 /// cuts, marked as inner. Returns the compiled mesh while no cut is in force. A piece that was joined to
@@ -39,4 +39,4 @@ std::optional<SurfaceEdit> surface_edit_since(const Organ& organ, const Regroupe
                                               const OrganPiece& piece, const TriangleMesh& surface,
                                               const Numbering& numbering);
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -5,7 +5,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/organs/organ.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 bool Organ::has_past(const Organ& then) const {
   return begins_with(log_, then.log_);
@@ -26,7 +26,7 @@ void Organ::rewind(const Organ& then, ParticipantId author) {
 void Organ::redo(OrganChange change) {
   change.taken_back = false;
   if (change.cause == TopologyCause::cut)
-    for (const TopologyOp& op : change.ops) complex_.apply(op);
+    for (const cutting::TopologyOp& op : change.ops) complex_.apply(op);
   else if (change.cause == TopologyCause::undo)
     take_back(stroke_of(log_, change.author));
   else
@@ -37,7 +37,7 @@ void Organ::redo(OrganChange change) {
 /// Restores the tetrahedra and the log's entries in force as they were when the log had `length` entries.
 void Organ::go_back(std::size_t length) {
   PROSECTOR_ASSERT(length <= log_.size());
-  const TetComplex later = std::exchange(complex_, uncut(complex_.density()));
+  const cutting::TetComplex later = std::exchange(complex_, uncut(complex_.density()));
   OrganLog log;
   log.swap(log_);
   for (std::size_t i = 0; i < length; ++i) redo(std::move(log[i]));
@@ -48,4 +48,4 @@ void Organ::go_back(std::size_t length) {
   complex_.continue_from(later);
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

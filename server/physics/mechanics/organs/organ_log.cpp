@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 bool in_force(const OrganChange& change) {
   return change.cause == TopologyCause::cut && !change.taken_back;
 }
 
-bool meet(const std::vector<TetId>& a, const std::vector<TetId>& b) {
+bool meet(const std::vector<cutting::TetId>& a, const std::vector<cutting::TetId>& b) {
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
     if (*i == *j) return true;
     *i < *j ? ++i : ++j;
@@ -60,4 +60,4 @@ bool begins_with(const OrganLog& log, const OrganLog& start) {
          });
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

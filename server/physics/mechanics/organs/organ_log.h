@@ -13,7 +13,7 @@
 #include "server/physics/base/topology.h"
 #include "server/physics/mechanics/cutting/topology_op.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Entry of an organ's log of changes: a cut, an undo or a rewind, with its author, the number of its stroke,
 /// and the topology operations of a cut.
@@ -23,9 +23,9 @@ struct OrganChange {
   /// For a cut, the number of the blade stroke to which it belongs; cuts of one stroke are undone together.
   /// For an undo, the undone stroke. For a rewind, the length of the log to which it went back.
   std::uint64_t stroke = 0;
-  std::vector<TopologyOp> ops;  // of a cut
+  std::vector<cutting::TopologyOp> ops;  // of a cut
   // Tetrahedra that later cuts must not touch if this cut is to be undone; ascending.
-  std::vector<TetId> touched;
+  std::vector<cutting::TetId> touched;
   bool taken_back = false;  // by a later undo or rewind
 };
 
@@ -46,4 +46,4 @@ bool is_uncut(const OrganLog& log);
 /// and topology operations.
 bool begins_with(const OrganLog& log, const OrganLog& start);
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/organs/sheet_parts.h"
 #include "server/physics/mechanics/soft/elements/edge_nodes.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 constexpr std::uint32_t no_index = ~0U;
@@ -21,7 +21,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
     for (const std::uint32_t corner : tet) vertices = std::max(vertices, corner + 1);
   Anatomy out = anatomy;
   if (anatomy.tets.tets.empty() || out.tets.positions.size() == vertices) return out;
-  const EdgeNodes edges(anatomy.tets.tets, vertices);
+  const soft::EdgeNodes edges(anatomy.tets.tets, vertices);
   out.tets.positions.resize(vertices);
   for (SparseMap::Row& row : out.embedding.rows) {
     SparseMap::Row on_vertices;
@@ -45,65 +45,67 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
   return out;
 }
 
-PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
+PieceMesh piece_mesh(const cutting::TetComplex& complex, std::span<const cutting::TetId> tets) {
   PieceMesh out;
-  std::vector<TetId> at_place(complex.tet_end(), TetComplex::none);
-  for (const TetId tet : tets) at_place[complex.lineage(tet).place] = tet;
-  for (TetId place = 0; place < at_place.size(); ++place)
-    if (at_place[place] != TetComplex::none) {
+  std::vector<cutting::TetId> at_place(complex.tet_end(), cutting::TetComplex::none);
+  for (const cutting::TetId tet : tets) at_place[complex.lineage(tet).place] = tet;
+  for (cutting::TetId place = 0; place < at_place.size(); ++place)
+    if (at_place[place] != cutting::TetComplex::none) {
       out.tets.push_back(at_place[place]);
       out.places.push_back(place);
     }
   PROSECTOR_ASSERT(out.tets.size() == tets.size());
   std::vector<std::uint32_t> index(complex.node_end(), no_index);
-  for (const TetId tet : out.tets)
-    for (const NodeId node : complex.corners(tet)) index[node] = 0;
-  for (NodeId node = 0; node < index.size(); ++node) {
+  for (const cutting::TetId tet : out.tets)
+    for (const cutting::NodeId node : complex.corners(tet)) index[node] = 0;
+  for (cutting::NodeId node = 0; node < index.size(); ++node) {
     if (index[node] == no_index) continue;
     index[node] = static_cast<std::uint32_t>(out.nodes.size());
     out.nodes.push_back(node);
     out.mesh.positions.push_back(complex.rest(node));
   }
-  for (const TetId tet : out.tets) {
+  for (const cutting::TetId tet : out.tets) {
     const auto c = complex.corners(tet);
     out.mesh.tets.push_back({index[c[0]], index[c[1]], index[c[2]], index[c.back()]});
   }
   return out;
 }
 
-PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched) {
+PieceEdit edit_of(const cutting::TetComplex& complex, const PieceMesh& piece,
+                  std::vector<cutting::TetId> touched) {
   PROSECTOR_ASSERT(!piece.nodes.empty() && piece.places.size() == piece.tets.size() &&
                    piece.mesh.tets.size() == piece.tets.size());
   PieceEdit out;
-  std::erase_if(touched, [&](TetId tet) { return !complex.has_tet(tet); });
-  std::sort(touched.begin(), touched.end(),
-            [&](TetId a, TetId b) { return complex.lineage(a).place < complex.lineage(b).place; });
+  std::erase_if(touched, [&](cutting::TetId tet) { return !complex.has_tet(tet); });
+  std::sort(touched.begin(), touched.end(), [&](cutting::TetId a, cutting::TetId b) {
+    return complex.lineage(a).place < complex.lineage(b).place;
+  });
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  for (const TetId tet : touched)
-    for (const NodeId node : complex.corners(tet))
+  for (const cutting::TetId tet : touched)
+    for (const cutting::NodeId node : complex.corners(tet))
       if (node > piece.nodes.back()) out.nodes.push_back(node);
   std::sort(out.nodes.begin(), out.nodes.end());
   out.nodes.erase(std::unique(out.nodes.begin(), out.nodes.end()), out.nodes.end());
   const std::size_t known = piece.nodes.size();
-  out.mesh.kept_nodes = Kept::all(known, known + out.nodes.size());
+  out.mesh.kept_nodes = soft::Kept::all(known, known + out.nodes.size());
   for (std::size_t i = 0; i < out.nodes.size(); ++i) {
     out.mesh.made_nodes.push_back(static_cast<std::uint32_t>(known + i));
     out.mesh.positions.push_back(complex.rest(out.nodes[i]));
   }
-  const auto index = [&](NodeId node) {
+  const auto index = [&](cutting::NodeId node) {
     const bool is_new = node > piece.nodes.back();
-    const std::vector<NodeId>& among = is_new ? out.nodes : piece.nodes;
+    const std::vector<cutting::NodeId>& among = is_new ? out.nodes : piece.nodes;
     const auto at = std::lower_bound(among.begin(), among.end(), node) - among.begin();
     return static_cast<std::uint32_t>(at) + static_cast<std::uint32_t>(is_new ? piece.nodes.size() : 0);
   };
   auto end = static_cast<std::uint32_t>(piece.tets.size());
-  for (const TetId tet : touched) {
+  for (const cutting::TetId tet : touched) {
     const auto c = complex.corners(tet);
-    const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c.back())};
+    const soft::MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c.back())};
     const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.lineage(tet).place);
     if (at != piece.places.end()) {
       const auto i = static_cast<std::uint32_t>(at - piece.places.begin());
-      const MeshEdit::Corners& before = piece.mesh.tets[i];
+      const soft::MeshEdit::Corners& before = piece.mesh.tets[i];
       if (piece.tets[i] == tet && corners == before) continue;
       out.mesh.tets.push_back(i);
       out.mesh.nodes.insert(out.mesh.nodes.end(), before.begin(), before.end());
@@ -114,7 +116,7 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
     out.mesh.nodes.insert(out.mesh.nodes.end(), corners.begin(), corners.end());
     out.tets.push_back(tet);
   }
-  out.mesh.kept_tets = Kept::all(piece.tets.size(), end);
+  out.mesh.kept_tets = soft::Kept::all(piece.tets.size(), end);
   std::sort(out.mesh.nodes.begin(), out.mesh.nodes.end());
   out.mesh.nodes.erase(std::unique(out.mesh.nodes.begin(), out.mesh.nodes.end()), out.mesh.nodes.end());
   return out;
@@ -126,7 +128,7 @@ PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
   PROSECTOR_ASSERT(is_ascending(now.nodes) && is_ascending(now.places) &&
                    now.places.size() == now.tets.size());
   PieceEdit piece;
-  MeshEdit& out = piece.mesh;
+  soft::MeshEdit& out = piece.mesh;
   out.kept_nodes.before = before.nodes.size();
   out.kept_nodes.now = now.nodes.size();
   for (std::uint32_t i = 0, j = 0; j < now.nodes.size(); ++j) {
@@ -144,17 +146,17 @@ PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
   std::uint32_t i = 0;
   const auto gone = [&] {
     for (const std::uint32_t corner : before.mesh.tets[i])
-      if (destination[corner] != Kept::none) met[destination[corner]] = 1;
+      if (destination[corner] != soft::Kept::none) met[destination[corner]] = 1;
     ++i;
   };
   out.kept_tets.before = before.tets.size();
   out.kept_tets.now = now.tets.size();
   for (std::uint32_t j = 0; j < now.tets.size(); ++j) {
     while (i < before.tets.size() && before.places[i] < now.places[j]) gone();
-    const MeshEdit::Corners& corners = now.mesh.tets[j];
+    const soft::MeshEdit::Corners& corners = now.mesh.tets[j];
     if (i < before.tets.size() && before.places[i] == now.places[j]) {
       out.kept_tets.add(i, j);
-      const MeshEdit::Corners& were = before.mesh.tets[i];
+      const soft::MeshEdit::Corners& were = before.mesh.tets[i];
       if (std::equal(were.begin(), were.end(), corners.begin(),
                      [&](std::uint32_t a, std::uint32_t b) { return destination[a] == b; })) {
         ++i;
@@ -178,11 +180,11 @@ bool is_worth_following(const PieceEdit& edit) {
          most_others * static_cast<double>(edit.mesh.kept_tets.now);
 }
 
-void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
+void apply(const cutting::TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
   PROSECTOR_ASSERT(edit.tets.size() == edit.mesh.tets.size());
   PROSECTOR_ASSERT(edit.nodes.empty() || piece.nodes.empty() || piece.nodes.back() < edit.nodes.front());
   piece.nodes.insert(piece.nodes.end(), edit.nodes.begin(), edit.nodes.end());
-  apply(edit.mesh, piece.mesh);
+  soft::apply(edit.mesh, piece.mesh);
   piece.tets.resize(piece.mesh.tets.size());
   piece.places.resize(piece.mesh.tets.size());
   for (std::size_t i = 0; i < edit.tets.size(); ++i) {
@@ -191,18 +193,18 @@ void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
   }
 }
 
-PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
+PieceSurface skinned(const cutting::TetComplex& complex, const cutting::Skin& skin, const PieceMesh& piece,
                      std::uint32_t first_vertex, std::uint32_t first_triangle) {
   PROSECTOR_ASSERT(is_ascending(piece.nodes));
   PieceSurface out;
   out.numbering.nodes = piece.nodes;
   std::vector<char> in_piece(complex.tet_end(), 0);
-  for (const TetId tet : piece.tets) in_piece[tet] = 1;
+  for (const cutting::TetId tet : piece.tets) in_piece[tet] = 1;
   std::vector<std::uint32_t> index(complex.node_end(), no_index);  // by node
   for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) index[piece.nodes[n]] = n;
   std::vector<std::uint32_t> vertex(skin.vertices().size(), no_index);  // by slot
   for (std::uint32_t slot = 0; slot < skin.triangles().size(); ++slot) {
-    const Skin::Triangle& triangle = skin.triangles()[slot];
+    const cutting::Skin::Triangle& triangle = skin.triangles()[slot];
     if (triangle.gone() || !in_piece[skin.tet(slot)]) continue;
     out.surface.triangles.push_back(triangle.corners);
     out.surface.inner.push_back(triangle.inner ? 1 : 0);
@@ -212,7 +214,7 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
   for (std::uint32_t slot = 0; slot < vertex.size(); ++slot) {
     if (vertex[slot] == no_index) continue;
     vertex[slot] = static_cast<std::uint32_t>(out.embedding.rows.size());
-    const auto hung = hang(complex, skin.vertices()[slot], [&](NodeId node) { return index[node]; });
+    const auto hung = hang(complex, skin.vertices()[slot], [&](cutting::NodeId node) { return index[node]; });
     out.embedding.rows.push_back(hung.row);
     out.surface.positions.push_back(hung.rest);
     out.numbering.vertices.push_back(first_vertex + slot);
@@ -232,4 +234,4 @@ Anatomy remnant(const Anatomy& whole) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

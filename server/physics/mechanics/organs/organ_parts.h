@@ -6,21 +6,21 @@
 #include "server/physics/mechanics/organs/node_transfer.h"
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Returns a copy of `anatomy` without the edge nodes of quadratic tetrahedra. In the surface's embedding,
 /// the weight of an edge node is distributed equally to the two ends of its edge.
 Anatomy without_edge_nodes(const Anatomy& anatomy);
 
-PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets);
+PieceMesh piece_mesh(const cutting::TetComplex& complex, std::span<const cutting::TetId> tets);
 
 /// Changes of the mesh of one piece of an organ by a cut or an undo: new nodes and changed tetrahedra with
 /// their ids, and the mesh edit by index.
 struct PieceEdit {
   std::size_t body = 0;
-  std::vector<NodeId> nodes;  // new nodes
-  std::vector<TetId> tets;    // ids of mesh.tets
-  MeshEdit mesh;
+  std::vector<cutting::NodeId> nodes;  // new nodes
+  std::vector<cutting::TetId> tets;    // ids of mesh.tets
+  soft::MeshEdit mesh;
   // For sheets: indices of the corners of changed cells, and of the changed triangles of other cells;
   // ascending.
   std::vector<std::uint32_t> touched;
@@ -29,8 +29,9 @@ struct PieceEdit {
 /// Returns the changes of a piece's mesh by cuts that severed nothing from it. `complex`: the organ's mesh
 /// after the cuts; `piece`: the piece before them. `touched`: ids of the tetrahedra that may have changed.
 /// Each of them is a tetrahedron of the piece, whose corners may have been duplicated, or a child of one.
-PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
-void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
+PieceEdit edit_of(const cutting::TetComplex& complex, const PieceMesh& piece,
+                  std::vector<cutting::TetId> touched);
+void apply(const cutting::TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
 /// Returns the changes between two states of the mesh of one piece of an organ, for any cuts and undos
 /// between them. A tetrahedron counts as unchanged if its sort key (`places`) and its corners are the same.
 PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now);
@@ -53,7 +54,7 @@ struct HungVertex {
   Vec3 rest = Vec3::Zero();
 };
 template <class F>
-HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& index_of) {
+HungVertex hang(const cutting::TetComplex& complex, const cutting::Skin::Vertex& vertex, const F& index_of) {
   HungVertex out;
   for (std::size_t k = 0; k < 4; ++k) {
     if (vertex.weight[k] == 0) continue;
@@ -67,11 +68,11 @@ HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& 
 /// Returns the surface of one piece of a cut organ: the triangles of the organ's `skin` whose tetrahedra are
 /// in the piece. A vertex gets the permanent number `first_vertex` plus its slot in the skin, and a triangle
 /// `first_triangle` plus its slot.
-PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
+PieceSurface skinned(const cutting::TetComplex& complex, const cutting::Skin& skin, const PieceMesh& piece,
                      std::uint32_t first_vertex, std::uint32_t first_triangle);
 
 /// Returns a single tetrahedron, or sheet cell, of the uncut organ `whole`, without a surface. It is the
 /// placeholder mesh of a soft body whose piece was joined to another piece by an undo.
 Anatomy remnant(const Anatomy& whole);
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "server/physics/mechanics/cutting/pieces.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 constexpr std::size_t no_body = ~std::size_t{0};
@@ -18,13 +18,14 @@ constexpr std::size_t no_body = ~std::size_t{0};
 
 /// Connected tetrahedra.
 struct OrganPieces::Component {
-  std::vector<TetId> tets;
+  std::vector<cutting::TetId> tets;
   std::size_t owner = no_body;
   double volume = 0;  // m³
 };
 
-OrganPieces::OrganPieces(const TetComplex& complex, std::size_t body) : owner_(complex.tet_end(), body) {
-  pieces_.push_back({body, piece_mesh(complex, tet_ids(complex))});
+OrganPieces::OrganPieces(const cutting::TetComplex& complex, std::size_t body)
+    : owner_(complex.tet_end(), body) {
+  pieces_.push_back({body, piece_mesh(complex, cutting::tet_ids(complex))});
 }
 
 const OrganPiece& OrganPieces::piece(std::size_t body) const {
@@ -41,28 +42,28 @@ bool OrganPieces::has(std::size_t body) const {
 PieceMarks OrganPieces::marks() const {
   PieceMarks out;
   for (const OrganPiece& piece : pieces_) {
-    std::optional<TetId> first;
+    std::optional<cutting::TetId> first;
     if (piece.whole()) first = *std::min_element(piece.mesh.tets.begin(), piece.mesh.tets.end());
     out.emplace_back(piece.body, first);
   }
   return out;
 }
 
-void OrganPieces::note_touched(const TetComplex& complex, std::span<const TetId> tets) {
-  const auto first = static_cast<TetId>(owner_.size());
+void OrganPieces::note_touched(const cutting::TetComplex& complex, std::span<const cutting::TetId> tets) {
+  const auto first = static_cast<cutting::TetId>(owner_.size());
   owner_.resize(std::max(owner_.size(), complex.tet_end()), no_body);
-  for (TetId tet = first; tet < owner_.size(); ++tet) {  // parents precede children
-    const TetId parent = complex.lineage(tet).parent;
-    if (parent == TetComplex::none)
+  for (cutting::TetId tet = first; tet < owner_.size(); ++tet) {  // parents precede children
+    const cutting::TetId parent = complex.lineage(tet).parent;
+    if (parent == cutting::TetComplex::none)
       throw InputError(
           "the log of cuts is damaged: it skips the id of a tetrahedron that no edge split created");
     owner_[tet] = owner_[parent];
   }
-  for (const TetId tet : tets) changes_.bodies.insert(owner_[tet]);
+  for (const cutting::TetId tet : tets) changes_.bodies.insert(owner_[tet]);
   changes_.touched.insert(changes_.touched.end(), tets.begin(), tets.end());
 }
 
-void OrganPieces::note_skin(const Skin::Change& skin) {
+void OrganPieces::note_skin(const cutting::Skin::Change& skin) {
   changes_.skin.insert(changes_.skin.end(), skin.slots.begin(), skin.slots.end());
 }
 
@@ -73,20 +74,20 @@ void OrganPieces::note_from(std::size_t log_entries) {
   changes_.log_from = log_entries;
 }
 
-void OrganPieces::note_joined(const TetComplex& complex, const SplitEdge& split) {
+void OrganPieces::note_joined(const cutting::TetComplex& complex, const cutting::SplitEdge& split) {
   PROSECTOR_ASSERT(split.first + 2 * std::size_t{split.count} <= owner_.size());
-  for (TetId child = split.first; child < split.first + 2 * split.count; child += 2)
+  for (cutting::TetId child = split.first; child < split.first + 2 * split.count; child += 2)
     owner_[complex.lineage(child).parent] = std::min(owner_[child], owner_[child + 1]);
 }
 
 /// Finds connected components; a component with several bodies gets the lowest of them.
-std::vector<OrganPieces::Component> OrganPieces::components(const TetComplex& complex) {
+std::vector<OrganPieces::Component> OrganPieces::components(const cutting::TetComplex& complex) {
   PROSECTOR_ASSERT(owner_.size() >= complex.tet_end());
   std::vector<Component> found;
-  for (std::vector<TetId>& tets : pieces(complex)) {
+  for (std::vector<cutting::TetId>& tets : cutting::pieces(complex)) {
     Component& c = found.emplace_back();
-    for (const TetId tet : tets) c.owner = std::min(c.owner, owner_[tet]);
-    for (const TetId tet : tets) {
+    for (const cutting::TetId tet : tets) c.owner = std::min(c.owner, owner_[tet]);
+    for (const cutting::TetId tet : tets) {
       c.volume += complex.volume(tet);
       if (owner_[tet] == c.owner) continue;
       changes_.bodies.insert({owner_[tet], c.owner});  // they were joined
@@ -108,7 +109,7 @@ void OrganPieces::name_new(std::vector<Component>& found, std::size_t next_body)
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (largest.at(found[i].owner) == i) continue;
     found[i].owner = next_body++;
-    for (const TetId tet : found[i].tets) owner_[tet] = found[i].owner;
+    for (const cutting::TetId tet : found[i].tets) owner_[tet] = found[i].owner;
     changes_.bodies.insert(found[i].owner);
   }
 }
@@ -120,7 +121,8 @@ OrganPiece& OrganPieces::find_or_add(std::size_t body) {
   return *at;
 }
 
-Regrouped OrganPieces::regroup(const TetComplex& complex, std::size_t next_body, std::size_t log_entries) {
+Regrouped OrganPieces::regroup(const cutting::TetComplex& complex, std::size_t next_body,
+                               std::size_t log_entries) {
   std::vector<Component> found = components(complex);
   name_new(found, next_body);
   Regrouped out;
@@ -137,7 +139,7 @@ Regrouped OrganPieces::regroup(const TetComplex& complex, std::size_t next_body,
   return out;
 }
 
-void OrganPieces::follow(const TetComplex& complex, const PieceEdit& edit, std::size_t log_entries) {
+void OrganPieces::follow(const cutting::TetComplex& complex, const PieceEdit& edit, std::size_t log_entries) {
   apply(complex, edit, find_or_add(edit.body).mesh);
   note_from(log_entries);
 }
@@ -145,18 +147,18 @@ void OrganPieces::follow(const TetComplex& complex, const PieceEdit& edit, std::
 void OrganPieces::go_back_to(const OrganPieces& then, std::size_t log_entries) {
   for (OrganPiece& piece : pieces_) piece.mesh = {};
   for (const OrganPiece& piece : then.pieces_) {
-    for (const TetId tet : piece.mesh.tets) owner_[tet] = piece.body;
+    for (const cutting::TetId tet : piece.mesh.tets) owner_[tet] = piece.body;
     find_or_add(piece.body).mesh = piece.mesh;
   }
   note_from(log_entries);
 }
 
-void OrganPieces::restore(const PieceMarks& marks, const TetComplex& complex, std::size_t bodies,
+void OrganPieces::restore(const PieceMarks& marks, const cutting::TetComplex& complex, std::size_t bodies,
                           std::size_t log_entries) {
   const auto require = [](bool good, const char* problem) {
     if (!good) throw InputError(std::string("pieces: ") + problem);
   };
-  const std::vector<std::vector<TetId>> found = pieces(complex);
+  const std::vector<std::vector<cutting::TetId>> found = cutting::pieces(complex);
   require(marks.size() <= bodies, "more pieces than bodies");
   pieces_.clear();
   note_from(log_entries);
@@ -166,15 +168,15 @@ void OrganPieces::restore(const PieceMarks& marks, const TetComplex& complex, st
     OrganPiece& piece = pieces_.emplace_back();
     piece.body = body;
     if (!first) continue;
-    const auto at =
-        std::find_if(found.begin(), found.end(),
-                     [&, id = *first](const std::vector<TetId>& tets) { return tets.front() == id; });
+    const auto at = std::find_if(
+        found.begin(), found.end(),
+        [&, id = *first](const std::vector<cutting::TetId>& tets) { return tets.front() == id; });
     require(at != found.end(), "a nonexistent piece");
     piece.mesh = piece_mesh(complex, *at);
-    for (const TetId tet : *at) owner_[tet] = piece.body;
+    for (const cutting::TetId tet : *at) owner_[tet] = piece.body;
     ++used;
   }
   require(used == found.size(), "the list of pieces is damaged: a piece of the cut organ is missing in it");
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/cutting/touched.h"
 #include "server/physics/mechanics/organs/organ.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 Organ::Mark Organ::mark() const {
   return {log_.size(), grouping_.marks()};
@@ -36,7 +36,7 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
       skin_.update(complex_);
       continue;
     }
-    for (const TopologyOp& op : change.ops) complex_.apply(op);
+    for (const cutting::TopologyOp& op : change.ops) complex_.apply(op);
     if (change.cause == TopologyCause::undo) {
       const std::vector<OrganChange*> stroke = stroke_of(log_, change.author);
       require(!stroke.empty() && stroke.front()->stroke == change.stroke,
@@ -44,7 +44,7 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
       take_back(stroke);
     } else {
       require(change.cause == TopologyCause::cut, "an invalid topology change");
-      change.touched = touched_by(complex_, change.ops);
+      change.touched = cutting::touched_by(complex_, change.ops);
       grouping_.note_touched(complex_, change.touched);
     }
     skin_.update(complex_);
@@ -53,4 +53,4 @@ void Organ::restore(OrganLog log, const PieceMarks& pieces, std::size_t bodies) 
   grouping_.restore(pieces, complex_, bodies, log_.size());
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

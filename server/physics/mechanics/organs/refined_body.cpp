@@ -12,14 +12,14 @@
 #include "server/physics/mechanics/organs/tet_lineage.h"
 #include "server/physics/mechanics/soft/rungs.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 // Slightly more than the longest edge of a cube's tetrahedra over its side.
 constexpr double longest_share = 1.75;
 constexpr double linger_seconds = 1;  // s: time for which refined elements stay after the last contact
 
-RefinementLimits limits_of(const SoftDesc& desc, double tick_rate) {
+cutting::RefinementLimits limits_of(const SoftDesc& desc, double tick_rate) {
   const double cell = desc.refinement.cell > 0 ? desc.refinement.cell : desc.geometry.cell / 2;
   return {.edge = longest_share * cell,
           .reach = desc.refinement.reach > 0 ? desc.refinement.reach : desc.geometry.cell,
@@ -27,12 +27,12 @@ RefinementLimits limits_of(const SoftDesc& desc, double tick_rate) {
           .linger = static_cast<std::uint32_t>(std::ceil(linger_seconds * tick_rate))};
 }
 
-LocalRefinement refinement_of(const SoftBody& compiled, double tick_rate) {
+cutting::LocalRefinement refinement_of(const soft::SoftBody& compiled, double tick_rate) {
   const SoftDesc& desc = compiled.desc();
   const auto refusal = [&](const std::string& why) {
     return InputError(fmt::format("[[soft]] \"{}\": refine is \"touch\", {}", desc.name, why));
   };
-  if (mesh_kind(compiled.anatomy()) != MeshKind::tets || desc.configuration.is_quadratic())
+  if (soft::mesh_kind(compiled.anatomy()) != soft::MeshKind::tets || desc.configuration.is_quadratic())
     throw refusal(
         "which is allowed only for solids of linear tetrahedra (element = \"tet4\"); set refine = \"none\"");
   if (compiled.dropped_elements() > 0)
@@ -49,24 +49,24 @@ LocalRefinement refinement_of(const SoftBody& compiled, double tick_rate) {
 }
 
 /// Returns by surface vertex the first tetrahedron that has all nodes of its embedding row.
-std::vector<TetId> carriers(const Anatomy& anatomy, const TetComplex& complex) {
-  std::vector<TetId> out;
+std::vector<cutting::TetId> carriers(const Anatomy& anatomy, const cutting::TetComplex& complex) {
+  std::vector<cutting::TetId> out;
   for (const SparseMap::Row& row : anatomy.embedding.rows) {
     const auto heaviest = std::max_element(row.weight.begin(), row.weight.end()) - row.weight.begin();
     const auto star = complex.star(row.node[static_cast<std::size_t>(heaviest)]);
-    const auto has_all = [&](TetId tet) {
+    const auto has_all = [&](cutting::TetId tet) {
       for (std::size_t k = 0; k < row.node.size(); ++k)
-        if (row.weight[k] != 0 && !has_corner(complex, tet, row.node[k])) return false;
+        if (row.weight[k] != 0 && !cutting::has_corner(complex, tet, row.node[k])) return false;
       return true;
     };
     const auto found = std::find_if(star.begin(), star.end(), has_all);
-    out.push_back(found == star.end() ? TetComplex::none : *found);
+    out.push_back(found == star.end() ? cutting::TetComplex::none : *found);
   }
   return out;
 }
 
 /// Returns the index of a node of the refined mesh.
-std::uint32_t index_of(const PieceMesh& mesh, NodeId node) {
+std::uint32_t index_of(const PieceMesh& mesh, cutting::NodeId node) {
   PROSECTOR_ASSERT(std::ranges::binary_search(mesh.nodes, node));
   return static_cast<std::uint32_t>(std::lower_bound(mesh.nodes.begin(), mesh.nodes.end(), node) -
                                     mesh.nodes.begin());
@@ -80,14 +80,14 @@ double largest(const std::array<double, 4>& weights) {
 
 /// Returns the weights of a point of a compiled tetrahedron by the corners of the current tetrahedron there.
 /// A point far outside is embedded in a larger ancestor of that tetrahedron, whose corners are still nodes.
-SparseMap::Row hung_within(const TetComplex& complex, TetId tet, const SparseMap::Row& compiled,
-                           const PieceMesh& now) {
+SparseMap::Row hung_within(const cutting::TetComplex& complex, cutting::TetId tet,
+                           const SparseMap::Row& compiled, const PieceMesh& now) {
   std::array<double, 4> weight{};
   for (std::size_t k = 0; k < compiled.node.size(); ++k)
     if (compiled.weight[k] != 0) weight[complex.corner_index(tet, compiled.node[k])] += compiled.weight[k];
   while (!complex.has_tet(tet)) {
-    const TetId with_a = complex.lineage(tet).child, with_b = with_a + 1;
-    PROSECTOR_ASSERT(with_a != TetComplex::none && complex.lineage(with_a).parent == tet);
+    const cutting::TetId with_a = complex.lineage(tet).child, with_b = with_a + 1;
+    PROSECTOR_ASSERT(with_a != cutting::TetComplex::none && complex.lineage(with_a).parent == tet);
     const auto corners = complex.corners(tet), of_a = complex.corners(with_a), of_b = complex.corners(with_b);
     std::size_t a = 0, b = 0;  // corners of the edge that was bisected
     for (std::size_t k = 0; k < 4; ++k) {
@@ -127,13 +127,13 @@ VecX by_index(const std::vector<Vec3>& values, const PieceMesh& mesh) {
   return out;
 }
 
-Vec3 between(const std::vector<Vec3>& values, const SplitEdge& op) {
+Vec3 between(const std::vector<Vec3>& values, const cutting::SplitEdge& op) {
   return values[op.a] + (values[op.b] - values[op.a]) * op.t;
 }
 
 }  // namespace
 
-RefinedBody::RefinedBody(const SoftBody& compiled, double tick_rate)
+RefinedBody::RefinedBody(const soft::SoftBody& compiled, double tick_rate)
     : whole(compiled.anatomy()),
       content_hash(compiled.content_hash()),
       mesh(refinement_of(compiled, tick_rate)) {
@@ -141,30 +141,30 @@ RefinedBody::RefinedBody(const SoftBody& compiled, double tick_rate)
   piece = refined_mesh(*this);
 }
 
-RefinedBody::RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits)
+RefinedBody::RefinedBody(Anatomy anatomy, double density, const cutting::RefinementLimits& limits)
     : whole(std::move(anatomy)), mesh(whole.tets, density, limits) {
   carrier = carriers(whole, mesh.complex());
 }
 
 PieceMesh refined_mesh(const RefinedBody& body) {
-  const TetComplex& complex = body.mesh.complex();
-  const auto compiled = static_cast<NodeId>(body.whole.tets.positions.size());
+  const cutting::TetComplex& complex = body.mesh.complex();
+  const auto compiled = static_cast<cutting::NodeId>(body.whole.tets.positions.size());
   PieceMesh out;
-  for (NodeId node = 0; node < complex.node_end(); ++node)
+  for (cutting::NodeId node = 0; node < complex.node_end(); ++node)
     if (node < compiled || complex.has_node(node)) {
       out.nodes.push_back(node);
       out.mesh.positions.push_back(complex.rest(node));
     }
-  std::vector<TetId> at_place(complex.tet_end(), TetComplex::none);
-  for (TetId tet = 0; tet < complex.tet_end(); ++tet)
+  std::vector<cutting::TetId> at_place(complex.tet_end(), cutting::TetComplex::none);
+  for (cutting::TetId tet = 0; tet < complex.tet_end(); ++tet)
     if (complex.has_tet(tet)) at_place[complex.lineage(tet).place] = tet;
-  for (TetId place = 0; place < at_place.size(); ++place) {
-    const TetId tet = at_place[place];
-    if (tet == TetComplex::none) continue;
+  for (cutting::TetId place = 0; place < at_place.size(); ++place) {
+    const cutting::TetId tet = at_place[place];
+    if (tet == cutting::TetComplex::none) continue;
     out.tets.push_back(tet);
     out.places.push_back(place);
     const auto c = complex.corners(tet);
-    const auto index = [&](NodeId node) { return node < compiled ? node : index_of(out, node); };
+    const auto index = [&](cutting::NodeId node) { return node < compiled ? node : index_of(out, node); };
     out.mesh.tets.push_back({index(c[0]), index(c[1]), index(c[2]), index(c[3])});
   }
   return out;
@@ -172,10 +172,11 @@ PieceMesh refined_mesh(const RefinedBody& body) {
 
 SparseMap refined_embedding(const RefinedBody& body, const PieceMesh& now) {
   PROSECTOR_ASSERT(body.carrier.size() == body.whole.embedding.rows.size());
-  const TetComplex& complex = body.mesh.complex();
+  const cutting::TetComplex& complex = body.mesh.complex();
   SparseMap out = body.whole.embedding;
   for (std::size_t vertex = 0; vertex < out.rows.size(); ++vertex)
-    if (const TetId tet = body.carrier[vertex]; tet != TetComplex::none && !complex.has_tet(tet))
+    if (const cutting::TetId tet = body.carrier[vertex];
+        tet != cutting::TetComplex::none && !complex.has_tet(tet))
       out.rows[vertex] = hung_within(complex, tet, out.rows[vertex], now);
   return out;
 }
@@ -187,27 +188,28 @@ Anatomy refined_anatomy(const RefinedBody& body, const PieceMesh& now) {
 }
 
 VecX refined_field(const RefinedBody& body, const PieceMesh& now, const VecX& compiled) {
-  const TetComplex& complex = body.mesh.complex();
+  const cutting::TetComplex& complex = body.mesh.complex();
   const std::size_t count = body.whole.tets.positions.size();
   PROSECTOR_ASSERT(compiled.size() == 3 * std::ssize(body.whole.tets.positions) && now.nodes.size() >= count);
   std::vector<Vec3> values(complex.node_end(), Vec3::Zero());
   for (std::size_t node = 0; node < count; ++node)
     values[node] = compiled.segment<3>(3 * static_cast<Eigen::Index>(node));
-  for (const NodeId node : std::span(now.nodes).subspan(count)) {  // ends of an edge precede its midpoint
-    const TetTables::Origin& from = complex.tables().origin[node];
+  for (const cutting::NodeId node :
+       std::span(now.nodes).subspan(count)) {  // ends of an edge precede its midpoint
+    const cutting::TetTables::Origin& from = complex.tables().origin[node];
     values[node] = values[from.a] + (values[from.b] - values[from.a]) * from.t;
   }
   return by_index(values, now);
 }
 
 VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
-             std::span<const RefinementStep> steps, Leaving leaving) {
+             std::span<const cutting::RefinementStep> steps, Leaving leaving) {
   PROSECTOR_ASSERT(!before.nodes.empty());
   std::size_t end = before.nodes.back() + 1u;
-  for (const RefinementStep& step : steps) end = std::max<std::size_t>(end, step.split.node + 1u);
+  for (const cutting::RefinementStep& step : steps) end = std::max<std::size_t>(end, step.split.node + 1u);
   std::vector<Vec3> values = by_id(field, before, end);
-  for (const RefinementStep& step : steps) {
-    const SplitEdge& op = step.split;
+  for (const cutting::RefinementStep& step : steps) {
+    const cutting::SplitEdge& op = step.split;
     const Vec3 middle = between(values, op);
     if (step.made) {
       values[op.node] = middle;
@@ -221,20 +223,20 @@ VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
   return by_index(values, now);
 }
 
-VecX refined_history(const VecX& history, const TetComplex& complex, const PieceMesh& before,
-                     const PieceMesh& now, std::span<const RefinementStep> steps) {
+VecX refined_history(const VecX& history, const cutting::TetComplex& complex, const PieceMesh& before,
+                     const PieceMesh& now, std::span<const cutting::RefinementStep> steps) {
   const Eigen::Index numbers = history_per_tet(history, before);
   if (numbers == 0) return {};
-  std::map<TetId, VecX> changed;
-  const auto of = [&](TetId tet) -> VecX {
+  std::map<cutting::TetId, VecX> changed;
+  const auto of = [&](cutting::TetId tet) -> VecX {
     if (const auto found = changed.find(tet); found != changed.end()) return found->second;
-    const TetId place = complex.lineage(tet).place;
+    const cutting::TetId place = complex.lineage(tet).place;
     const auto at = std::lower_bound(before.places.begin(), before.places.end(), place);
     return history.segment(numbers * static_cast<Eigen::Index>(at - before.places.begin()), numbers);
   };
-  for (const RefinementStep& step : steps)
-    for (TetId half = step.split.first; half < step.split.first + 2 * step.split.count; half += 2) {
-      const TetId whole = complex.lineage(half).parent;
+  for (const cutting::RefinementStep& step : steps)
+    for (cutting::TetId half = step.split.first; half < step.split.first + 2 * step.split.count; half += 2) {
+      const cutting::TetId whole = complex.lineage(half).parent;
       if (step.made)
         changed[half] = changed[half + 1] = of(whole);
       else
@@ -246,4 +248,4 @@ VecX refined_history(const VecX& history, const TetComplex& complex, const Piece
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/organs/node_transfer.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Soft body whose tetrahedra are bisected near contacts and merged again later: the compiled mesh, the
 /// current mesh, and for each surface vertex the compiled tetrahedron that carries it.
@@ -20,20 +20,20 @@ struct RefinedBody {
   /// the number of elements. `tick_rate`: ticks per second, in Hz, which sets how many ticks refined elements
   /// outlast the contact. Throws InputError if the body does not consist of linear tetrahedra or if some of
   /// them are degenerate.
-  RefinedBody(const SoftBody& compiled, double tick_rate);
+  RefinedBody(const soft::SoftBody& compiled, double tick_rate);
   /// Initialises from a mesh without a simulated body. `density`: kg/m³; `limits`: refined edge length,
   /// reach, and number of elements. Throws InputError for meshes that TetComplex refuses, such as those with
   /// tetrahedra without volume.
-  RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits);
+  RefinedBody(Anatomy anatomy, double density, const cutting::RefinementLimits& limits);
 
-  Anatomy whole;                   // as compiled
-  std::uint64_t content_hash = 0;  // of the body as compiled
-  std::vector<TetId> carrier;      // by surface vertex: the compiled tetrahedron in which it is embedded
-  PieceMesh piece;                 // in the state of the body's solver
-  std::uint64_t rehung = 0;        // number of times its surface was re-embedded
+  Anatomy whole;                        // as compiled
+  std::uint64_t content_hash = 0;       // of the body as compiled
+  std::vector<cutting::TetId> carrier;  // by surface vertex: the compiled tetrahedron in which it is embedded
+  PieceMesh piece;                      // in the state of the body's solver
+  std::uint64_t rehung = 0;             // number of times its surface was re-embedded
 
   // ---- State
-  LocalRefinement mesh;
+  cutting::LocalRefinement mesh;
   bool touched = false;  // of a refined body: touched in the last tick in which it was awake
 };
 
@@ -60,14 +60,14 @@ enum class Leaving : std::uint8_t {
 /// node gets the value interpolated along its bisected edge. `leaving`: treatment of removed nodes, which
 /// either drops the value or conserves momentum.
 VecX carried(const VecX& field, const PieceMesh& before, const PieceMesh& now,
-             std::span<const RefinementStep> steps, Leaving leaving);
+             std::span<const cutting::RefinementStep> steps, Leaving leaving);
 /// Returns the viscoelastic history (values per tetrahedron) after refinement `steps` led from mesh `before`
 /// to `now`. Both halves of a bisected tetrahedron get its values; a merged tetrahedron gets the mean of its
 /// halves.
-VecX refined_history(const VecX& history, const TetComplex& complex, const PieceMesh& before,
-                     const PieceMesh& now, std::span<const RefinementStep> steps);
+VecX refined_history(const VecX& history, const cutting::TetComplex& complex, const PieceMesh& before,
+                     const PieceMesh& now, std::span<const cutting::RefinementStep> steps);
 
 /// Soft bodies whose scene descriptions enable local refinement near contacts, by index of the soft body.
 using RefinedBodies = std::map<std::size_t, RefinedBody>;
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 // Regularises the rotation of collinear twins: rotation about their line is then zero.
@@ -25,11 +25,11 @@ using Twins = std::array<Node, 2>;  // ascending by piece
 
 /// Returns the pairs of nodes of different pieces that the cut made from one node: their rest positions are
 /// equal, and one of them is gone. Where an older cut met the cut there is a third node.
-std::vector<Twins> find_twins(const TetComplex& complex, std::span<const SeparatedPiece> pieces) {
+std::vector<Twins> find_twins(const cutting::TetComplex& complex, std::span<const SeparatedPiece> pieces) {
   std::vector<RestNode> nodes;
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
     for (std::uint32_t i = 0; i < pieces[p].mesh->nodes.size(); ++i) {
-      const NodeId id = pieces[p].mesh->nodes[i];
+      const cutting::NodeId id = pieces[p].mesh->nodes[i];
       const Vec3& at = complex.rest(id);
       nodes.push_back({{at.x(), at.y(), at.z()}, {p, i}, !complex.has_node(id)});
     }
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> staying(std::span<const SeparatedPiece> pieces) {
 
 }  // namespace
 
-std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
+std::vector<std::optional<ReturnMotion>> ways_back(const cutting::TetComplex& complex,
                                                    std::span<const SeparatedPiece> pieces) {
   std::vector<std::optional<ReturnMotion>> ways(pieces.size());
   std::vector<std::uint8_t> placed = staying(pieces);
@@ -133,4 +133,4 @@ std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
   return ways;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -8,7 +8,7 @@
 #include "common/math.h"
 #include "server/physics/mechanics/organs/node_transfer.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// State of a severed piece of an organ before the cut is undone: its mesh, node positions and velocities.
 /// Also the group of pieces that the undo joins, and whether the piece is attached to the room.
@@ -33,7 +33,7 @@ struct ReturnMotion {
 /// joined pieces the attached ones stay; without any, the piece with the most nodes stays. Each other piece
 /// moves so that its nodes come nearest, in least squares, to their duplicates across the cut (Kabsch, Acta
 /// Crystallogr. A 32, 1976).
-std::vector<std::optional<ReturnMotion>> ways_back(const TetComplex& complex,
+std::vector<std::optional<ReturnMotion>> ways_back(const cutting::TetComplex& complex,
                                                    std::span<const SeparatedPiece> pieces);
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -4,12 +4,13 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 /// Returns whether both triangles of the compiled sheet's cell are unchanged and connected.
-bool is_whole(const TetComplex& complex, std::size_t cell, const std::array<std::uint32_t, 4>& corners) {
-  const auto first = static_cast<TetId>(2 * cell), second = first + 1;
+bool is_whole(const cutting::TetComplex& complex, std::size_t cell,
+              const std::array<std::uint32_t, 4>& corners) {
+  const auto first = static_cast<cutting::TetId>(2 * cell), second = first + 1;
   if (!complex.has_tet(first) || !complex.has_tet(second) || complex.neighbor(first, 1) != second)
     return false;
   const auto a = complex.corners(first), b = complex.corners(second);
@@ -19,7 +20,8 @@ bool is_whole(const TetComplex& complex, std::size_t cell, const std::array<std:
 
 class SheetPiece {
  public:
-  SheetPiece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole, Numbering& numbering)
+  SheetPiece(const cutting::TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
+             Numbering& numbering)
       : complex_(complex), piece_(piece), whole_(whole), numbering_(numbering) {}
 
   Anatomy build() {
@@ -29,7 +31,7 @@ class SheetPiece {
     for (std::uint32_t i = 0; i < piece_.nodes.size(); ++i) index_[piece_.nodes[i]] = i;
     out_.tets.positions = piece_.mesh.positions;
     out_.thickness = whole_.thickness;
-    for (const NodeId node : piece_.nodes)
+    for (const cutting::NodeId node : piece_.nodes)
       out_.node_volume.push_back(complex_.mass(node) / complex_.density());
     add_cells();
     add_vertices();
@@ -39,8 +41,8 @@ class SheetPiece {
 
  private:
   void add_cells() {
-    const auto compiled = static_cast<TetId>(2 * whole_.quads.size());
-    for (const TetId t : piece_.tets) {
+    const auto compiled = static_cast<cutting::TetId>(2 * whole_.quads.size());
+    for (const cutting::TetId t : piece_.tets) {
       if (t < compiled && is_whole(complex_, t / 2, whole_.quads[t / 2])) {
         const auto& q = whole_.quads[t / 2];
         if (t % 2 == 0) out_.quads.push_back({index_[q[0]], index_[q[1]], index_[q[2]], index_[q[3]]});
@@ -54,7 +56,7 @@ class SheetPiece {
   /// Adds the vertices. Of the compiled sheet's n nodes, node i has vertex i above and n + i below. Every
   /// other node has both vertices, one after the other.
   void add_vertices() {
-    const auto n = static_cast<NodeId>(whole_.tets.positions.size());
+    const auto n = static_cast<cutting::NodeId>(whole_.tets.positions.size());
     const auto nodes = static_cast<std::uint32_t>(piece_.nodes.size());
     const auto compiled = static_cast<std::uint32_t>(
         std::lower_bound(piece_.nodes.begin(), piece_.nodes.end(), n) - piece_.nodes.begin());
@@ -81,11 +83,11 @@ class SheetPiece {
   /// other triangle has both sides, one after the other.
   void add_triangles() {
     std::vector<char> in_piece(complex_.tet_end(), 0);
-    for (const TetId t : piece_.tets) in_piece[t] = 1;
-    const auto compiled = static_cast<TetId>(2 * whole_.quads.size());
+    for (const cutting::TetId t : piece_.tets) in_piece[t] = 1;
+    const auto compiled = static_cast<cutting::TetId>(2 * whole_.quads.size());
     out_.surface.triangles.reserve(2 * piece_.tets.size());
     numbering_.triangles.reserve(2 * piece_.tets.size());
-    const auto add = [&](TetId t, bool above, std::uint32_t number) {
+    const auto add = [&](cutting::TetId t, bool above, std::uint32_t number) {
       if (!in_piece[t]) return;
       const auto c = complex_.corners(t);
       const std::uint32_t i = index_[c[0]], j = index_[c[1]], k = index_[c[2]];
@@ -95,16 +97,16 @@ class SheetPiece {
         out_.surface.triangles.push_back({below_[i], below_[k], below_[j]});
       numbering_.triangles.push_back(number);
     };
-    for (TetId t = 0; t < compiled; t += 2)
+    for (cutting::TetId t = 0; t < compiled; t += 2)
       for (const std::uint32_t side : {0U, 2U})
         for (const std::uint32_t k : {0U, 1U}) add(t + k, side == 0, 2 * t + side + k);
-    for (TetId t = compiled; t < in_piece.size(); ++t) {
+    for (cutting::TetId t = compiled; t < in_piece.size(); ++t) {
       add(t, true, 2 * t);
       add(t, false, 2 * t + 1);
     }
   }
 
-  const TetComplex& complex_;
+  const cutting::TetComplex& complex_;
   const PieceMesh& piece_;
   const Anatomy& whole_;
   Numbering& numbering_;
@@ -115,19 +117,20 @@ class SheetPiece {
 
 }  // namespace
 
-Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
+Anatomy sheet_piece(const cutting::TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering) {
   return SheetPiece(complex, piece, whole, numbering).build();
 }
 
 // A cell is edited as a whole, even if one of its triangles keeps its corners.
-std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<const NodeId> nodes,
+std::vector<std::uint32_t> touched_corners(const cutting::TetComplex& complex,
+                                           std::span<const cutting::NodeId> nodes,
                                            std::vector<std::uint32_t> edited, const Anatomy& whole,
-                                           std::span<const TetId> touched) {
-  for (TetId t : touched) {
-    while (complex.lineage(t).parent != TetComplex::none) t = complex.lineage(t).parent;
+                                           std::span<const cutting::TetId> touched) {
+  for (cutting::TetId t : touched) {
+    while (complex.lineage(t).parent != cutting::TetComplex::none) t = complex.lineage(t).parent;
     PROSECTOR_ASSERT(t / 2 < whole.quads.size());
-    for (const NodeId corner : whole.quads[t / 2]) {
+    for (const cutting::NodeId corner : whole.quads[t / 2]) {
       const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
       if (at != nodes.end() && *at == corner)
         edited.push_back(static_cast<std::uint32_t>(at - nodes.begin()));
@@ -157,4 +160,4 @@ std::vector<std::uint8_t> held_nodes(const std::vector<AttachDesc>& attach, cons
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::organs {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -93,10 +93,12 @@ Numbers touched_by(const SurfaceEdit& edit, const TriangleMesh& before) {
 
 }  // namespace
 
-SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::span<const NodeId> nodes,
-                            const std::function<bool(TetId)>& in_piece, std::vector<std::uint32_t> slots,
-                            const TriangleMesh& before, const Numbering& numbering,
-                            std::uint32_t first_vertex, std::uint32_t first_triangle) {
+SurfaceEdit edit_of_surface(const cutting::TetComplex& complex, const cutting::Skin& skin,
+                            std::span<const cutting::NodeId> nodes,
+                            const std::function<bool(cutting::TetId)>& in_piece,
+                            std::vector<std::uint32_t> slots, const TriangleMesh& before,
+                            const Numbering& numbering, std::uint32_t first_vertex,
+                            std::uint32_t first_triangle) {
   PROSECTOR_ASSERT(numbering.triangles.size() == before.triangles.size() &&
                    numbering.vertices.size() == before.positions.size());
   PROSECTOR_ASSERT(is_ascending(nodes));
@@ -110,7 +112,7 @@ SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::sp
       gone.push_back(index);
       left.insert(left.end(), before.triangles[index].begin(), before.triangles[index].end());
     }
-    const Skin::Triangle& triangle = skin.triangles()[slot];
+    const cutting::Skin::Triangle& triangle = skin.triangles()[slot];
     if (triangle.gone() || !in_piece(skin.tet(slot))) continue;
     out.triangle_numbers.push_back(number);
     out.inner.push_back(triangle.inner ? 1 : 0);
@@ -126,7 +128,7 @@ SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::sp
   out.vertices = edit_of(numbering.vertices, unused(before, gone, std::move(may_go)), come);
   out.vertex_numbers = std::move(come);
 
-  const auto index_of = [&](NodeId node) {
+  const auto index_of = [&](cutting::NodeId node) {
     return static_cast<std::uint32_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
   };
   for (const std::uint32_t number : out.vertex_numbers) {
@@ -173,4 +175,4 @@ SurfaceEdit edit_between(const TriangleMesh& before, const Numbering& numbered_b
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

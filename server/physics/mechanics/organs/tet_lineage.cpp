@@ -4,13 +4,13 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::organs {
 
-std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
-                               TetId tet) {
-  for (; tet != TetComplex::none; tet = complex.lineage(tet).parent)
+std::optional<OldTet> find_old(const cutting::TetComplex& complex, std::span<const PieceMesh* const> before,
+                               cutting::TetId tet) {
+  for (; tet != cutting::TetComplex::none; tet = complex.lineage(tet).parent)
     for (std::uint32_t p = 0; p < before.size(); ++p) {
-      const std::vector<TetId>& places = before[p]->places;
+      const std::vector<cutting::TetId>& places = before[p]->places;
       PROSECTOR_ASSERT(places.size() == before[p]->tets.size());
       const auto at = std::lower_bound(places.begin(), places.end(), complex.lineage(tet).place);
       const auto i = static_cast<std::size_t>(at - places.begin());
@@ -19,9 +19,9 @@ std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceM
   return std::nullopt;
 }
 
-VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
+VecX carried_history(const cutting::TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
-                     std::span<const TetId> tets) {
+                     std::span<const cutting::TetId> tets) {
   PROSECTOR_ASSERT(histories.size() == before.size() && numbers >= 0);
   if (numbers == 0) return {};
   VecX out = VecX::Zero(numbers * static_cast<Eigen::Index>(tets.size()));
@@ -32,4 +32,4 @@ VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/organs/node_transfer.h"
 
-namespace prosector {
+namespace prosector::organs {
 
 /// Tetrahedron of a mesh before a cut: the index of its piece, and its index in the piece's mesh.
 struct OldTet {
@@ -18,8 +18,8 @@ struct OldTet {
 /// Returns the tetrahedron before the cut that is `tet` (an id) or the nearest ancestor from which `tet` was
 /// split. `before`: the organ's pieces before the change. Returns none if there is no such tetrahedron, as
 /// after an undo, which restores the unsplit tetrahedra.
-std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
-                               TetId tet);
+std::optional<OldTet> find_old(const cutting::TetComplex& complex, std::span<const PieceMesh* const> before,
+                               cutting::TetId tet);
 
 /// Returns the number of viscoelastic history values per tetrahedron: the size of `history` divided by the
 /// number of tetrahedra. Each tetrahedron of `mesh` must be an element of the body.
@@ -31,8 +31,8 @@ inline Eigen::Index history_per_tet(const VecX& history, const PieceMesh& mesh) 
 /// Returns the viscoelastic history (internal variables of stress relaxation) of the tetrahedra `tets` (ids)
 /// after a cut, `numbers` values each. A tetrahedron inherits the values of its ancestor before the cut, or
 /// zeros without one. `histories`: values for each piece in `before`, by tetrahedron.
-VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
+VecX carried_history(const cutting::TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
-                     std::span<const TetId> tets);
+                     std::span<const cutting::TetId> tets);
 
-}  // namespace prosector
+}  // namespace prosector::organs

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/panel/panel_place.h"
 #include "server/physics/mechanics/panel/panel_world.h"
 
-namespace prosector {
+namespace prosector::panel {
 
 /// Returns the hands, and each stylus as a hand with a single finger, in canonical order.
 std::vector<PanelHand> PanelWorld::with_styli(std::span<const PanelHand> hands) const {
@@ -122,4 +122,4 @@ void PanelWorld::place(ParticipantId who, Open& panel, const Vec3& middle) {
   panel.idle = 0;
 }
 
-}  // namespace prosector
+}  // namespace prosector::panel

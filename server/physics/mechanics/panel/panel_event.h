@@ -6,7 +6,7 @@
 #include "common/math.h"
 #include "common/panel_control.h"
 
-namespace prosector {
+namespace prosector::panel {
 
 /// Action of a participant on their own panel (a floating control board of a body) that their client requests
 /// directly, without a tracked finger. It is journalled with the tick that processes it.
@@ -43,4 +43,4 @@ struct HeldPlace {
   Pose at;           // tablet: pose of its panel; stylus: pose of its tip, +z along the shaft; world frame
 };
 
-}  // namespace prosector
+}  // namespace prosector::panel

@@ -10,7 +10,7 @@
 #include "common/rotation_between.h"
 #include "server/physics/mechanics/rigid/bullet_types.h"
 
-namespace prosector {
+namespace prosector::panel {
 namespace {
 
 constexpr double cap_mass = 0.02;   // kg
@@ -88,16 +88,16 @@ Capsule between(const Capsule& from, const Capsule& to, double share) {
 }
 
 btVector3 scaled(const Vec3& v) {
-  return to_bullet(Vec3(units * v));
+  return rigid::to_bullet(Vec3(units * v));
 }
 btScalar scaled(double length) {
   return static_cast<btScalar>(units * length);
 }
 btTransform scaled(const Pose& pose) {
-  return to_bullet(Pose{units * pose.p, pose.q});
+  return rigid::to_bullet(Pose{units * pose.p, pose.q});
 }
 Vec3 unscaled(const btVector3& v) {
-  return from_bullet(v) / units;
+  return rigid::from_bullet(v) / units;
 }
 
 Pose pose_of(const Capsule& c) {
@@ -348,4 +348,4 @@ MovedControls move_controls(const ControlMotions& before, std::span<const Finger
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::panel

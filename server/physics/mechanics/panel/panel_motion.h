@@ -14,7 +14,7 @@
 #include "common/hand_pose.h"
 #include "common/panel.h"
 
-namespace prosector {
+namespace prosector::panel {
 
 /// Shape of a finger segment: the convex hull of two balls of equal radius.
 struct Capsule {
@@ -67,4 +67,4 @@ bool near_panel(const Capsule& finger);
 enum class AtBoard { over, under, beside };
 AtBoard at_board(const Capsule& finger);
 
-}  // namespace prosector
+}  // namespace prosector::panel

@@ -5,7 +5,7 @@
 
 #include "common/panel.h"
 
-namespace prosector {
+namespace prosector::panel {
 namespace {
 
 constexpr double clearance = 0.03;  // m, between the part's top and the panel's lower rim
@@ -81,4 +81,4 @@ Quat face_reader(const Vec3& middle, const PanelReader& reader) {
   return Quat(axes).normalized();
 }
 
-}  // namespace prosector
+}  // namespace prosector::panel

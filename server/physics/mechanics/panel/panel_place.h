@@ -3,7 +3,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::panel {
 
 /// Eyes of the participant that a panel faces; position and direction in the world frame.
 struct PanelReader {
@@ -33,4 +33,4 @@ Quat face_reader(const Vec3& middle, const PanelReader& reader);
 /// rim where a fist grasps it.
 bool is_at_head(const Vec3& at);
 
-}  // namespace prosector
+}  // namespace prosector::panel

@@ -5,7 +5,7 @@
 #include "server/physics/base/record.h"
 #include "server/physics/mechanics/panel/panel_world.h"
 
-namespace prosector {
+namespace prosector::panel {
 namespace {
 
 constexpr std::size_t most_entries = 4096;
@@ -126,4 +126,4 @@ void PanelWorld::load(RecordReader& io, std::size_t body_count) {
   *this = std::move(read);
 }
 
-}  // namespace prosector
+}  // namespace prosector::panel

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace prosector {
+namespace prosector::panel {
 namespace {
 
 constexpr double least_slide = 1e-6;  // of the travel: a smaller difference from the shown value is no motion
@@ -293,4 +293,4 @@ std::vector<Panel> PanelWorld::panels() const {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::panel

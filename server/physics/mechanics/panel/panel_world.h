@@ -16,9 +16,11 @@
 #include "server/physics/mechanics/panel/panel_place.h"
 
 namespace prosector {
-
 class RecordReader;
 class RecordWriter;
+}  // namespace prosector
+
+namespace prosector::panel {
 
 /// Hand of a participant, or a stylus, as input for the panels: palm, finger segments, fist, and the touched
 /// body.
@@ -193,4 +195,4 @@ inline constexpr double pointed_time = 0.3;
 inline constexpr double home_position = 0.85;   // of the travel: a button beyond it counts as pressed
 inline constexpr double let_go_position = 0.4;  // of the travel: a pressed button below it counts as released
 
-}  // namespace prosector
+}  // namespace prosector::panel

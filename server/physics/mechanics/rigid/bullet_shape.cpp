@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 constexpr btScalar mesh_margin = 0.0005F;  // m: Bullet enlarges hulls and triangle meshes by it
@@ -32,28 +32,29 @@ std::unique_ptr<btTriangleMesh> triangle_mesh(const TriangleMesh& mesh) {
   return out;
 }
 
-std::unique_ptr<btCollisionShape> make_part(const ShapePart& part, bool dynamic, BulletShape& owner) {
+std::unique_ptr<btCollisionShape> make_part(const collision::ShapePart& part, bool dynamic,
+                                            BulletShape& owner) {
   const auto r = static_cast<btScalar>(part.half.x());
   const auto y = static_cast<btScalar>(part.half.y());
   switch (part.kind) {
-    case ShapeKind::box:
+    case collision::ShapeKind::box:
       return std::make_unique<btBoxShape>(to_bullet(part.half));
-    case ShapeKind::sphere:
+    case collision::ShapeKind::sphere:
       return std::make_unique<btSphereShape>(r);
-    case ShapeKind::capsule:
+    case collision::ShapeKind::capsule:
       return std::make_unique<btCapsuleShape>(r, 2 * y);
-    case ShapeKind::cylinder:
+    case collision::ShapeKind::cylinder:
       return std::make_unique<btCylinderShape>(btVector3(r, y, r));
-    case ShapeKind::ellipsoid:
+    case collision::ShapeKind::ellipsoid:
       return ellipsoid(part.half);
-    case ShapeKind::hull: {
+    case collision::ShapeKind::hull: {
       auto hull = std::make_unique<btConvexHullShape>();
       for (const Vec3& p : part.mesh->positions) hull->addPoint(to_bullet(p), false);
       hull->recalcLocalAabb();
       hull->setMargin(mesh_margin);
       return hull;
     }
-    case ShapeKind::triangles: {
+    case collision::ShapeKind::triangles: {
       owner.meshes.push_back(triangle_mesh(*part.mesh));
       if (!dynamic) return std::make_unique<btBvhTriangleMeshShape>(owner.meshes.back().get(), true);
       auto moving = std::make_unique<btGImpactMeshShape>(owner.meshes.back().get());
@@ -71,9 +72,9 @@ bool is_identity(const Pose& pose) {
 
 }  // namespace
 
-BulletShape make_bullet_shape(const std::vector<ShapePart>& parts, bool dynamic) {
+BulletShape make_bullet_shape(const std::vector<collision::ShapePart>& parts, bool dynamic) {
   BulletShape out;
-  for (const ShapePart& part : parts) out.parts.push_back(make_part(part, dynamic, out));
+  for (const collision::ShapePart& part : parts) out.parts.push_back(make_part(part, dynamic, out));
   if (parts.size() == 1 && is_identity(parts.front().pose)) {
     out.root = out.parts.front().get();
   } else if (!parts.empty()) {
@@ -85,4 +86,4 @@ BulletShape make_bullet_shape(const std::vector<ShapePart>& parts, bool dynamic)
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/collision/shapes/shape.h"
 #include "server/physics/mechanics/rigid/bullet_types.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 /// Collision shape of a body for Bullet, with all objects that Bullet refers to by pointer.
 struct BulletShape {
@@ -18,6 +18,6 @@ struct BulletShape {
 
 /// Creates a body's Bullet shape from its collision parts. Triangle parts of a `dynamic` body become a
 /// triangle mesh that can move (GImpact). Those of a fixed body become Bullet's cheaper static triangle tree.
-BulletShape make_bullet_shape(const std::vector<ShapePart>& parts, bool dynamic);
+BulletShape make_bullet_shape(const std::vector<collision::ShapePart>& parts, bool dynamic);
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -5,7 +5,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 inline btVector3 to_bullet(const Vec3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -26,4 +26,4 @@ inline Pose from_bullet(const btTransform& t) {
                                           .normalized()};
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -2,21 +2,25 @@
 
 #include "server/physics/mechanics/collision/outlines/rigid_outline.h"
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 constexpr double least_half = 5e-4;  // m: least half extent of a box around a flat part
 
-ShapePart to_part(const CollisionPiece& piece, const Pose& to_body) {
-  if (const auto* sphere = std::get_if<SphereShape>(&piece))
-    return {ShapeKind::sphere, {sphere->radius, 0, 0}, {to_body * sphere->center, Quat::Identity()}, nullptr};
-  const BoxShape& box = std::get<BoxShape>(piece);
-  return {ShapeKind::box, box.half.cwiseMax(least_half), to_body * box.pose, nullptr};
+collision::ShapePart to_part(const collision::CollisionPiece& piece, const Pose& to_body) {
+  if (const auto* sphere = std::get_if<collision::SphereShape>(&piece))
+    return {collision::ShapeKind::sphere,
+            {sphere->radius, 0, 0},
+            {to_body * sphere->center, Quat::Identity()},
+            nullptr};
+  const collision::BoxShape& box = std::get<collision::BoxShape>(piece);
+  return {collision::ShapeKind::box, box.half.cwiseMax(least_half), to_body * box.pose, nullptr};
 }
 
 }  // namespace
 
-std::vector<ShapePart> at_fidelity(std::vector<ShapePart> parts, Fidelity fidelity, const Pose& pose) {
+std::vector<collision::ShapePart> at_fidelity(std::vector<collision::ShapePart> parts, Fidelity fidelity,
+                                              const Pose& pose) {
   switch (fidelity) {
     case Fidelity::none:
       return {};
@@ -28,12 +32,12 @@ std::vector<ShapePart> at_fidelity(std::vector<ShapePart> parts, Fidelity fideli
     case Fidelity::obb:
       break;
   }
-  const RigidOutline outline(std::move(parts), fidelity);
-  std::vector<CollisionPiece> pieces;
+  const collision::RigidOutline outline(std::move(parts), fidelity);
+  std::vector<collision::CollisionPiece> pieces;
   outline.place(pose, outline.rest_poses(), pieces);
-  std::vector<ShapePart> out;
-  for (const CollisionPiece& piece : pieces) out.push_back(to_part(piece, pose.inverse()));
+  std::vector<collision::ShapePart> out;
+  for (const collision::CollisionPiece& piece : pieces) out.push_back(to_part(piece, pose.inverse()));
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

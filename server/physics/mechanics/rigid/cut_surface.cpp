@@ -7,7 +7,7 @@
 #include "common/error.h"
 #include "server/physics/mechanics/rigid/triangulate.h"
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 constexpr double on_plane = 1e-9;  // m
@@ -134,4 +134,4 @@ CutSurface cut_surface(const TriangleMesh& mesh, const Vec3& point, const Vec3& 
   return Cutter(welded(mesh), point, normal).result();
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

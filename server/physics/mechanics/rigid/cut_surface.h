@@ -3,7 +3,7 @@
 
 #include "common/mesh.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 struct CutSurface {
   // The parts on the side that the normal points to, and on the other side; either may be empty.
@@ -19,4 +19,4 @@ struct CutSurface {
 /// it. Throws InputError for a surface that is not closed along the cut.
 CutSurface cut_surface(const TriangleMesh& mesh, const Vec3& point, const Vec3& normal);
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/rigid/rolling.h"
 #include "server/physics/mechanics/rigid/room_contacts.h"
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 // Bullet's default of 0.8 m/s suits bodies of metre size; here they are instruments and bones.
@@ -26,7 +26,8 @@ std::size_t slot_of(const btCollisionObject* object) {
   return static_cast<std::size_t>(object->getUserIndex());
 }
 
-constexpr CollisionMask room_mask{~0U, ~0U};  // the room collides with every body that collides at all
+constexpr collision::CollisionMask room_mask{~0U,
+                                             ~0U};  // the room collides with every body that collides at all
 
 constexpr double ccd_share = 0.5;  // of a body's least half extent: radius of the ball that Bullet sweeps
 
@@ -38,7 +39,7 @@ class PairFilter final : public btOverlapFilterCallback {
 
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
     const auto &first = object(a), &second = object(b);
-    return may_touch(mask(a), mask(b)) && !(is_hand(first) && is_hand(second)) &&
+    return collision::may_touch(mask(a), mask(b)) && !(is_hand(first) && is_hand(second)) &&
            !(first.isStaticObject() && second.isStaticObject());
   }
 
@@ -46,7 +47,7 @@ class PairFilter final : public btOverlapFilterCallback {
   static const btCollisionObject& object(const btBroadphaseProxy* proxy) {
     return *static_cast<const btCollisionObject*>(proxy->m_clientObject);
   }
-  static CollisionMask mask(const btBroadphaseProxy* proxy) {
+  static collision::CollisionMask mask(const btBroadphaseProxy* proxy) {
     return {static_cast<std::uint32_t>(proxy->m_collisionFilterGroup),
             static_cast<std::uint32_t>(proxy->m_collisionFilterMask)};
   }
@@ -189,7 +190,8 @@ struct RigidWorld::Impl {
   /// Adds the body to the world with its current masks, gravity and activation state.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
-    const CollisionMask mask = b.presence == BodyPresence::absent ? CollisionMask{0, 0} : b.setup.mask;
+    const collision::CollisionMask mask =
+        b.presence == BodyPresence::absent ? collision::CollisionMask{0, 0} : b.setup.mask;
     world.addRigidBody(b.body.get(), static_cast<int>(mask.group), static_cast<int>(mask.mask));
     if (!fixed && (b.setup.hand || b.setup.balanced)) b.body->setGravity(btVector3(0, 0, 0));
     if (b.setup.hand) b.body->setActivationState(DISABLE_DEACTIVATION);
@@ -225,7 +227,7 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
   made.body->setUserIndex(static_cast<int>(slot));
   if (setup.hand) PairFilter::mark_hand(*made.body);
   if (setup.continuous && made.shape.root->isConvex()) {
-    const double radius = part_extent(setup.parts.front()).half.minCoeff();
+    const double radius = collision::part_extent(setup.parts.front()).half.minCoeff();
     made.body->setCcdMotionThreshold(static_cast<btScalar>(radius));
     made.body->setCcdSweptSphereRadius(static_cast<btScalar>(ccd_share * radius));
   }
@@ -257,7 +259,7 @@ bool RigidWorld::used(std::size_t slot) const {
 bool RigidWorld::dynamic(std::size_t slot) const {
   return !is_room(slot) && !impl_->at(slot).isStaticObject();
 }
-const CollisionMask& RigidWorld::mask(std::size_t slot) const {
+const collision::CollisionMask& RigidWorld::mask(std::size_t slot) const {
   return is_room(slot) ? room_mask : impl_->bodies[slot].setup.mask;
 }
 
@@ -456,4 +458,4 @@ void RigidWorld::hash(StateHasher& hasher) const {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -17,12 +17,12 @@
 #include "server/physics/mechanics/collision/shapes/shape.h"
 #include "server/physics/mechanics/rigid/room.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 /// Physical properties of a rigid body of the rigid world: collision parts, mass, inertia, friction and which
 /// objects it collides with.
 struct RigidSetup {
-  std::vector<ShapePart> parts;
+  std::vector<collision::ShapePart> parts;
   double mass = 0;              // kg; 0: fixed to the room
   Vec3 inertia = Vec3::Zero();  // kg·m², principal
   double friction = 0.5;
@@ -30,7 +30,7 @@ struct RigidSetup {
   double restitution = 0;
   bool hand = false;      // a hand: no gravity, never sleeps, no collisions with other hands
   bool balanced = false;  // no gravity, and strong damping
-  CollisionMask mask;
+  collision::CollisionMask mask;
   RoomSides passes = 0;  // sides of the room that the body passes through
   /// Whether fast motion of the body is swept for collisions (continuous collision detection), so that the
   /// body stops at the time of impact. Applies only if its shape is one convex part centred on its centre of
@@ -93,7 +93,7 @@ class RigidWorld {
   /// body's velocity becomes zero and it is awake.
   void set_presence(std::size_t slot, BodyPresence presence);
   BodyPresence presence(std::size_t slot) const;
-  const CollisionMask& mask(std::size_t slot) const;
+  const collision::CollisionMask& mask(std::size_t slot) const;
 
   RigidMotion motion(std::size_t slot) const;
   void set_motion(std::size_t slot, const RigidMotion& motion);
@@ -151,4 +151,4 @@ class RigidWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 constexpr double creep = 0.02;  // m/s of rolling, below which the offset decreases
@@ -24,4 +24,4 @@ Vec3 rolling_lead(const RollingSide& a, const RollingSide& b, const Vec3& point,
   return speed > 0 ? Vec3(ahead / speed * lever * std::min(1.0, speed / creep)) : Vec3::Zero();
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

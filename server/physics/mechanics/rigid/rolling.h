@@ -4,7 +4,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 /// One of the two bodies at a rolling contact: its rolling resistance, centre of mass and angular velocity.
 struct RollingSide {
@@ -23,4 +23,4 @@ double rolling_lever(const RollingSide& a, const RollingSide& b, const Vec3& poi
 /// the rolling speed, so that it moves no body at rest.
 Vec3 rolling_lead(const RollingSide& a, const RollingSide& b, const Vec3& point, const Vec3& normal);
 
-}  // namespace prosector
+}  // namespace prosector::rigid

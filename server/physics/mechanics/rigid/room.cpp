@@ -4,7 +4,7 @@
 
 #include "common/room.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 std::vector<RoomSide> room_sides(const std::optional<RoomDesc>& room) {
   std::vector<RoomSide> out;
@@ -16,8 +16,8 @@ std::vector<RoomSide> room_sides(const std::optional<RoomDesc>& room) {
   return out;
 }
 
-ShapePart solid_of(const RoomSide& side) {
-  ShapePart part;
+collision::ShapePart solid_of(const RoomSide& side) {
+  collision::ShapePart part;
   part.half = Vec3::Constant(room_side_extent);
   part.pose.p = side.point - room_side_extent * side.normal;
   return part;
@@ -33,4 +33,4 @@ RoomSides sides_before(std::span<const Vec3> points, std::span<const RoomSide> r
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -11,7 +11,7 @@
 #include "common/scene/scene.h"
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 /// Plane side of the room (floor or wall) with which bodies collide. All space behind it is solid, so no body
 /// passes it at any speed.
@@ -35,7 +35,7 @@ std::vector<RoomSide> room_sides(const std::optional<RoomDesc>& room);
 
 /// Returns a collision box, in the room frame, for the solid space behind a side of the room. One face of the
 /// box is the side.
-ShapePart solid_of(const RoomSide& side);
+collision::ShapePart solid_of(const RoomSide& side);
 
 constexpr std::size_t room_slot(std::size_t side) {
   return std::numeric_limits<std::size_t>::max() - 1 - side;
@@ -54,4 +54,4 @@ constexpr bool has_side(RoomSides sides, std::size_t side) {
 /// `least_behind` behind them.
 RoomSides sides_before(std::span<const Vec3> points, std::span<const RoomSide> room);
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace prosector {
+namespace prosector::rigid {
 
 RoomContacts::RoomContacts(btCollisionDispatcher& dispatcher, std::span<const RoomSide> sides)
     : dispatcher_(dispatcher) {
@@ -68,4 +68,4 @@ void RoomContacts::detect(std::size_t slot, btRigidBody& body, RoomSides passes,
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

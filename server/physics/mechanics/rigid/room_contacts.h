@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/rigid/bullet_types.h"
 #include "server/physics/mechanics/rigid/room.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 /// Contact detection of rigid bodies with the sides of the room (floor and walls), which are not in Bullet's
 /// world.
@@ -47,4 +47,4 @@ class RoomContacts {
   std::map<std::pair<std::size_t, std::size_t>, btCollisionAlgorithm*> near_;  // by slot and side
 };
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace prosector {
+namespace prosector::rigid {
 namespace {
 
 using Loop = std::vector<std::uint32_t>;
@@ -123,4 +123,4 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> poin
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::rigid

@@ -8,7 +8,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::rigid {
 
 using Vec2 = Eigen::Vector2d;
 
@@ -20,4 +20,4 @@ using Vec2 = Eigen::Vector2d;
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> points,
                                                       const std::vector<std::vector<std::uint32_t>>& loops);
 
-}  // namespace prosector
+}  // namespace prosector::rigid

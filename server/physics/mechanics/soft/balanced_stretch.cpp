@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/soft/soft_body_setup.h"
 #include "server/physics/mechanics/soft/solvers/conjugate_gradient.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr int most_rounds = 12;
@@ -118,4 +118,4 @@ BalancedStretch balanced_stretch(const SoftDesc& desc, Anatomy anatomy, std::vec
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

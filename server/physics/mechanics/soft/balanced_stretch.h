@@ -7,7 +7,7 @@
 #include "common/anatomy/rest_stretch.h"
 #include "common/scene/scene.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct BalancedStretch {
   std::shared_ptr<const RestStretch> stretch;
@@ -21,4 +21,4 @@ struct BalancedStretch {
 /// not have the edge nodes of quadratic elements yet. Throws InputError for constants out of range.
 BalancedStretch balanced_stretch(const SoftDesc& desc, Anatomy anatomy, std::vector<Mat3> wanted);
 
-}  // namespace prosector
+}  // namespace prosector::soft

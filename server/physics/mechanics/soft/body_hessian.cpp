@@ -4,7 +4,7 @@
 #include "server/physics/mechanics/soft/base/node_sum.h"
 #include "server/physics/mechanics/soft/base/scratch.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t blocks_per_chunk = 16 * NodeSum::nodes_per_chunk;
@@ -38,7 +38,7 @@ void BodyHessian::fit() {
 }
 
 void BodyHessian::make_coarse_levels() {
-  const std::vector<Mat3> stiffness = prosector::rest_stiffness(system_);
+  const std::vector<Mat3> stiffness = soft::rest_stiffness(system_);
   multigrid_ =
       std::make_unique<Multigrid>(RestSystem{system_.pattern, system_.model.connectivity(), stiffness,
                                              system_.model.rest(), system_.mass, system_.attached});
@@ -142,7 +142,7 @@ void BodyHessian::rows_from_blocks() {
 
 void BodyHessian::multiply(const double* p, double* Hp) const {
   if (single_)
-    prosector::multiply(system_.symmetric, rows_, weights_.scale(), diagonal_, p, Hp);
+    soft::multiply(system_.symmetric, rows_, weights_.scale(), diagonal_, p, Hp);
   else
     system_.pattern.multiply(blocks_, p, Hp);
 }
@@ -172,4 +172,4 @@ void BodyHessian::multigrid_solve(std::span<const Mat3> diagonal, std::span<cons
   multigrid_->apply(r, z);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

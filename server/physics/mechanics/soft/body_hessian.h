@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/solvers/multigrid.h"
 #include "server/physics/mechanics/soft/stage_elements.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class BodyHessian {
  public:
@@ -80,4 +80,4 @@ class BodyHessian {
   bool multigrid_set_ = false, multigrid_turned_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

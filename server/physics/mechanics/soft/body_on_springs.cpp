@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace prosector {
+namespace prosector::soft {
 
 BodyOnSprings::BodyOnSprings(IncrementalPotential& potential, Eigen::Index nodes)
     : potential_(potential), diagonal_(static_cast<std::size_t>(nodes)), inverse_(diagonal_.size()) {}
@@ -43,4 +43,4 @@ void BodyOnSprings::multigrid(const VecX& r, VecX& z) const {
   potential_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

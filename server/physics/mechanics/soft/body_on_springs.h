@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/incremental_potential.h"
 #include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class BodyOnSprings final : public LinearOperator {
  public:
@@ -36,4 +36,4 @@ class BodyOnSprings final : public LinearOperator {
   std::vector<Mat3> diagonal_, inverse_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

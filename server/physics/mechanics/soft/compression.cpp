@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 struct Limit {
@@ -39,4 +39,4 @@ std::string limit_under_compression(const SoftDesc& desc, bool solid) {
   return row == limits.end() ? std::string() : std::string(row->sentence);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -5,7 +5,7 @@
 
 #include "common/scene/scene.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Returns a sentence for the scene's author about how the described body fails under strong compression, for
 /// example that it stays collapsed. Empty if the body's energy leads back to the rest shape from every shape
@@ -13,4 +13,4 @@ namespace prosector {
 /// limit recover under another material law (coupled/recovery.h).
 std::string limit_under_compression(const SoftDesc& desc, bool solid);
 
-}  // namespace prosector
+}  // namespace prosector::soft

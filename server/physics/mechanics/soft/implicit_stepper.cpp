@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 ImplicitStepper::ImplicitStepper(const SoftMatter& matter, IncrementalPotential& potential, bool substepped)
     : matter_(matter),
@@ -60,4 +60,4 @@ void ImplicitStepper::recall(SoftBodyState& state) const {
   state.warm_start.setZero();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

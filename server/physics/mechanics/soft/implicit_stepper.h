@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/soft/integrators/soft_state.h"
 #include "server/physics/mechanics/soft/integrators/time_integrator.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class ImplicitStepper {
  public:
@@ -64,4 +64,4 @@ class ImplicitStepper {
   VecX history_;       // saved with them
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

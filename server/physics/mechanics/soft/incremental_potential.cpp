@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/soft_body_setup.h"
 #include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 IncrementalPotential::IncrementalPotential(const SoftMatter& matter)
     : matter_(matter),
@@ -139,4 +139,4 @@ void IncrementalPotential::multigrid_solve(std::span<const Mat3> diagonal, std::
   scale(1 / strength, z);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -16,7 +16,7 @@
 #include "server/physics/mechanics/soft/soft_matter.h"
 #include "server/physics/mechanics/soft/stiffness_damping.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Incremental potential E(x) of one soft body in one stage of an implicit step, with its gradient and
 /// Hessian: inertia, elasticity, attachments and damping. The unknowns x are node positions (3n, m, world
@@ -102,4 +102,4 @@ class IncrementalPotential {
   Stage stage_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

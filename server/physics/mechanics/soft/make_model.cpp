@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/springs/spring_model.h"
 #include "server/physics/mechanics/soft/springs/tet_springs.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Anatomy& anatomy) {
   check_rung(desc, anatomy);
@@ -27,4 +27,4 @@ std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Ana
   return make_tet4_model(law, materials, desc.material.relaxation, anatomy.tets);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/mechanical_energy.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 double kinetic_energy(const VecX& mass, const VecX& v) {
   double sum = 0;
@@ -15,4 +15,4 @@ double fall_energy(const VecX& mass, const VecX& from, const VecX& to, const Wei
   return sum;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

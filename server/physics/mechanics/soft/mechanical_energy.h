@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/base/weight.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Returns the kinetic energy Σ ½m‖v‖² of the nodes, J. `mass`: nodal masses (n, kg); `v`: nodal velocities
 /// (3n, m/s).
@@ -12,4 +12,4 @@ double kinetic_energy(const VecX& mass, const VecX& v);
 /// `mass`: nodal masses (n, kg); `weight`: gravitational acceleration of the nodes.
 double fall_energy(const VecX& mass, const VecX& from, const VecX& to, const Weight& weight);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/soft/soft_body_setup.h"
 #include "server/physics/mechanics/soft/soft_matter.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Replaces the node indices of an embedding by the present indices; those of removed vertices are undefined.
@@ -22,7 +22,7 @@ void renumber(const Kept& nodes, SparseMap& embedding) {
 
 void follow_embedding(const Kept& nodes, const SurfaceEdit& surface, SparseMap& embedding) {
   renumber(nodes, embedding);
-  apply(surface.vertices, surface.rows, embedding.rows);
+  prosector::apply(surface.vertices, surface.rows, embedding.rows);
 }
 
 /// Recomputes the rows of added vertices, and the rows between whose nodes edges may have been added or
@@ -78,7 +78,7 @@ void MeshFollower::follow(const MeshEdit& edit, SparseMap embedding) {
 
 void MeshFollower::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
   SoftMatter& m = parts_.matter;
-  apply(surface, m.anatomy.surface);
+  prosector::apply(surface, m.anatomy.surface);
   follow_vertex_areas(m.anatomy.surface, surface, m.area);
   if (!m.quadratic) {
     follow_embedding(edit.kept_nodes, surface, m.anatomy.embedding);
@@ -124,4 +124,4 @@ void MeshFollower::fit() {
   if (parts_.substepper) parts_.substepper->fit();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

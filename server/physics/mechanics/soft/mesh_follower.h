@@ -9,7 +9,7 @@
 #include "server/physics/base/surface_edit.h"
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class EdgeNodes;
 class ImplicitStepper;
@@ -72,4 +72,4 @@ class MeshFollower {
   FollowingParts parts_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 #include "server/physics/mechanics/soft/rungs.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 const char* const recovery_model = "fem_corotational";
@@ -43,4 +43,4 @@ void RecoveryLaw::fit() {
   body_.reset();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/soft/soft_matter.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class SoftBody;
 
@@ -44,4 +44,4 @@ class RecoveryLaw {
   bool kept_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

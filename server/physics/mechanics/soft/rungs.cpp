@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/soft/integrators/time_integrator.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 MeshKind mesh_kind(const Anatomy& anatomy) {
   if (!anatomy.segments.empty()) return MeshKind::rope;
@@ -113,4 +113,4 @@ void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
   if (!desc.material.relaxation.empty()) check_relaxation(desc);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -8,7 +8,7 @@
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 enum class MeshKind { tets, sheet, rope };
 MeshKind mesh_kind(const Anatomy& anatomy);
@@ -37,4 +37,4 @@ std::string in_words(const SoftDesc& desc);
 /// Throws InputError that names the allowed values if they are not.
 void check_rung(const SoftDesc& desc, const Anatomy& anatomy);
 
-}  // namespace prosector
+}  // namespace prosector::soft

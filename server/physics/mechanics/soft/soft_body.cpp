@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/soft_body_setup.h"
 #include "server/physics/mechanics/soft/soft_matter.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 std::unique_ptr<Substepper> substepper_of(const SoftMatter& m) {
@@ -157,4 +157,4 @@ SoftBody& SoftBody::in_force(const SoftBodyState& state) {
   return state.recovering ? parts_->recovery.body() : *this;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

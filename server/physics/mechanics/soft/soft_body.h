@@ -19,7 +19,7 @@
 #include "server/physics/mechanics/soft/base/weight.h"
 #include "server/physics/mechanics/soft/integrators/soft_state.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class ImplicitStepper;
 class IncrementalPotential;
@@ -97,4 +97,4 @@ class SoftBody {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace prosector {
+namespace prosector::soft {
 
 void refuse(const SoftDesc& desc, const std::string& what) {
   throw InputError(fmt::format("soft body \"{}\": {}", desc.name, what));
@@ -117,7 +117,7 @@ double third_of_area(const TriangleMesh& surface, const std::array<std::uint32_t
 }  // namespace
 
 void follow_vertex_areas(const TriangleMesh& surface, const SurfaceEdit& edit, std::vector<double>& areas) {
-  apply(edit.vertices, std::vector<double>(edit.positions.size()), areas);
+  prosector::apply(edit.vertices, std::vector<double>(edit.positions.size()), areas);
   std::vector<std::uint8_t> touched(areas.size(), 0);
   for (const std::uint32_t vertex : edit.touched) {
     touched[vertex] = 1;
@@ -150,4 +150,4 @@ std::vector<double> vertex_areas(const Anatomy& anatomy) {
   return area;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

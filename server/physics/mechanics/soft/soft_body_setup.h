@@ -9,7 +9,7 @@
 #include "common/scene/scene.h"
 #include "server/physics/base/surface_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Throws InputError with the name of the soft body `desc` and the text `what`, which describes the error and
 /// the allowed values.
@@ -50,4 +50,4 @@ std::vector<double> vertex_areas(const Anatomy& anatomy);
 /// vertices whose triangles changed.
 void follow_vertex_areas(const TriangleMesh& surface, const SurfaceEdit& edit, std::vector<double>& areas);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/make_model.h"
 #include "server/physics/mechanics/soft/soft_body_setup.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Adds the edge nodes if the body has quadratic elements.
@@ -69,4 +69,4 @@ bool SoftMatter::falls() const {
   return desc.gravity || !tied || cut_loose;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

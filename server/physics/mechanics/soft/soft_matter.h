@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 #include "server/physics/mechanics/soft/matrices/symmetric_rows.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Additional data of a soft body with quadratic tetrahedra: its edge nodes, the surface's embedding in
 /// vertices only, and the mesh of linear tetrahedra on the same nodes.
@@ -62,4 +62,4 @@ struct SoftMatter {
   bool falls() const;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

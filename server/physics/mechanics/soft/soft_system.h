@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 #include "server/physics/mechanics/soft/matrices/symmetric_rows.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// References to the data of a soft body's equations of motion: description, elastic model, matrix patterns,
 /// nodal masses and attachment stiffnesses. They are constant during a session, except after cuts and for the
@@ -30,4 +30,4 @@ struct StageWeights {
   double scale() const { return 1 + damping_share; }
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -4,7 +4,7 @@
 #include "common/ids.h"
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Displacement of nodes, in cells, up to which a matrix is still a good approximation.
@@ -94,4 +94,4 @@ std::span<const Mat3> StageElements::damping_blocks(const Eigen::Ref<const VecX>
   return blocks_;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/soft/matrices/corotated_stiffness.h"
 #include "server/physics/mechanics/soft/soft_system.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class StageElements {
  public:
@@ -80,4 +80,4 @@ class StageElements {
   bool blocks_known_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

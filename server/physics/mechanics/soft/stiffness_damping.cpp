@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/stiffness_damping.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 StiffnessDamping::StiffnessDamping(const SoftSystem& system, StageElements& elements)
     : pattern_(system.pattern), elements_(elements), sum_(static_cast<std::size_t>(system.mass.size())) {
@@ -36,4 +36,4 @@ void StiffnessDamping::update(const Eigen::Ref<const VecX>& x, bool forces) {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/base/node_sum.h"
 #include "server/physics/mechanics/soft/stage_elements.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class StiffnessDamping {
  public:
@@ -35,4 +35,4 @@ class StiffnessDamping {
   bool known_ = false, forces_known_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

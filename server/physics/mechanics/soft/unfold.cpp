@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/soft/laws/polar.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -88,4 +88,4 @@ void unfold(const SoftBody& body, SoftBodyState& state) {
   state.motion.v.setZero();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -5,7 +5,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/soft/soft_body.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Volume ratio up to which a tetrahedron counts as inverted or flat: its current volume divided by its rest
 /// volume.
@@ -38,4 +38,4 @@ void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state)
 /// positions with zero velocity.
 void unfold(const SoftBody& body, SoftBodyState& state);
 
-}  // namespace prosector
+}  // namespace prosector::soft

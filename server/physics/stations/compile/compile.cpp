@@ -26,57 +26,62 @@ constexpr double coarse_surface = 1.5;
 // Smallest fraction of its hull's volume that a plausible closed mesh fills.
 constexpr double least_share_of_hull = 0.02;
 
-ShapePart to_shape(const PartDesc& part) {
+collision::ShapePart to_shape(const PartDesc& part) {
   const double r = part.size.x() / 2, y = part.size.y() / 2;
-  if (part.shape == "box") return {ShapeKind::box, part.size / 2, part.pose, nullptr};
-  if (part.shape == "sphere") return {ShapeKind::sphere, {r, 0, 0}, part.pose, nullptr};
-  if (part.shape == "capsule") return {ShapeKind::capsule, {r, std::max(0.0, y - r), r}, part.pose, nullptr};
-  if (part.shape == "cylinder") return {ShapeKind::cylinder, {r, y, r}, part.pose, nullptr};
-  return {ShapeKind::ellipsoid, part.size / 2, part.pose, nullptr};
+  if (part.shape == "box") return {collision::ShapeKind::box, part.size / 2, part.pose, nullptr};
+  if (part.shape == "sphere") return {collision::ShapeKind::sphere, {r, 0, 0}, part.pose, nullptr};
+  if (part.shape == "capsule")
+    return {collision::ShapeKind::capsule, {r, std::max(0.0, y - r), r}, part.pose, nullptr};
+  if (part.shape == "cylinder") return {collision::ShapeKind::cylinder, {r, y, r}, part.pose, nullptr};
+  return {collision::ShapeKind::ellipsoid, part.size / 2, part.pose, nullptr};
 }
 
 /// Returns the mass properties of a mesh, or of its hull if the mesh isn't closed: a thin or open surface has
 /// no volume.
-MassProperties mesh_mass(const TriangleMesh& mesh, const ShapePart& hull, double density) {
-  const MassProperties of_hull = part_mass(hull, density);
-  ShapePart solid = hull;
+collision::MassProperties mesh_mass(const TriangleMesh& mesh, const collision::ShapePart& hull,
+                                    double density) {
+  const collision::MassProperties of_hull = collision::part_mass(hull, density);
+  collision::ShapePart solid = hull;
   solid.mesh = std::make_shared<TriangleMesh>(mesh);
-  const MassProperties own = part_mass(solid, density);
+  const collision::MassProperties own = collision::part_mass(solid, density);
   const bool plausible = own.mass > least_share_of_hull * of_hull.mass && own.mass < 1.01 * of_hull.mass &&
                          Eigen::SelfAdjointEigenSolver<Mat3>(own.inertia).eigenvalues().minCoeff() > 0;
   return plausible ? own : of_hull;
 }
 
 struct Solid {
-  std::vector<ShapePart> parts;  // body frame
-  MassProperties mass;
+  std::vector<collision::ShapePart> parts;  // body frame
+  collision::MassProperties mass;
 };
 
 Solid solid_of_parts(const RigidDesc& desc) {
   Solid out;
-  std::vector<MassProperties> masses;
+  std::vector<collision::MassProperties> masses;
   for (const PartDesc& part : desc.geometry.parts) {
     out.parts.push_back(to_shape(part));
-    masses.push_back(part_mass(out.parts.back(), desc.material.density));
+    masses.push_back(collision::part_mass(out.parts.back(), desc.material.density));
   }
-  out.mass = combine(masses);
+  out.mass = collision::combine(masses);
   return out;
 }
 
 Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
-  ShapePart hull{
-      ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
+  collision::ShapePart hull{collision::ShapeKind::hull,
+                            Vec3::Zero(),
+                            {},
+                            std::make_shared<TriangleMesh>(collision::convex_hull(surface.positions))};
   Solid out;
   out.mass = mesh_mass(surface, hull, desc.material.density);
   if (desc.contact.collision == Fidelity::mesh)
-    out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
+    out.parts = {
+        {collision::ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
   else
     out.parts = {hull};
   return out;
 }
 
-CollisionGroups groups_of(const SceneDesc& scene) {
-  CollisionGroups out;
+collision::CollisionGroups groups_of(const SceneDesc& scene) {
+  collision::CollisionGroups out;
   std::set<std::string> known = {default_group, hand_group};
   out.add(hand_group);
   const auto add = [&](const auto& bodies) {
@@ -88,7 +93,8 @@ CollisionGroups groups_of(const SceneDesc& scene) {
   return out;
 }
 
-RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const CollisionGroups& groups) {
+RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface,
+                         const collision::CollisionGroups& groups) {
   Solid solid = desc.geometry.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
   // The mass of a breakable body is that of its surface's volume, like that of its pieces, which conserves
   // momentum.
@@ -117,9 +123,10 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   out.setup.balanced = desc.balanced;
   out.setup.continuous = desc.contact.continuous;
   out.setup.mask = groups.mask(desc.contact.group, desc.contact.touches);
-  for (ShapePart part : at_fidelity(std::move(solid.parts), desc.contact.collision, desc.pose)) {
+  for (collision::ShapePart part :
+       rigid::at_fidelity(std::move(solid.parts), desc.contact.collision, desc.pose)) {
     part.pose = out.center.inverse() * part.pose;
-    out.shape.distances.push_back(make_signed_distance(part));
+    out.shape.distances.push_back(contact::make_signed_distance(part));
     out.shape.parts.push_back(std::move(part));
   }
   out.setup.parts = out.shape.parts;
@@ -128,26 +135,26 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
 
 std::vector<RoomModel> compile_room(const std::optional<RoomDesc>& room) {
   std::vector<RoomModel> out;
-  for (const RoomSide& side : room_sides(room)) {
+  for (const rigid::RoomSide& side : rigid::room_sides(room)) {
     RoomModel& made = out.emplace_back();
     made.side = side;
-    made.shape.parts.push_back(solid_of(side));
-    made.shape.distances.push_back(make_signed_distance(made.shape.parts.front()));
+    made.shape.parts.push_back(rigid::solid_of(side));
+    made.shape.distances.push_back(contact::make_signed_distance(made.shape.parts.front()));
   }
   return out;
 }
 
 /// Returns the room sides behind which the body starts; the body passes through these.
 template <class Say>
-RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, const Model& model,
-                       const Say& say) {
-  std::vector<RoomSide> room;
+rigid::RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, const Model& model,
+                              const Say& say) {
+  std::vector<rigid::RoomSide> room;
   for (const RoomModel& side : model.room) room.push_back(side.side);
-  const RoomSides out = sides_before(start, room);
+  const rigid::RoomSides out = rigid::sides_before(start, room);
   if (out != 0)
     say(fmt::format(
         "{}: the body starts behind the room's {}, so it does not collide with that side of the room", name,
-        has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
+        rigid::has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
   return out;
 }
 
@@ -155,25 +162,25 @@ bool is_simple(const CompiledTissue& tissue) {
   return tissue.collision.fidelity != Fidelity::none && tissue.collision.fidelity != Fidelity::mesh;
 }
 
-RigidOutline outline_of(const RigidShape& shape) {
-  const bool mesh = !shape.parts.empty() && shape.parts.front().kind == ShapeKind::triangles;
-  return RigidOutline(shape.parts, mesh ? Fidelity::mesh : Fidelity::hull);
+collision::RigidOutline outline_of(const contact::RigidShape& shape) {
+  const bool mesh = !shape.parts.empty() && shape.parts.front().kind == collision::ShapeKind::triangles;
+  return collision::RigidOutline(shape.parts, mesh ? Fidelity::mesh : Fidelity::hull);
 }
 
-std::vector<std::optional<RigidOutline>> compile_outlines(const Model& model) {
-  std::vector<std::optional<RigidOutline>> out;
+std::vector<std::optional<collision::RigidOutline>> compile_outlines(const Model& model) {
+  std::vector<std::optional<collision::RigidOutline>> out;
   for (const RigidModel& r : model.rigid)
     out.push_back(r.shape.parts.empty() ? std::nullopt : std::optional(outline_of(r.shape)));
-  for (const HandModel& hand : model.hands) out.push_back(outline_of(hand.shape));
+  for (const hands::HandModel& hand : model.hands) out.push_back(outline_of(hand.shape));
   for (const RoomModel& room : model.room) out.push_back(outline_of(room.shape));
   return out;
 }
 
 /// Enables contact over areas for the body. Throws InputError for bodies without such areas, or with
 /// substeps.
-void press_over_area(const SoftBody& body, SoftCollision& collision) {
+void press_over_area(const soft::SoftBody& body, contact::SoftCollision& collision) {
   const SoftDesc& desc = body.desc();
-  if (mesh_kind(body.anatomy()) != MeshKind::tets || collision.fidelity != Fidelity::mesh ||
+  if (soft::mesh_kind(body.anatomy()) != soft::MeshKind::tets || collision.fidelity != Fidelity::mesh ||
       body.substepper())
     throw InputError(
         fmt::format("[[soft]] \"{}\": contact is \"surface\", which is allowed only for a solid with "
@@ -183,11 +190,11 @@ void press_over_area(const SoftBody& body, SoftCollision& collision) {
 }
 
 /// Warns if surface triangles are too large for refined elements to have an effect.
-void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const std::string&)>& say) {
+void warn_of_coarse_surface(const soft::SoftBody& body, const std::function<void(const std::string&)>& say) {
   const SoftDesc& desc = body.desc();
   if (desc.refinement.at == SoftDesc().refinement.at) return;
   const double cell = desc.refinement.cell > 0 ? desc.refinement.cell : desc.geometry.cell / 2;
-  const double edge = mean_edge(body.anatomy().surface);
+  const double edge = contact::mean_edge(body.anatomy().surface);
   if (edge > coarse_surface * cell)
     say(
         fmt::format("{}: warning: refine creates elements of {:.1f} mm, but the surface triangles have edges "
@@ -196,16 +203,16 @@ void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const
 }
 
 CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
-                            const CollisionGroups& groups,
+                            const collision::CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
   CompiledTissue out;
   if (const double moved = put_under_tension(desc, anatomy); moved > reported_tension)
     say(fmt::format("{}: the body's tension moves its nodes by up to {:.1f} mm from its imaged shape",
                     desc.name, 1e3 * moved));
-  out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
+  out.solver = std::make_unique<soft::SoftBody>(desc, std::move(anatomy));
   const TriangleMesh& surface = out.solver->anatomy().surface;
-  const double cell = desc.contact.self_contact ? mean_edge(surface) : 0;
-  const RoomSides passes = passed_sides(desc.name, surface.positions, model, say);
+  const double cell = desc.contact.self_contact ? contact::mean_edge(surface) : 0;
+  const rigid::RoomSides passes = passed_sides(desc.name, surface.positions, model, say);
   out.collision = {desc.contact.collision,
                    groups.mask(desc.contact.group, desc.contact.touches),
                    passes,
@@ -217,8 +224,8 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
   warn_of_coarse_surface(*out.solver, say);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
                   out.solver->nodes(), surface.positions.size()));
-  const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;
-  if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
+  const bool solid = soft::mesh_kind(out.solver->anatomy()) == soft::MeshKind::tets;
+  if (const std::string limit = soft::limit_under_compression(desc, solid); !limit.empty())
     say(fmt::format("{}: warning: model {} {}", desc.name, desc.configuration.model, limit));
   return out;
 }
@@ -237,7 +244,7 @@ CompiledScene compile(const SceneDesc& written, const CompileOptions& options) {
   model.scene = scene;
   model.h = 1 / scene.tick_rate;
   model.room = compile_room(scene.room);
-  const CollisionGroups groups = groups_of(scene);
+  const collision::CollisionGroups groups = groups_of(scene);
   for (const RigidDesc& desc : scene.rigid)
     model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options), groups));
   const auto compile_piece = [&](const RigidDesc& desc, TriangleMesh surface) {
@@ -252,11 +259,11 @@ CompiledScene compile(const SceneDesc& written, const CompileOptions& options) {
   for (const SoftDesc& desc : scene.soft)
     out.soft.push_back(compile_soft(desc, soft_anatomy(desc, scene, options), model, groups, say));
   for (std::size_t hand = 0; hand < 2; ++hand) {
-    model.hands[hand] = make_hand_model(hand, scene.hand);
+    model.hands[hand] = hands::make_hand_model(hand, scene.hand);
     model.hands[hand].setup.mask = groups.mask(hand_group, {});
-    model.hands[hand].setup.passes = all_room_sides;
+    model.hands[hand].setup.passes = rigid::all_room_sides;
   }
-  for (const RigidDesc& desc : model.scene.rigid) model.blades.push_back(blade_shape(desc.edges));
+  for (const RigidDesc& desc : model.scene.rigid) model.blades.push_back(organs::blade_shape(desc.edges));
   if (std::any_of(out.soft.begin(), out.soft.end(), is_simple)) model.outlines = compile_outlines(model);
   model.hash = hash_of(model, out.soft);
   return out;

@@ -98,16 +98,16 @@ class Settling {
 };
 
 void Settling::relax(std::span<const std::size_t> group) {
-  IslandSolver solver;
-  std::vector<ContactMemories> held(bodies_.soft.size());
+  coupled::IslandSolver solver;
+  std::vector<contact::ContactMemories> held(bodies_.soft.size());
   for (int step = 0; step < most_relaxation_steps; ++step) {
-    Island island;
+    coupled::Island island;
     std::vector<VecX> before;
     for (const std::size_t body : group) {
       island.soft.push_back(
           {body, &bodies_.soft[body].solver->in_force(bodies_.soft[body].state), &bodies_.soft[body].state});
       before.push_back(bodies_.soft[body].state.motion.x);
-      for (Collider c : colliders_) {
+      for (contact::Collider c : colliders_) {
         c.fixed = true;  // movable bodies stand still until the scene runs
         if (may_meet(bodies_.soft[body], c))
           add_contacts(bodies_.soft[body], c, relaxation_margin, held[body], bodies_.model.h,
@@ -117,15 +117,15 @@ void Settling::relax(std::span<const std::size_t> group) {
         if (other >= body && bodies_.may_meet(body, other))
           finder_.add_pair_contacts(state_, body, other, relaxation_margin, bodies_.model.h, island.contacts);
     }
-    weigh(island, bodies_.model.scene.gravity);
-    for (const SoftMember& member : island.soft) member.body->stepper().set_relaxed(true);
-    const IslandReport solved = solver.solve(island, relaxation_step);
+    coupled::weigh(island, bodies_.model.scene.gravity);
+    for (const coupled::SoftMember& member : island.soft) member.body->stepper().set_relaxed(true);
+    const coupled::IslandReport solved = solver.solve(island, relaxation_step);
     double moved = 0;
     for (std::size_t k = 0; k < group.size(); ++k) {
       const std::size_t body = group[k];
-      SoftBodyState& state = bodies_.soft[body].state;
+      soft::SoftBodyState& state = bodies_.soft[body].state;
       island.soft[k].body->stepper().set_relaxed(false);
-      keep(island.contacts, body, held[body]);
+      contact::keep(island.contacts, body, held[body]);
       stop(state);
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
       bodies_.soft[body].follow_nodes();
@@ -138,7 +138,7 @@ void Settling::relax(std::span<const std::size_t> group) {
 std::vector<std::vector<std::size_t>> Settling::neighbourhoods() {
   std::vector<std::size_t> first(bodies_.soft.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
-  std::vector<Contact> found;
+  std::vector<contact::Contact> found;
   for (std::size_t i = 0; i < bodies_.soft.size(); ++i)
     for (std::size_t j = i + 1; j < bodies_.soft.size(); ++j) {
       if (!bodies_.may_meet(i, j) || first[i] == first[j]) continue;
@@ -160,7 +160,7 @@ bool Settling::floats(std::span<const std::size_t> group) const {
   };
   const auto held = [&](std::size_t body) {
     return !bodies_.soft[body].solver->attachment_stiffness().isZero() ||
-           std::any_of(colliders_.begin(), colliders_.end(), [&](const Collider& c) {
+           std::any_of(colliders_.begin(), colliders_.end(), [&](const contact::Collider& c) {
              return may_meet(bodies_.soft[body], c) && touches(bodies_.soft[body], c, relaxation_margin);
            });
   };
@@ -172,9 +172,9 @@ bool Settling::floats(std::span<const std::size_t> group) const {
 void Settling::settle_crushed(std::span<const std::size_t> group) {
   bool again = false;
   for (const std::size_t body : group) {
-    SoftBody& b = *bodies_.soft[body].solver;
+    soft::SoftBody& b = *bodies_.soft[body].solver;
     if (!b.recovery().exists() ||
-        inverted_share(b.linear_tets(), bodies_.soft[body].state.motion.x) <= most_inverted)
+        soft::inverted_share(b.linear_tets(), bodies_.soft[body].state.motion.x) <= most_inverted)
       continue;
     b.recovery().keep();
     again = true;
@@ -190,8 +190,8 @@ void Settling::settle_crushed(std::span<const std::size_t> group) {
 
 /// Reports a body that its own weight crushes: its description is unrealistic.
 void report_if_crushed(const Tissue& tissue, const CompileOptions& options) {
-  const SoftBody& b = *tissue.solver;
-  const double share = inverted_share(b.linear_tets(), tissue.equilibrium);
+  const soft::SoftBody& b = *tissue.solver;
+  const double share = soft::inverted_share(b.linear_tets(), tissue.equilibrium);
   if ((share == 0 && !b.recovery().is_kept()) || !options.progress) return;
   const SoftDesc& desc = b.desc();
   const std::string what =

@@ -32,7 +32,7 @@ struct Rim {
   double longest = 0;                        // m: mean of the longest edges of the tetrahedra there
 };
 
-double longest_edge(const TetComplex& complex, TetId tet) {
+double longest_edge(const cutting::TetComplex& complex, cutting::TetId tet) {
   double squared = 0;
   const auto corners = complex.corners(tet);
   for (std::size_t a = 0; a < corners.size(); ++a)
@@ -41,15 +41,15 @@ double longest_edge(const TetComplex& complex, TetId tet) {
   return std::sqrt(squared);
 }
 
-Rim rim_of(const SoftDesc& desc, const TetComplex& complex) {
+Rim rim_of(const SoftDesc& desc, const cutting::TetComplex& complex) {
   Rim rim;
   std::size_t faces = 0;
-  for (const TetId tet : tet_ids(complex))
+  for (const cutting::TetId tet : cutting::tet_ids(complex))
     for (std::size_t k = 0; k < complex.sides(); ++k) {
-      if (complex.neighbor(tet, k) != TetComplex::none) continue;
+      if (complex.neighbor(tet, k) != cutting::TetComplex::none) continue;
       std::array<Vec3, 3> held;
       std::size_t count = 0;
-      for (const std::size_t corner : TetComplex::face[k])
+      for (const std::size_t corner : cutting::TetComplex::face[k])
         if (const Vec3& x = complex.rest(complex.corners(tet)[corner]); is_held(desc, x)) held[count++] = x;
       if (count == 0 || count == held.size()) continue;
       rim.edges.emplace_back(held[0], held[count - 1]);
@@ -60,7 +60,7 @@ Rim rim_of(const SoftDesc& desc, const TetComplex& complex) {
   return rim;
 }
 
-TouchedPlaces places_on(const Rim& rim, double reach) {
+cutting::TouchedPlaces places_on(const Rim& rim, double reach) {
   const double apart = reach / points_a_reach;
   std::vector<Vec3> points;
   for (const auto& [from, to] : rim.edges) {
@@ -76,22 +76,22 @@ Anatomy graded_at_rims(const SoftDesc& desc, Anatomy anatomy) {
   const auto refusal = [&](const std::string& why) {
     return InputError(fmt::format("[[soft]] \"{}\": grade is \"rims\", {}", desc.name, why));
   };
-  if (mesh_kind(anatomy) != MeshKind::tets)
+  if (soft::mesh_kind(anatomy) != soft::MeshKind::tets)
     throw refusal("which is allowed only for solids; set grade = \"none\"");
   if (desc.attach.empty()) return anatomy;
   try {
-    const Rim rim = rim_of(desc, TetComplex(anatomy.tets, desc.material.density));
+    const Rim rim = rim_of(desc, cutting::TetComplex(anatomy.tets, desc.material.density));
     if (rim.edges.empty()) return anatomy;
     const double reach = reach_share * rim.longest;
-    RefinedBody body(std::move(anatomy), desc.material.density,
-                     {.edge = edge_share * rim.longest,
-                      .reach = reach,
-                      .most = std::numeric_limits<std::size_t>::max() / 2,
-                      .linger = 1});
-    const TouchedPlaces places = places_on(rim, reach);
+    organs::RefinedBody body(std::move(anatomy), desc.material.density,
+                             {.edge = edge_share * rim.longest,
+                              .reach = reach,
+                              .most = std::numeric_limits<std::size_t>::max() / 2,
+                              .linger = 1});
+    const cutting::TouchedPlaces places = places_on(rim, reach);
     while (!body.mesh.follow(places, false, false).empty()) {
     }
-    return refined_anatomy(body, refined_mesh(body));
+    return organs::refined_anatomy(body, organs::refined_mesh(body));
   } catch (const InputError& error) {
     throw refusal(fmt::format("but its mesh does not allow it: {}; set grade = \"none\" or use another mesh",
                               error.what()));

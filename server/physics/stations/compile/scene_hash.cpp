@@ -19,7 +19,7 @@ void add_rigid(const RigidModel& r, ByteWriter& out) {
   out.add(r.setup.mass);
   out.add(r.setup.inertia);
   out.add(static_cast<std::uint64_t>(r.shape.parts.size()));
-  for (const ShapePart& part : r.shape.parts) {
+  for (const collision::ShapePart& part : r.shape.parts) {
     out.add(part.kind);
     out.add(part.half);
     out.add(part.pose);
@@ -27,7 +27,7 @@ void add_rigid(const RigidModel& r, ByteWriter& out) {
   }
 }
 
-void add_soft(const SoftBody& s, ByteWriter& out) {
+void add_soft(const soft::SoftBody& s, ByteWriter& out) {
   out.add(s.content_hash());
   add_mesh(s.anatomy().surface, out);
   out.add(s.anatomy().thickness);

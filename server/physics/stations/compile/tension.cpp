@@ -54,13 +54,13 @@ double share_below(std::array<double, 4> value, double limit) {
 }
 
 /// Adds the fraction of a part that lies in the layer, along the nearest face of the surface.
-void add_layer(const TriangleSurface& surface, const Corners& x, double depth, Mat3& sum) {
+void add_layer(const collision::TriangleSurface& surface, const Corners& x, double depth, Mat3& sum) {
   const Vec3 middle = (x[0] + x[1] + x[2] + x[3]) / 4;
   double reach = depth;
   for (const Vec3& corner : x) reach = std::max(reach, depth + (corner - middle).norm());
-  const std::optional<NearestPoint> nearest = surface.nearest(middle, reach);
+  const std::optional<collision::NearestPoint> nearest = surface.nearest(middle, reach);
   if (!nearest) return;
-  const Triangle face = surface.triangle(nearest->triangle);
+  const collision::Triangle face = surface.triangle(nearest->triangle);
   const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
   std::array<double, 4> deep{};
   for (std::size_t c = 0; c < 4; ++c) deep[c] = normal.dot(face[0] - x[c]);
@@ -70,7 +70,7 @@ void add_layer(const TriangleSurface& surface, const Corners& x, double depth, M
 }  // namespace
 
 std::vector<Mat3> layer_stretch(const TetMesh& mesh, double strain, double depth) {
-  const TriangleSurface surface(TriangleMesh{mesh.positions, boundary_faces(mesh)});
+  const collision::TriangleSurface surface(TriangleMesh{mesh.positions, boundary_faces(mesh)});
   const double stretch = strain / (1 - strain);
   std::vector<Mat3> out(mesh.tets.size());
   parallel_chunks(out.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
@@ -86,11 +86,11 @@ std::vector<Mat3> layer_stretch(const TetMesh& mesh, double strain, double depth
 }
 
 double put_under_tension(const SoftDesc& desc, Anatomy& anatomy) {
-  if (!desc.material.tension || mesh_kind(anatomy) == MeshKind::sheet) return 0;
-  require(
-      mesh_kind(anatomy) == MeshKind::tets, desc,
+  if (!desc.material.tension || soft::mesh_kind(anatomy) == soft::MeshKind::sheet) return 0;
+  soft::require(
+      soft::mesh_kind(anatomy) == soft::MeshKind::tets, desc,
       "tension is given for a rope, which has no outermost layer; allowed only for solid bodies and sheets");
-  BalancedStretch found = balanced_stretch(
+  soft::BalancedStretch found = soft::balanced_stretch(
       desc, anatomy,
       layer_stretch(anatomy.tets, desc.material.tension.value / 100, desc.material.tension_depth));
   anatomy.tets.stretch = std::move(found.stretch);

@@ -14,6 +14,6 @@ std::vector<Vec3> edge_points(const Bodies& bodies, std::size_t slot);
 
 /// Updates the list of instruments with cutting edges that hands hold. Fills `grips` with the ties between
 /// points of their edges and tissue, and wakes that tissue.
-void grip_blades(State& state, std::vector<BladeGrip>& grips);
+void grip_blades(State& state, std::vector<organs::BladeGrip>& grips);
 
 }  // namespace prosector

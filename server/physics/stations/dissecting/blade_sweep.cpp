@@ -21,7 +21,7 @@ bool stop_at_the_surface(const Bodies& bodies, std::span<const Vec3> from, std::
     any = true;
     if (in_tissue(from[p])) continue;
     Vec3 outside = from[p], inside = to[p];
-    for (int i = 0; i < entry_halvings; ++i) {
+    for (int i = 0; i < organs::entry_halvings; ++i) {
       const Vec3 middle = (outside + inside) / 2;
       (in_tissue(middle) ? inside : outside) = middle;
     }
@@ -32,11 +32,12 @@ bool stop_at_the_surface(const Bodies& bodies, std::span<const Vec3> from, std::
 }
 
 /// Applies stop_at_the_surface() to the points of all edges except rays.
-bool enter_volumes(const Bodies& bodies, const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) {
+bool enter_volumes(const Bodies& bodies, const organs::Blade& blade, std::span<const Vec3> from,
+                   std::span<Vec3> to) {
   std::vector<std::size_t> which;
   std::vector<Vec3> solid_from, solid_to;
   std::size_t p = 0;
-  for (const BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges)
+  for (const organs::BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges)
     for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
       if (edge.ray) continue;
       which.push_back(p);
@@ -50,16 +51,16 @@ bool enter_volumes(const Bodies& bodies, const Blade& blade, std::span<const Vec
 
 }  // namespace
 
-Sweep sweep_of(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade) {
+Sweep sweep_of(const Bodies& bodies, std::span<const organs::BladeGrip> grips, const organs::Blade& blade) {
   const std::vector<Vec3> now = edge_points(bodies, blade.slot);
   Sweep sweep{blade.cut_to, now};
   std::vector<Vec3>&from = sweep.from, &to = sweep.to;
-  for (const BladeGrip& grip : grips) {
+  for (const organs::BladeGrip& grip : grips) {
     if (grip.slot != blade.slot || grip.through) continue;
-    from[grip.point] = point_of(grip.row, bodies.soft[grip.body].state.motion.x) + grip.beside;
+    from[grip.point] = organs::point_of(grip.row, bodies.soft[grip.body].state.motion.x) + grip.beside;
     const Vec3 lag = now[grip.point] - from[grip.point];
     const bool holds = lag.norm() <= grip.tie.max_force / grip.tie.stiffness;
-    to[grip.point] = holds ? from[grip.point] : Vec3(now[grip.point] - edge_give * lag.normalized());
+    to[grip.point] = holds ? from[grip.point] : Vec3(now[grip.point] - organs::edge_give * lag.normalized());
   }
   drag_edges(bodies, grips, blade, now, from, to);
   const bool in_volume = enter_volumes(bodies, blade, from, to);

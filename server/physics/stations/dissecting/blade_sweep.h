@@ -18,6 +18,6 @@ struct Sweep {
 
 /// Returns the motion of a blade's edge points in the tick. A point advances only where tissue yields to it.
 /// The area that the edges sweep is to be cut.
-Sweep sweep_of(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade);
+Sweep sweep_of(const Bodies& bodies, std::span<const organs::BladeGrip> grips, const organs::Blade& blade);
 
 }  // namespace prosector

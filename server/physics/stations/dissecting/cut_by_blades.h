@@ -11,7 +11,7 @@ namespace prosector {
 
 /// Cuts the soft bodies through which blades swept in this tick, and reports the changes. `grips` are this
 /// tick's ties between tissue and the blades' edges.
-void cut_soft_bodies(State& state, std::span<const BladeGrip> grips, StepReport& report);
+void cut_soft_bodies(State& state, std::span<const organs::BladeGrip> grips, StepReport& report);
 
 /// Undoes the participant's last stroke (continuous cut) that was not undone yet. If that is impossible,
 /// returns the reason and changes nothing.

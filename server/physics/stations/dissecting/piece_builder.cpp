@@ -29,51 +29,53 @@ struct NewPiece {
   std::size_t body = 0;
   bool whole = true;                   // false: it was joined to another body
   std::optional<Following> following;  // incremental update; none: rebuilt, with the following members
-  std::unique_ptr<SoftBody> solver;
+  std::unique_ptr<soft::SoftBody> solver;
   Numbering numbering;
-  std::optional<TissueSurface> surface;
+  std::optional<contact::TissueSurface> surface;
   std::uint64_t content_hash = 0;
-  Motion motion;  // of a whole piece: interpolated from the old motion
+  soft::Motion motion;  // of a whole piece: interpolated from the old motion
   VecX equilibrium, history;
 };
 
-void rebuild(const Bodies& bodies, const Organ& organ, NewPiece& made) {
+void rebuild(const Bodies& bodies, const organs::Organ& organ, NewPiece& made) {
   made.solver = make_piece(bodies, organ, made.body, made.numbering);
   parallel_both([&] { made.surface.emplace(made.solver->anatomy()); },
                 [&] { made.content_hash = made.solver->content_hash(); });
 }
 
 /// Sets positions and velocities of the piece's nodes from the old bodies, after these were moved back.
-void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const OrganPiece> before,
-                  const UndoneMotion& back, const OrganPiece& piece, NewPiece& made) {
-  std::vector<const PieceMesh*> meshes;
-  for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
+void carry_motion(const Bodies& bodies, const organs::Organ& organ,
+                  std::span<const organs::OrganPiece> before, const UndoneMotion& back,
+                  const organs::OrganPiece& piece, NewPiece& made) {
+  std::vector<const organs::PieceMesh*> meshes;
+  for (const organs::OrganPiece& old : before) meshes.push_back(&old.mesh);
   const bool quadratic = bodies.soft[before.front().body].solver->desc().configuration.is_quadratic();
-  const NodeTransfer transfer(organ.complex(), meshes, piece.mesh, quadratic);
+  const organs::NodeTransfer transfer(organ.complex(), meshes, piece.mesh, quadratic);
   const auto carried = [&](const auto& field) {
     std::vector<const VecX*> fields;
-    for (const OrganPiece& old : before) fields.push_back(&field(old.body));
+    for (const organs::OrganPiece& old : before) fields.push_back(&field(old.body));
     return transfer(fields);
   };
-  for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
+  for (VecX soft::Motion::*field :
+       {&soft::Motion::x, &soft::Motion::v, &soft::Motion::x_prev, &soft::Motion::v_prev})
     made.motion.*field =
         carried([&](std::size_t body) -> const VecX& { return motion_before(bodies, body, back).*field; });
   made.equilibrium = carried([&](std::size_t body) -> const VecX& { return bodies.soft[body].equilibrium; });
   std::vector<const VecX*> histories;
   auto numbers = std::numeric_limits<Eigen::Index>::max();
-  for (const OrganPiece& old : before) {
+  for (const organs::OrganPiece& old : before) {
     histories.push_back(&bodies.soft[old.body].state.history);
     const bool all = bodies.soft[old.body].solver->dropped_elements() == 0;
-    numbers = std::min(numbers, all ? history_per_tet(*histories.back(), old.mesh) : 0);
+    numbers = std::min(numbers, all ? organs::history_per_tet(*histories.back(), old.mesh) : 0);
   }
-  made.history = carried_history(organ.complex(), meshes, histories, numbers, piece.mesh.tets);
+  made.history = organs::carried_history(organ.complex(), meshes, histories, numbers, piece.mesh.tets);
 }
 
 /// Builds the pieces after an organ's change. Modifies no state: all operations that can fail are here.
-std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, const Regrouped& changed,
-                                  const UndoneMotion& back) {
+std::vector<NewPiece> make_pieces(const Bodies& bodies, const organs::Organ& organ,
+                                  const organs::Regrouped& changed, const UndoneMotion& back) {
   const auto make = [&](std::size_t body, NewPiece& made) {
-    const OrganPiece& piece = organ.piece(body);
+    const organs::OrganPiece& piece = organ.piece(body);
     made.body = body;
     made.whole = piece.whole();
     parallel_both(
@@ -141,46 +143,46 @@ void place_new(State& state, NewPiece piece, std::size_t first, TopologyCause ca
 }
 
 /// Conserves the momentum of cut or joined pieces. `masses`: of the pieces' nodes before the change.
-void keep_momentum_of(Bodies& bodies, const Organ& organ, const Regrouped& changed, UndoneMotion& back,
-                      std::span<const VecX> masses, std::span<NewPiece> made) {
-  std::vector<PieceMotion> before, now;
+void keep_momentum_of(Bodies& bodies, const organs::Organ& organ, const organs::Regrouped& changed,
+                      UndoneMotion& back, std::span<const VecX> masses, std::span<NewPiece> made) {
+  std::vector<organs::PieceMotion> before, now;
   for (std::size_t i = 0; i < masses.size(); ++i) {
-    const OrganPiece& old = changed.before[i];
+    const organs::OrganPiece& old = changed.before[i];
     const auto brought = back.find(old.body);
-    Motion& motion = brought == back.end() ? bodies.soft[old.body].state.motion : brought->second;
+    soft::Motion& motion = brought == back.end() ? bodies.soft[old.body].state.motion : brought->second;
     before.push_back({old.mesh.nodes, &masses[i], &motion.x, &motion.v});
   }
   for (NewPiece& piece : made) {
     if (!piece.whole) continue;
-    const SoftBody& solver = piece.solver ? *piece.solver : *bodies.soft[piece.body].solver;
+    const soft::SoftBody& solver = piece.solver ? *piece.solver : *bodies.soft[piece.body].solver;
     now.push_back(
         {organ.piece(piece.body).mesh.nodes, &solver.node_mass(), &piece.motion.x, &piece.motion.v});
   }
   // When pieces are joined, removed nodes make positions jump; that change of angular momentum is not
   // corrected.
-  keep_momentum(before, now, organ.log().back().cause == TopologyCause::cut);
+  organs::keep_momentum(before, now, organ.log().back().cause == TopologyCause::cut);
 }
 
 }  // namespace
 
-std::unique_ptr<SoftBody> same_tissue(const Bodies& bodies, std::size_t body, SoftDesc desc,
-                                      Anatomy anatomy) {
-  auto made = std::make_unique<SoftBody>(std::move(desc), std::move(anatomy));
+std::unique_ptr<soft::SoftBody> same_tissue(const Bodies& bodies, std::size_t body, SoftDesc desc,
+                                            Anatomy anatomy) {
+  auto made = std::make_unique<soft::SoftBody>(std::move(desc), std::move(anatomy));
   if (bodies.soft[body].solver->recovery().is_kept()) made->recovery().keep();
   return made;
 }
 
-std::unique_ptr<SoftBody> make_piece(const Bodies& bodies, const Organ& organ, std::size_t body,
-                                     Numbering& numbering) {
+std::unique_ptr<soft::SoftBody> make_piece(const Bodies& bodies, const organs::Organ& organ, std::size_t body,
+                                           Numbering& numbering) {
   const std::size_t first = organ.pieces().front().body;
   SoftDesc desc = bodies.soft[first].solver->desc();
   if (body != first)
     desc.name = fmt::format("{} piece {}", desc.name, body - bodies.model.scene.soft.size() + 1);
-  return same_tissue(bodies, first, std::move(desc), anatomy_of(organ, organ.piece(body), numbering));
+  return same_tissue(bodies, first, std::move(desc), organs::anatomy_of(organ, organ.piece(body), numbering));
 }
 
-void place_piece(State& state, std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
-                 Numbering numbering, TissueSurface surface) {
+void place_piece(State& state, std::size_t body, std::size_t first, std::unique_ptr<soft::SoftBody> solver,
+                 Numbering numbering, contact::TissueSurface surface) {
   Bodies& bodies = state.bodies;
   PROSECTOR_ASSERT(solver != nullptr && body <= bodies.soft.size() && first < bodies.soft.size());
   PROSECTOR_ASSERT(is_ascending(numbering.nodes) && is_ascending(numbering.vertices) &&
@@ -198,7 +200,7 @@ void place_piece(State& state, std::size_t body, std::size_t first, std::unique_
   fit_to_mesh(state, body, std::move(numbering));
 }
 
-void set_going(Bodies& bodies, std::size_t body, std::size_t first, Motion motion, VecX balance) {
+void set_going(Bodies& bodies, std::size_t body, std::size_t first, soft::Motion motion, VecX balance) {
   Tissue& tissue = bodies.soft[body];
   PROSECTOR_ASSERT(motion.x.size() == tissue.state.motion.x.size() && balance.size() == motion.x.size());
   tissue.state.motion = std::move(motion);
@@ -219,16 +221,18 @@ TopologyChange& add_topology_change(const Bodies& bodies, std::size_t body, std:
   return change;
 }
 
-void remake(State& state, Organ& organ, TopologyCause cause, ParticipantId author, StepReport& report) {
+void remake(State& state, organs::Organ& organ, TopologyCause cause, ParticipantId author,
+            StepReport& report) {
   Bodies& bodies = state.bodies;
   if (follow_cut(state, organ, cause, author, report)) return;
   const std::size_t first = organ.pieces().front().body;
-  const Regrouped changed = organ.regroup(bodies.soft.size());
+  const organs::Regrouped changed = organ.regroup(bodies.soft.size());
   UndoneMotion back = undone_motion(bodies, organ, changed);
   std::vector<NewPiece> pieces = make_pieces(bodies, organ, changed, back);
   release_moved_bodies(state, back, report);
   std::vector<VecX> masses;
-  for (const OrganPiece& old : changed.before) masses.push_back(bodies.soft[old.body].solver->node_mass());
+  for (const organs::OrganPiece& old : changed.before)
+    masses.push_back(bodies.soft[old.body].solver->node_mass());
   follow_changes(bodies, pieces);
   if (organ.complex().is_sheet()) keep_momentum_of(bodies, organ, changed, back, masses, pieces);
   for (NewPiece& piece : pieces) place_new(state, std::move(piece), first, cause, author, report);

@@ -22,7 +22,7 @@ using PlacesOfBodies = std::map<std::size_t, std::vector<Vec3>>;
 /// Returns the points where hands, and rigid bodies that move or are driven, pressed soft bodies that may be
 /// refined locally. `islands` (sets of bodies that are solved together) are those of the tick. Must be called
 /// before the tick's cuts, since the contacts refer to the nodes of the uncut mesh.
-PlacesOfBodies pressed_places(const State& state, std::span<const Island> islands,
+PlacesOfBodies pressed_places(const State& state, std::span<const coupled::Island> islands,
                               std::span<const KinematicTarget> kinematic_targets);
 
 /// Refines the meshes of bodies at the pressed `places` and where hands hold them, and coarsens them where

@@ -34,15 +34,15 @@ struct NearSheet {
   struct Face {
     std::array<std::uint32_t, 3> corners;
     std::array<Vec3, 3> at;
-    Aabb box;
+    collision::Aabb box;
   };
   std::vector<Face> faces;
 
-  NearSheet(const Anatomy& sheet, const VecX& x, const Aabb& place) {
+  NearSheet(const Anatomy& sheet, const VecX& x, const collision::Aabb& place) {
     const auto visit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       const std::array<Vec3, 3> at = {x.segment<3>(3 * Eigen::Index{a}), x.segment<3>(3 * Eigen::Index{b}),
                                       x.segment<3>(3 * Eigen::Index{c})};
-      const Aabb box{at[0].cwiseMin(at[1]).cwiseMin(at[2]), at[0].cwiseMax(at[1]).cwiseMax(at[2])};
+      const collision::Aabb box{at[0].cwiseMin(at[1]).cwiseMin(at[2]), at[0].cwiseMax(at[1]).cwiseMax(at[2])};
       if (box.overlaps(place)) faces.push_back({{a, b, c}, at, box});
     };
     for (const auto& [a, b, c, d] : sheet.quads) {
@@ -56,7 +56,7 @@ struct NearSheet {
   /// `widened`.
   template <class F>
   void visit(std::span<const Vec3> points, double widened, const F& do_it) const {
-    const Aabb box = swept_box(points, points).grown(widened);
+    const collision::Aabb box = swept_box(points, points).grown(widened);
     for (const Face& face : faces)
       if (face.box.overlaps(box)) do_it(face.corners, face.at);
   }
@@ -64,7 +64,7 @@ struct NearSheet {
 
 bool can_cut_sheet(const Bodies& bodies, std::size_t body) {
   const Tissue& tissue = bodies.soft[body];
-  return mesh_kind(tissue.solver->anatomy()) == MeshKind::sheet &&
+  return soft::mesh_kind(tissue.solver->anatomy()) == soft::MeshKind::sheet &&
          !bodies.parts[bodies.soft_id(body)].out_of_touch() && tissue.collision.fidelity != Fidelity::none;
 }
 
@@ -75,7 +75,7 @@ std::vector<SheetCrossing> sheet_crossings(const NearSheet& sheet, std::span<con
   if (edge.empty()) return out;
   sheet.visit(edge, 0, [&](const auto& corners, const std::array<Vec3, 3>& at) {
     for (std::size_t p = 0; p + 1 < edge.size(); ++p)
-      if (const auto found = segment_hit(edge[p], edge[p + 1], at))
+      if (const auto found = collision::segment_hit(edge[p], edge[p + 1], at))
         out.push_back({p, found->t, row_of(corners, found->weights),
                        edge[p] + found->t * (edge[p + 1] - edge[p]),
                        (at[1] - at[0]).cross(at[2] - at[0]).normalized()});
@@ -103,20 +103,20 @@ struct GripPoint {
 };
 
 /// Adds a tie between sheet and blade with at most `force` N, and wakes the sheet.
-void add_grip(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& blade, std::size_t body,
-              const GripPoint& at, double force) {
+void add_grip(Bodies& bodies, std::vector<organs::BladeGrip>& grips, const organs::Blade& blade,
+              std::size_t body, const GripPoint& at, double force) {
   if (!(force > 0)) return;
-  BladeGrip made{body, blade.slot, at.point, at.row, at.through, Vec3::Zero(), {}};
-  if (!at.through) made.beside = at.at_sheet - point_of(at.row, bodies.soft[body].state.motion.x);
-  Tie& tie = made.tie;
-  tie.a.kind = ContactSide::Kind::rigid;
+  organs::BladeGrip made{body, blade.slot, at.point, at.row, at.through, Vec3::Zero(), {}};
+  if (!at.through) made.beside = at.at_sheet - organs::point_of(at.row, bodies.soft[body].state.motion.x);
+  contact::Tie& tie = made.tie;
+  tie.a.kind = contact::ContactSide::Kind::rigid;
   tie.a.body = blade.slot;
   tie.a.arm = at.at_blade - bodies.rigid.motion(blade.slot).pose.p;
-  tie.b.kind = ContactSide::Kind::soft;
+  tie.b.kind = contact::ContactSide::Kind::soft;
   tie.b.body = body;
   tie.b.add(at.row, 1);
   tie.offset = at.at_blade - at.at_sheet;
-  tie.stiffness = force / edge_give;
+  tie.stiffness = force / organs::edge_give;
   tie.max_force = force;
   bodies.soft[body].wake();
   grips.push_back(std::move(made));
@@ -127,7 +127,7 @@ std::optional<SparseMap::Row> nearest_in_sheet(const NearSheet& near, std::span<
                                                double reach) {
   std::optional<SparseMap::Row> row;
   near.visit(point, reach, [&](const auto& corners, const std::array<Vec3, 3>& at) {
-    const Vec3 w = closest_weights(point[0], at[0], at[1], at[2]);
+    const Vec3 w = collision::closest_weights(point[0], at[0], at[1], at[2]);
     const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - point[0]).norm();
     if (d >= reach) return;
     reach = d;
@@ -138,15 +138,15 @@ std::optional<SparseMap::Row> nearest_in_sheet(const NearSheet& near, std::span<
 
 }  // namespace
 
-void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& blade,
+void grip_sheets(Bodies& bodies, std::vector<organs::BladeGrip>& grips, const organs::Blade& blade,
                  std::span<const Vec3> now) {
   for (std::size_t body = 0; body < bodies.soft.size(); ++body) {
     if (!can_cut_sheet(bodies, body)) continue;
     const SoftDesc& desc = bodies.soft[body].solver->desc();
     const Anatomy& sheet = bodies.soft[body].solver->anatomy();
-    const double toughness = (blade.cutting ? 1 : to_begin_cut) * desc.material.toughness;
+    const double toughness = (blade.cutting ? 1 : organs::to_begin_cut) * desc.material.toughness;
     std::size_t first = 0;
-    for (const BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
+    for (const organs::BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
       const std::size_t count = edge.points.size();
       if (edge.ray) {
         first += count;
@@ -161,36 +161,36 @@ void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& bla
         const std::size_t p = first + c.point;
         const Vec3 at_blade = now[p] + c.share * (now[p + 1] - now[p]);
         add_grip(bodies, grips, blade, body, {p, c.row, at_blade, c.place, c.share},
-                 toughness * sheet.thickness * slicing(at_blade - c.place, along, c.normal));
+                 toughness * sheet.thickness * organs::slicing(at_blade - c.place, along, c.normal));
       }
       for (std::size_t k = 0; k < count && crossings.empty(); ++k)
         if (const auto row = nearest_in_sheet(near, cut_to.subspan(k, 1), sheet.thickness / 2))
           add_grip(bodies, grips, blade, body, {first + k, *row, now[first + k], cut_to[k], std::nullopt},
-                   toughness * edge.length_per_point * slicing(now[first + k] - cut_to[k], along));
+                   toughness * edge.length_per_point * organs::slicing(now[first + k] - cut_to[k], along));
       first += count;
     }
   }
 }
 
-void drag_edges(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade,
+void drag_edges(const Bodies& bodies, std::span<const organs::BladeGrip> grips, const organs::Blade& blade,
                 std::span<const Vec3> now, std::span<Vec3> from, std::span<Vec3> to) {
   std::size_t first = 0;
-  for (const BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
+  for (const organs::BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
     const std::size_t count = edge.points.size();
     for (std::size_t p = first; p < first + count; ++p) {
-      if (std::any_of(grips.begin(), grips.end(), [&](const BladeGrip& grip) {
+      if (std::any_of(grips.begin(), grips.end(), [&](const organs::BladeGrip& grip) {
             return grip.slot == blade.slot && !grip.through && grip.point == p;
           }))
         continue;  // held directly
       double nearest = std::numeric_limits<double>::infinity();
-      for (const BladeGrip& grip : grips) {
+      for (const organs::BladeGrip& grip : grips) {
         if (grip.slot != blade.slot || !grip.through || grip.point < first || grip.point >= first + count)
           continue;
         const double away =
             std::abs(static_cast<double>(grip.point) + *grip.through - static_cast<double>(p));
         if (away >= nearest) continue;
         nearest = away;
-        const Vec3 material = point_of(grip.row, bodies.soft[grip.body].state.motion.x);
+        const Vec3 material = organs::point_of(grip.row, bodies.soft[grip.body].state.motion.x);
         const auto along = [&](std::span<const Vec3> x) -> Vec3 {
           return x[grip.point] + *grip.through * (x[grip.point + 1] - x[grip.point]);
         };
@@ -204,19 +204,19 @@ void drag_edges(const Bodies& bodies, std::span<const BladeGrip> grips, const Bl
   }
 }
 
-bool stop_at_sheets(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade,
-                    std::span<const Vec3> from, std::span<Vec3> to) {
+bool stop_at_sheets(const Bodies& bodies, std::span<const organs::BladeGrip> grips,
+                    const organs::Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) {
   bool in_sheet = false;
   for (std::size_t body = 0; body < bodies.soft.size(); ++body) {
     if (!can_cut_sheet(bodies, body)) continue;
     const Anatomy& sheet = bodies.soft[body].solver->anatomy();
     const VecX& x = bodies.soft[body].state.motion.x;
     std::size_t first = 0;
-    for (const BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
+    for (const organs::BladeShape::Edge& edge : bodies.model.blades[blade.slot].edges) {
       const auto before = from.subspan(first, edge.points.size());
       const auto after = to.subspan(first, edge.points.size());
       const auto gripped = [&](std::size_t k) {
-        return std::any_of(grips.begin(), grips.end(), [&](const BladeGrip& g) {
+        return std::any_of(grips.begin(), grips.end(), [&](const organs::BladeGrip& g) {
           return g.slot == blade.slot && g.body == body && g.point == first + k;
         });
       };
@@ -232,7 +232,7 @@ bool stop_at_sheets(const Bodies& bodies, std::span<const BladeGrip> grips, cons
         const Vec3 all = way[1] - way[0];
         double first_hit = 2, steepness = 0;
         near.visit(way, 0, [&](const auto&, const std::array<Vec3, 3>& at) {
-          const auto found = segment_hit(way[0], way[1], at);
+          const auto found = collision::segment_hit(way[0], way[1], at);
           if (!found || found->t >= first_hit) return;
           first_hit = found->t;
           steepness = std::abs((at[1] - at[0]).cross(at[2] - at[0]).normalized().dot(all));
@@ -247,7 +247,7 @@ bool stop_at_sheets(const Bodies& bodies, std::span<const BladeGrip> grips, cons
       if (tough && !in_sheet) {  // the edge enters over the sheet's border
         const std::vector<Vec3> end(after.begin(), after.end());
         double out = 0, in = 1;
-        for (int i = 0; i < entry_halvings; ++i) {
+        for (int i = 0; i < organs::entry_halvings; ++i) {
           const double middle = (out + in) / 2;
           for (std::size_t k = 0; k < before.size(); ++k)
             after[k] = before[k] + middle * (end[k] - before[k]);

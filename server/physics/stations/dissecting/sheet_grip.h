@@ -16,20 +16,20 @@ namespace prosector {
 
 /// Appends the ties between sheets and the points of the blade's edges to `grips`, and wakes the sheets.
 /// `now` are the current positions of these points (m, world frame).
-void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& blade,
+void grip_sheets(Bodies& bodies, std::vector<organs::BladeGrip>& grips, const organs::Blade& blade,
                  std::span<const Vec3> now);
 
 /// Makes the free points of an edge that a sheet holds lag behind the blade as far as the nearest held point
 /// does, by changing `from` and `to`. These are the swept motion of each edge point (m): from the last cut
 /// position, which moves with the sheet, to the new one. `now` is where the blade has its edge points.
-void drag_edges(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade,
+void drag_edges(const Bodies& bodies, std::span<const organs::BladeGrip> grips, const organs::Blade& blade,
                 std::span<const Vec3> now, std::span<Vec3> from, std::span<Vec3> to);
 
 /// Keeps the blade from passing through a tough sheet before the sheet yields. Edge points of the blade that
 /// would cross the sheet from outside end at the sheet: their targets in `to` are changed. `from` and `to`
 /// (m, by point) are the start and the end of the edge points' motion. Returns whether any edge is in a
 /// sheet, or passed through one.
-bool stop_at_sheets(const Bodies& bodies, std::span<const BladeGrip> grips, const Blade& blade,
-                    std::span<const Vec3> from, std::span<Vec3> to);
+bool stop_at_sheets(const Bodies& bodies, std::span<const organs::BladeGrip> grips,
+                    const organs::Blade& blade, std::span<const Vec3> from, std::span<Vec3> to);
 
 }  // namespace prosector

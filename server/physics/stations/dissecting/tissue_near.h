@@ -15,16 +15,16 @@ namespace prosector {
 /// a point.
 struct TissueNear {
   std::size_t body = 0;  // soft body
-  Locator locator;
+  organs::Locator locator;
 };
 
 /// Returns the smallest axis-aligned box that contains all points of both lists.
-Aabb swept_box(std::span<const Vec3> from, std::span<const Vec3> to);
+collision::Aabb swept_box(std::span<const Vec3> from, std::span<const Vec3> to);
 /// Returns the solids near a box that can be touched, each with a point locator.
-std::vector<TissueNear> tissue_near(const Bodies& bodies, const Aabb& box);
+std::vector<TissueNear> tissue_near(const Bodies& bodies, const collision::Aabb& box);
 /// Returns the soft body that contains the point, and the material point there, as a BladeGrip whose other
 /// members are unset. Returns none if no tissue contains the point. `tissue` must have been found for a box
 /// that contains the point.
-std::optional<BladeGrip> tissue_at(std::span<const TissueNear> tissue, const Vec3& point);
+std::optional<organs::BladeGrip> tissue_at(std::span<const TissueNear> tissue, const Vec3& point);
 
 }  // namespace prosector

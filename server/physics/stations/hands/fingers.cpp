@@ -18,17 +18,17 @@ constexpr double finger_margin = 0.02;  // m: more than the finger motion in a t
 // Positions along a segment, as fractions of its length.
 constexpr std::array<double, 5> along = {-0.5, -0.25, 0.0, 0.25, 0.5};
 
-using FingerObstacles = std::array<std::vector<Obstacle>, fingers>;
+using FingerObstacles = std::array<std::vector<hands::Obstacle>, fingers>;
 
 /// Current poses of the hand's parts, world frame, and the derivative of a part's points by the flexion of
 /// its finger.
 struct FingerPoses {
   std::vector<Pose> now, bent;
-  FingerPoses(const Hand& hand, const HandModel& hand_model, const Pose& centre) {
+  FingerPoses(const hands::Hand& hand, const hands::HandModel& hand_model, const Pose& centre) {
     auto flexion = hand.flexion;
-    now = hand_part_poses(hand.side, flexion, hand_model.center);
+    now = hands::hand_part_poses(hand.side, flexion, hand_model.center);
     for (double& f : flexion) f += f < 0.5 ? probe : -probe;
-    bent = hand_part_poses(hand.side, flexion, hand_model.center);
+    bent = hands::hand_part_poses(hand.side, flexion, hand_model.center);
     for (std::size_t part = 0; part < now.size(); ++part) {
       now[part] = centre * now[part];
       bent[part] = centre * bent[part];
@@ -45,9 +45,9 @@ struct Pressed {
   int points = 0;
 };
 
-Pressed pressed(const Hand& hand, std::size_t part, BodyId body) {
+Pressed pressed(const hands::Hand& hand, std::size_t part, BodyId body) {
   Pressed sum;
-  for (const PadMemory& pad : hand.pads) {
+  for (const contact::PadMemory& pad : hand.pads) {
     if (pad.part != part || pad.body != body) continue;
     sum.force += pad.force;
     ++sum.points;
@@ -58,22 +58,23 @@ Pressed pressed(const Hand& hand, std::size_t part, BodyId body) {
 /// Adds the deepest point of each segment with each rigid body. The force there is taken from the last tick's
 /// contacts, since Bullet's shapes differ slightly (its boxes have rounded edges). With its held body the
 /// hand has no contacts, so there the depth is used.
-void add_rigid_obstacles(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
-                         const FingerPoses& poses, FingerObstacles& out) {
+void add_rigid_obstacles(const Bodies& bodies, std::span<const contact::Collider> colliders,
+                         const hands::Hand& hand, const FingerPoses& poses, FingerObstacles& out) {
   const auto [lo, hi] = bodies.rigid.bounds(hand.slot, finger_margin);
   for (BodyId body = 0; body < bodies.model.rigid.size(); ++body) {
-    const Collider& collider = colliders[body];
-    if (!collider.parts || !may_touch(bodies.rigid.mask(hand.slot), bodies.rigid.mask(body))) continue;
+    const contact::Collider& collider = colliders[body];
+    if (!collider.parts || !collision::may_touch(bodies.rigid.mask(hand.slot), bodies.rigid.mask(body)))
+      continue;
     if ((collider.lo.array() > hi.array()).any() || (collider.hi.array() < lo.array()).any()) continue;
     const double heaviest =
         std::max(bodies.model.scene.hand.mass, collider.fixed ? 0 : bodies.model.rigid[body].setup.mass);
-    const double stiffness = rigid_contact_stiffness(heaviest, bodies.model.h);
+    const double stiffness = contact::rigid_contact_stiffness(heaviest, bodies.model.h);
     for (const HandSegment& s : hand_segments(hand.side)) {
-      const std::size_t part = s.joint + 1, finger = digit_of(part);
-      std::optional<Obstacle> deepest;
+      const std::size_t part = s.joint + 1, finger = hands::digit_of(part);
+      std::optional<hands::Obstacle> deepest;
       for (const double share : along) {
         const Vec3 at = poses.now[part] * Vec3(0, share * s.length, 0);
-        const Distance d = distance_to(collider, at, finger_margin + s.radius);
+        const contact::Distance d = contact::distance_to(collider, at, finger_margin + s.radius);
         const double gap = d.value - s.radius;
         if (gap > finger_margin || (deepest && gap >= deepest->gap)) continue;
         const Vec3 way = poses.way(part, hand.flexion[finger], at - s.radius * d.normal);
@@ -91,50 +92,51 @@ void add_rigid_obstacles(const Bodies& bodies, std::span<const Collider> collide
 }
 
 /// Adds contacts with tissue, which yields.
-void add_soft_obstacles(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
-                        const FingerPoses& poses, FingerObstacles& out) {
-  const auto points = feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
-  const Collider& own = colliders[hand.slot];
-  std::vector<std::vector<Contact>> contacts(bodies.soft.size());
+void add_soft_obstacles(const Bodies& bodies, std::span<const contact::Collider> colliders,
+                        const hands::Hand& hand, const FingerPoses& poses, FingerObstacles& out) {
+  const auto points =
+      hands::feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
+  const contact::Collider& own = colliders[hand.slot];
+  std::vector<std::vector<contact::Contact>> contacts(bodies.soft.size());
   parallel_each(contacts.size(), [&](std::size_t i) {
     const Tissue& tissue = bodies.soft[i];
     if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) return;
     add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts[i]);
   });
-  for (const std::vector<Contact>& of_tissue : contacts)
-    for (const Contact& c : of_tissue) {
-      const std::size_t part = nearest_feeler(points, c.point).part;
+  for (const std::vector<contact::Contact>& of_tissue : contacts)
+    for (const contact::Contact& c : of_tissue) {
+      const std::size_t part = hands::nearest_feeler(points, c.point).part;
       if (part == 0) continue;
-      const std::size_t finger = digit_of(part);
+      const std::size_t finger = hands::digit_of(part);
       const double way = c.normal.dot(poses.way(part, hand.flexion[finger], c.point));
       out[finger].push_back({c.gap, way, c.stiffness, give * c.stiffness});
     }
 }
 
 /// Returns the flexion of the fingers at the tick's end.
-std::array<double, fingers> bent(const Bodies& bodies, std::span<const Collider> colliders,
-                                 const Hand& hand) {
+std::array<double, fingers> bent(const Bodies& bodies, std::span<const contact::Collider> colliders,
+                                 const hands::Hand& hand) {
   FingerObstacles obstacles;
   const FingerPoses poses(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   // A haptic arm's stylus counts as a finger that rigid bodies don't bend, since the user's own fingers
   // yield.
   if (!hand.reaction) add_rigid_obstacles(bodies, colliders, hand, poses, obstacles);
   add_soft_obstacles(bodies, colliders, hand, poses, obstacles);
-  const FingerDrive drive{.max_force = bodies.model.scene.hand.max_force / fingers};
+  const hands::FingerDrive drive{.max_force = bodies.model.scene.hand.max_force / fingers};
   std::array<double, fingers> flexion = hand.flexion;
   for (std::size_t f = 0; f < fingers; ++f) {
     const double tracked = std::clamp(hand.target_flexion[f], 0.0, 1.0);
-    const double step =
-        finger_step(tracked, hand.flexion[f], max_finger_rate * bodies.model.h, obstacles[f], drive);
+    const double step = hands::finger_step(tracked, hand.flexion[f], hands::max_finger_rate * bodies.model.h,
+                                           obstacles[f], drive);
     if (step != 0) flexion[f] = std::clamp(hand.flexion[f] + step, 0.0, 1.0);
   }
   return flexion;
 }
 
-void set_flexion(Bodies& bodies, Hand& hand, const std::array<double, fingers>& flexion) {
+void set_flexion(Bodies& bodies, hands::Hand& hand, const std::array<double, fingers>& flexion) {
   if (flexion == hand.flexion) return;
   hand.flexion = flexion;
-  const auto poses = hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
+  const auto poses = hands::hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
   for (std::size_t part = 0; part < poses.size(); ++part)
     bodies.rigid.set_part_pose(hand.slot, part, poses[part]);
 }
@@ -142,7 +144,7 @@ void set_flexion(Bodies& bodies, Hand& hand, const std::array<double, fingers>& 
 }  // namespace
 
 void bend_fingers(State& state, Colliders& colliders) {
-  const auto straight = [](const Hand& hand) {
+  const auto straight = [](const hands::Hand& hand) {
     const std::array<double, fingers> none{};
     return hand.flexion == none && hand.target_flexion == none;
   };
@@ -150,7 +152,7 @@ void bend_fingers(State& state, Colliders& colliders) {
   refresh(colliders, state.bodies, state.hands, state.dissection.blades);
   std::vector<std::array<double, fingers>> now(state.hands.size());
   parallel_each(now.size(), [&](std::size_t i) {
-    const Hand& hand = state.hands[i];
+    const hands::Hand& hand = state.hands[i];
     now[i] = straight(hand) ? hand.flexion : bent(state.bodies, colliders, hand);
   });
   for (std::size_t i = 0; i < now.size(); ++i) set_flexion(state.bodies, state.hands[i], now[i]);

@@ -5,26 +5,28 @@
 
 namespace prosector {
 
-std::vector<Hand>::iterator find_hand(std::vector<Hand>& hands, ParticipantId participant, std::size_t side) {
-  return std::find_if(hands.begin(), hands.end(),
-                      [&](const Hand& hand) { return hand.participant == participant && hand.side == side; });
+std::vector<hands::Hand>::iterator find_hand(std::vector<hands::Hand>& hands, ParticipantId participant,
+                                             std::size_t side) {
+  return std::find_if(hands.begin(), hands.end(), [&](const hands::Hand& hand) {
+    return hand.participant == participant && hand.side == side;
+  });
 }
 
 void appear(State& state, ParticipantId participant, std::size_t side) {
   Bodies& bodies = state.bodies;
-  Hand hand;
+  hands::Hand hand;
   hand.participant = participant;
   hand.side = side;
-  RigidMotion motion;
+  rigid::RigidMotion motion;
   motion.pose = bodies.model.hands[side].center;
   hand.slot = bodies.rigid.add(bodies.model.hands[side].setup, motion);
-  const auto at = std::find_if(state.hands.begin(), state.hands.end(), [&](const Hand& other) {
+  const auto at = std::find_if(state.hands.begin(), state.hands.end(), [&](const hands::Hand& other) {
     return std::pair(participant, side) < std::pair(other.participant, other.side);
   });
   state.hands.insert(at, hand);
 }
 
-void vanish(State& state, std::vector<Hand>::iterator hand, StepReport& report) {
+void vanish(State& state, std::vector<hands::Hand>::iterator hand, StepReport& report) {
   Bodies& bodies = state.bodies;
   release(bodies, *hand, "its hand is gone", report);
   for (Tissue& tissue : bodies.soft) tissue.state.quiet_ticks = 0;
@@ -32,7 +34,7 @@ void vanish(State& state, std::vector<Hand>::iterator hand, StepReport& report) 
   state.hands.erase(hand);
 }
 
-void release(Bodies& bodies, Hand& hand, const std::string& why, StepReport& report) {
+void release(Bodies& bodies, hands::Hand& hand, const std::string& why, StepReport& report) {
   if (!hand.hold) return;
   report.let_go.push_back({hand.participant, hand.side, hand.hold->body, why});
   if (!bodies.is_soft(hand.hold->body)) bodies.rigid.set_collides(hand.slot, hand.hold->body, true);
@@ -40,14 +42,15 @@ void release(Bodies& bodies, Hand& hand, const std::string& why, StepReport& rep
 }
 
 void let_go_of(State& state, BodyId body, const char* why, StepReport& report) {
-  for (Hand& hand : state.hands)
+  for (hands::Hand& hand : state.hands)
     if (hand.hold && hand.hold->body == body) release(state.bodies, hand, why, report);
 }
 
-std::size_t add_hand(const Model& model, RigidWorld& world, const Hand& hand, const RigidMotion& motion) {
-  const HandModel& shape = model.hands[hand.side];
+std::size_t add_hand(const Model& model, rigid::RigidWorld& world, const hands::Hand& hand,
+                     const rigid::RigidMotion& motion) {
+  const hands::HandModel& shape = model.hands[hand.side];
   const std::size_t slot = world.add(shape.setup, motion);
-  const auto poses = hand_part_poses(hand.side, hand.flexion, shape.center);
+  const auto poses = hands::hand_part_poses(hand.side, hand.flexion, shape.center);
   for (std::size_t part = 0; part < poses.size(); ++part) world.set_part_pose(slot, part, poses[part]);
   return slot;
 }

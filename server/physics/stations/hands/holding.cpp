@@ -21,17 +21,18 @@ constexpr double resting_speed = 0.05;  // m/s
 constexpr double resting_seconds = 0.25;
 
 /// Returns the normal contact forces on the body by everything except hands in this tick, N.
-Vec3 support(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
-             BodyId body) {
+Vec3 support(const Bodies& bodies, std::span<const hands::Hand> hands,
+             std::span<const coupled::Island> islands, BodyId body) {
   Vec3 sum = Vec3::Zero();
-  const auto is_it = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::soft ? bodies.soft_id(side.body) == body : side.body == body;
+  const auto is_it = [&](const contact::ContactSide& side) {
+    return side.kind == contact::ContactSide::Kind::soft ? bodies.soft_id(side.body) == body
+                                                         : side.body == body;
   };
-  const auto is_hand = [&](const ContactSide& side) {
-    return side.kind != ContactSide::Kind::soft && hand_at(hands, side.body) != nullptr;
+  const auto is_hand = [&](const contact::ContactSide& side) {
+    return side.kind != contact::ContactSide::Kind::soft && hands::hand_at(hands, side.body) != nullptr;
   };
-  for (const Island& island : islands)
-    for (const Contact& c : island.contacts) {
+  for (const coupled::Island& island : islands)
+    for (const contact::Contact& c : island.contacts) {
       if (is_it(c.a) && !is_hand(c.b)) sum += c.force * c.normal;
       if (is_it(c.b) && !is_hand(c.a)) sum -= c.force * c.normal;
     }
@@ -39,9 +40,9 @@ Vec3 support(const Bodies& bodies, std::span<const Hand> hands, std::span<const 
 }
 
 /// Returns whether the held body has been set down. Updates the counters in the hold.
-bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
-                  Hand& hand, const Vec3& force) {
-  Hold& hold = *hand.hold;
+bool was_set_down(const Bodies& bodies, std::span<const hands::Hand> hands,
+                  std::span<const coupled::Island> islands, hands::Hand& hand, const Vec3& force) {
+  hands::Hold& hold = *hand.hold;
   const bool tissue = bodies.is_soft(hold.body);
   const std::size_t i = tissue ? bodies.soft_index(hold.body) : 0;
   const Vec3& gravity = bodies.model.scene.gravity;
@@ -64,7 +65,7 @@ bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<c
 
 /// Returns the deviation of a body's point from the straight path of the solve in the tick's last part, m:
 /// the point moved along an arc.
-Vec3 off_the_straight(const RigidMotion& motion, const Vec3& at, double h) {
+Vec3 off_the_straight(const rigid::RigidMotion& motion, const Vec3& at, double h) {
   const Vec3 turned = h * motion.angular_velocity;
   const Vec3 arm = at - motion.pose.p;
   const double angle = turned.norm();
@@ -75,7 +76,7 @@ Vec3 off_the_straight(const RigidMotion& motion, const Vec3& at, double h) {
 
 /// Returns the pull of the hold in the last part of a tick, N. Excludes the gap between hand and body that a
 /// fast rotation opens, because their points move along arcs around different centres.
-Vec3 pull_of(const Bodies& bodies, const Hand& hand, double h) {
+Vec3 pull_of(const Bodies& bodies, const hands::Hand& hand, double h) {
   const bool tissue = bodies.is_soft(hand.hold->body);
   Vec3 sum = Vec3::Zero();
   for (HeldPoint p : held_points(bodies, hand)) {
@@ -90,16 +91,16 @@ Vec3 pull_of(const Bodies& bodies, const Hand& hand, double h) {
 
 Vec3 HeldPoint::force() const {
   const Vec3 stretch = at_hand - at_body;
-  return BoundedSpring{stiffness, max_force}.secant(stretch.norm()) * stretch;
+  return contact::BoundedSpring{stiffness, max_force}.secant(stretch.norm()) * stretch;
 }
 
-std::vector<HeldPoint> held_points(const Bodies& bodies, const Hand& hand) {
-  const Hold& hold = *hand.hold;
+std::vector<HeldPoint> held_points(const Bodies& bodies, const hands::Hand& hand) {
+  const hands::Hold& hold = *hand.hold;
   const Pose centre = bodies.rigid.motion(hand.slot).pose;
   const bool tissue = bodies.is_soft(hold.body);
   const Pose body = tissue ? Pose() : bodies.rigid.motion(hold.body).pose;
   std::vector<HeldPoint> out;
-  for (const Hold::Point& p : hold.points) {
+  for (const hands::Hold::Point& p : hold.points) {
     const Vec3 at_body =
         tissue ? bodies.soft[bodies.soft_index(hold.body)].surface.vertices().positions()[p.vertex]
                : body * p.in_body;
@@ -108,24 +109,24 @@ std::vector<HeldPoint> held_points(const Bodies& bodies, const Hand& hand) {
   return out;
 }
 
-Vec3 hold_force(const Bodies& bodies, const Hand& hand) {
+Vec3 hold_force(const Bodies& bodies, const hands::Hand& hand) {
   Vec3 sum = Vec3::Zero();
   for (const HeldPoint& p : held_points(bodies, hand)) sum += p.force();
   return sum;
 }
 
-Mat3 grip_give(const Bodies& bodies, const Hand& hand, const Vec3& point) {
-  Mat6 stiffness = Mat6::Zero();  // for twists about `point`
+Mat3 grip_give(const Bodies& bodies, const hands::Hand& hand, const Vec3& point) {
+  coupled::Mat6 stiffness = coupled::Mat6::Zero();  // for twists about `point`
   for (const HeldPoint& p : held_points(bodies, hand)) {
-    const Mat36 moved = lever(p.at_body - point);
+    const coupled::Mat36 moved = coupled::lever(p.at_body - point);
     stiffness += p.stiffness * moved.transpose() * moved;
   }
   return stiffness.inverse().topLeftCorner<3, 3>();
 }
 
-void update_holds(State& state, std::span<const Island> islands, double h, StepReport& report) {
+void update_holds(State& state, std::span<const coupled::Island> islands, double h, StepReport& report) {
   Bodies& bodies = state.bodies;
-  for (Hand& hand : state.hands) {
+  for (hands::Hand& hand : state.hands) {
     if (!hand.hold) continue;
     bodies.lost.erase(hand.hold->body);
     const Vec3 force = pull_of(bodies, hand, h);
@@ -140,7 +141,7 @@ void update_holds(State& state, std::span<const Island> islands, double h, StepR
 
 void keep_holds(State& state, const std::vector<std::size_t>& pieces) {
   Bodies& bodies = state.bodies;
-  for (Hand& hand : state.hands) {
+  for (hands::Hand& hand : state.hands) {
     if (!hand.hold || !bodies.is_soft(hand.hold->body)) continue;
     if (!std::binary_search(pieces.begin(), pieces.end(), bodies.soft_index(hand.hold->body))) continue;
     const Pose centre = bodies.rigid.motion(hand.slot).pose;
@@ -150,7 +151,7 @@ void keep_holds(State& state, const std::vector<std::size_t>& pieces) {
       double distance = std::numeric_limits<double>::infinity();
     };
     std::vector<Nearest> found;
-    for (const Hold::Point& p : hand.hold->points) {
+    for (const hands::Hold::Point& p : hand.hold->points) {
       Nearest& best = found.emplace_back();
       for (const std::size_t body : pieces) {
         const auto x = bodies.soft[body].surface.vertices().positions();
@@ -164,9 +165,9 @@ void keep_holds(State& state, const std::vector<std::size_t>& pieces) {
     for (const Nearest& n : found) ++points[n.body];
     const auto most = std::max_element(points.begin(), points.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    Hold& hold = *hand.hold;
+    hands::Hold& hold = *hand.hold;
     hold.body = bodies.soft_id(most->first);
-    std::vector<Hold::Point> kept;
+    std::vector<hands::Hold::Point> kept;
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (found[i].body != most->first) continue;
       kept.push_back(hold.points[i]);
@@ -176,15 +177,15 @@ void keep_holds(State& state, const std::vector<std::size_t>& pieces) {
   }
 }
 
-void hand_over(Bodies& bodies, Hand& hand, const RigidModel::Fracture& plane) {
-  Hold& hold = *hand.hold;
-  const auto above = std::count_if(hold.points.begin(), hold.points.end(), [&](const Hold::Point& p) {
+void hand_over(Bodies& bodies, hands::Hand& hand, const RigidModel::Fracture& plane) {
+  hands::Hold& hold = *hand.hold;
+  const auto above = std::count_if(hold.points.begin(), hold.points.end(), [&](const hands::Hold::Point& p) {
     return plane.normal.dot(p.in_body - plane.point) > 0;
   });
   const std::size_t piece =
       2 * above >= static_cast<std::ptrdiff_t>(hold.points.size()) ? plane.above : plane.below;
   const Pose to_piece = bodies.rigid.motion(piece).pose.inverse() * bodies.rigid.motion(hold.body).pose;
-  for (Hold::Point& p : hold.points) p.in_body = to_piece * p.in_body;
+  for (hands::Hold::Point& p : hold.points) p.in_body = to_piece * p.in_body;
   bodies.rigid.set_collides(hand.slot, hold.body, true);
   bodies.rigid.set_collides(hand.slot, piece, false);
   hold.body = static_cast<BodyId>(piece);

@@ -18,7 +18,7 @@ struct PadSide {
   std::size_t body = 0;  // the other side's slot
 };
 
-std::optional<PadSide> pad_of(const RigidContact& touch, std::size_t hand) {
+std::optional<PadSide> pad_of(const rigid::RigidContact& touch, std::size_t hand) {
   const bool is_b = touch.b == hand;
   const int part = is_b ? touch.part_b : touch.part_a;
   if ((!is_b && touch.a != hand) || part < 1 || part > static_cast<int>(hand_joints)) return std::nullopt;
@@ -27,10 +27,11 @@ std::optional<PadSide> pad_of(const RigidContact& touch, std::size_t hand) {
 
 /// Returns the contact of a finger segment, with its centre at `pose`, with the body. `along`: position on
 /// the segment's axis, m from its centre. The hand is side a; world frame.
-RigidContact touch_of(const HandSegment& segment, const Pose& pose, const Collider& body, double along) {
+rigid::RigidContact touch_of(const HandSegment& segment, const Pose& pose, const contact::Collider& body,
+                             double along) {
   const Vec3 at = pose * Vec3(0, along, 0);
-  const Distance d = distance_to(body, at, contact_margin + segment.radius);
-  RigidContact out{};
+  const contact::Distance d = contact::distance_to(body, at, contact::contact_margin + segment.radius);
+  rigid::RigidContact out{};
   out.point_a = at - segment.radius * d.normal;
   out.point_b = at - d.value * d.normal;
   out.normal = d.normal;
@@ -39,7 +40,8 @@ RigidContact touch_of(const HandSegment& segment, const Pose& pose, const Collid
 }
 
 /// Returns the segment's point nearest to the body, m along its axis, searched from `place`.
-double nearest_along(const HandSegment& segment, const Pose& pose, const Collider& body, const Vec3& place) {
+double nearest_along(const HandSegment& segment, const Pose& pose, const contact::Collider& body,
+                     const Vec3& place) {
   const Pose to_segment = pose.inverse();
   const auto project = [&](const Vec3& x) {
     return std::clamp((to_segment * x).y(), -segment.length / 2, segment.length / 2);
@@ -51,20 +53,20 @@ double nearest_along(const HandSegment& segment, const Pose& pose, const Collide
 
 }  // namespace
 
-void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
-                std::vector<RigidContact>& touches) {
+void place_pads(const Bodies& bodies, std::span<const contact::Collider> colliders, const hands::Hand& hand,
+                std::vector<rigid::RigidContact>& touches) {
   const std::size_t slot = hand.slot;
-  const auto poses = hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
+  const auto poses = hands::hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
   const Pose centre = bodies.rigid.motion(slot).pose;
-  std::vector<RigidContact> found;  // one contact per pad and body
+  std::vector<rigid::RigidContact> found;  // one contact per pad and body
   const auto is_new = [&](std::uint32_t part, std::size_t body) {
-    return std::none_of(found.begin(), found.end(), [&](const RigidContact& t) {
+    return std::none_of(found.begin(), found.end(), [&](const rigid::RigidContact& t) {
       return t.part_a == static_cast<int>(part) && t.b == body;
     });
   };
   const auto note_pad = [&](std::uint32_t part, std::size_t body, const Vec3& place, double friction) {
     if (!colliders[body].parts || !is_new(part, body)) return;
-    RigidContact& pad = found.emplace_back();
+    rigid::RigidContact& pad = found.emplace_back();
     pad.a = slot;
     pad.b = body;
     pad.part_a = static_cast<int>(part);
@@ -72,24 +74,24 @@ void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const
     pad.point_a = place;
     pad.friction = friction;
   };
-  std::erase_if(touches, [&](const RigidContact& touch) {
+  std::erase_if(touches, [&](const rigid::RigidContact& touch) {
     const auto pad = pad_of(touch, slot);
     if (pad) note_pad(pad->part, pad->body, pad->is_b ? touch.point_b : touch.point_a, touch.friction);
     return pad.has_value();
   });
-  for (const PadMemory& memory : hand.pads)
+  for (const contact::PadMemory& memory : hand.pads)
     if (!hand.hold || hand.hold->body != memory.body)
       note_pad(memory.part, memory.body, centre * memory.place,
                bodies.model.scene.hand.friction * colliders[memory.body].friction);  // combined as in Bullet
-  for (const RigidContact& pad : found) {
+  for (const rigid::RigidContact& pad : found) {
     const auto part = static_cast<std::size_t>(pad.part_a);
     const HandSegment& segment = hand_segments(hand.side)[part - 1];
     const Pose pose = centre * poses[part];
     const double nearest = nearest_along(segment, pose, colliders[pad.b], pad.point_a);
     for (const double along : {nearest, -segment.length / 2, segment.length / 2}) {
       if (along != nearest && std::abs(along - nearest) < places_apart) continue;
-      RigidContact touch = touch_of(segment, pose, colliders[pad.b], along);
-      if (!(touch.gap < contact_margin)) continue;
+      rigid::RigidContact touch = touch_of(segment, pose, colliders[pad.b], along);
+      if (!(touch.gap < contact::contact_margin)) continue;
       touch.a = pad.a;
       touch.b = pad.b;
       touch.part_a = pad.part_a;
@@ -100,9 +102,11 @@ void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const
   }
 }
 
-void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const RigidContact& touch,
-                     std::size_t island, std::vector<Contact>& contacts, std::vector<Pad>& pads) {
-  const Hand* hand = hand_at(hands, touch.a) ? hand_at(hands, touch.a) : hand_at(hands, touch.b);
+void spread_over_pad(const Bodies& bodies, std::span<const hands::Hand> hands,
+                     const rigid::RigidContact& touch, std::size_t island,
+                     std::vector<contact::Contact>& contacts, std::vector<Pad>& pads) {
+  const hands::Hand* hand =
+      hands::hand_at(hands, touch.a) ? hands::hand_at(hands, touch.a) : hands::hand_at(hands, touch.b);
   const auto side = hand ? pad_of(touch, hand->slot) : std::nullopt;
   if (!side) return;
   const Pose centre = bodies.rigid.motion(hand->slot).pose;
@@ -113,42 +117,42 @@ void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const Ri
   pad.body = side->body;
   pad.part = side->part;
   pad.place = centre.inverse() * contacts.back().point;
-  const PadMemory* memory = find(hand->pads, pad.part, pad.body, pad.place);
+  const contact::PadMemory* memory = contact::find(hand->pads, pad.part, pad.body, pad.place);
   const double radius =
-      contact_radius(hand_segments(hand->side)[pad.part - 1].radius, memory ? memory->force : 0);
-  const auto poses = hand_part_poses(hand->side, hand->flexion, bodies.model.hands[hand->side].center);
+      contact::contact_radius(hand_segments(hand->side)[pad.part - 1].radius, memory ? memory->force : 0);
+  const auto poses = hands::hand_part_poses(hand->side, hand->flexion, bodies.model.hands[hand->side].center);
   const Vec3 along = centre.q * (poses[pad.part].q * Vec3::UnitY());
-  Contact share = contacts.back();
+  contact::Contact share = contacts.back();
   share.rebound = 0;
   contacts.back().friction = 0;
-  const auto points = friction_points(share.normal, along, radius);
-  for (std::uint32_t k = 0; k < patch_points; ++k) {
-    Contact& c = contacts.emplace_back(share);
+  const auto points = contact::friction_points(share.normal, along, radius);
+  for (std::uint32_t k = 0; k < contact::patch_points; ++k) {
+    contact::Contact& c = contacts.emplace_back(share);
     c.bearer = k + 1;
     c.a.arm += points[k];
     c.b.arm += points[k];
     c.point += points[k];
     if (!memory) continue;
     c.grip = centre.q * memory->grip[k];
-    c.gripped = memory->force / patch_points;
+    c.gripped = memory->force / contact::patch_points;
   }
 }
 
-void store_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
-                std::vector<Hand>& hands) {
-  for (Hand& hand : hands) hand.pads.clear();
+void store_pads(const rigid::RigidWorld& world, std::span<const coupled::Island> islands,
+                std::span<const Pad> pads, std::vector<hands::Hand>& hands) {
+  for (hands::Hand& hand : hands) hand.pads.clear();
   for (const Pad& pad : pads) {
     const auto& contacts = islands[pad.island].contacts;
     const double force = contacts[pad.contact].force;
     if (!(force > 0)) continue;
-    const auto hand =
-        std::find_if(hands.begin(), hands.end(), [&](const Hand& other) { return other.slot == pad.hand; });
-    PadMemory memory;
+    const auto hand = std::find_if(hands.begin(), hands.end(),
+                                   [&](const hands::Hand& other) { return other.slot == pad.hand; });
+    contact::PadMemory memory;
     memory.part = pad.part;
     memory.body = pad.body;
     memory.place = pad.place;
     memory.force = force;
-    for (std::size_t k = 0; k < patch_points; ++k)
+    for (std::size_t k = 0; k < contact::patch_points; ++k)
       memory.grip[k] = world.motion(pad.hand).pose.q.conjugate() * contacts[pad.contact + 1 + k].grip_after;
     hand->pads.push_back(memory);
   }

@@ -24,18 +24,19 @@ struct Pad {
 /// point of a line contact, and with boxes with rounded edges. Occasionally it reports no contact for a tick,
 /// and a pinched body would be shot out of the fingers. So the gap is recomputed at the nearest point of a
 /// segment and at its ends, also for pads that pressed in the last tick.
-void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
-                std::vector<RigidContact>& touches);
+void place_pads(const Bodies& bodies, std::span<const contact::Collider> colliders, const hands::Hand& hand,
+                std::vector<rigid::RigidContact>& touches);
 
 /// Distributes the friction of the last entry of `contacts`, which was made from `touch`, over the points of
 /// a patch if one of its bodies is a finger. In that case appends the finger pad to `pads`. `contacts` are
 /// those of the island (a set of bodies solved together) with index `island`.
-void spread_over_pad(const Bodies& bodies, std::span<const Hand> hands, const RigidContact& touch,
-                     std::size_t island, std::vector<Contact>& contacts, std::vector<Pad>& pads);
+void spread_over_pad(const Bodies& bodies, std::span<const hands::Hand> hands,
+                     const rigid::RigidContact& touch, std::size_t island,
+                     std::vector<contact::Contact>& contacts, std::vector<Pad>& pads);
 
 /// Stores the forces and friction of the finger pads' contacts in the hands after the islands (sets of bodies
 /// solved together) were solved. The next tick starts from them.
-void store_pads(const RigidWorld& world, std::span<const Island> islands, std::span<const Pad> pads,
-                std::vector<Hand>& hands);
+void store_pads(const rigid::RigidWorld& world, std::span<const coupled::Island> islands,
+                std::span<const Pad> pads, std::vector<hands::Hand>& hands);
 
 }  // namespace prosector

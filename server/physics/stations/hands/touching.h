@@ -16,7 +16,8 @@ namespace prosector {
 /// holds and cut points of the hand. Then follow the nearest points of other tissue within `reach` (m), one
 /// per body, and the weight of a held rigid body. `supports` has the contacts and holds of the soft bodies in
 /// `touches`.
-HandSurroundings surroundings_of(const State& state, std::span<const Island> islands,
-                                 std::span<const Collider> colliders, const HandRef& hand, double reach);
+HandSurroundings surroundings_of(const State& state, std::span<const coupled::Island> islands,
+                                 std::span<const contact::Collider> colliders, const HandRef& hand,
+                                 double reach);
 
 }  // namespace prosector

@@ -12,49 +12,52 @@ namespace {
 
 constexpr double rigid_opening_speed = 0.25;  // m/s: largest separation speed of overlapping rigid bodies
 
-Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
+Mat3 room_inertia(const rigid::RigidSetup& setup, const Pose& pose) {
   const Mat3 R = pose.q.toRotationMatrix();
   return R * setup.inertia.asDiagonal() * R.transpose();
 }
 
-ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& point) {
-  ContactSide side;
+contact::ContactSide rigid_side(const rigid::RigidWorld& world, std::size_t slot, const Vec3& point) {
+  contact::ContactSide side;
   side.body = slot;
   if (const auto& to = world.driven_to(slot))
     side.moved = *to * (world.motion(slot).pose.inverse() * point) - point;
   if (!world.dynamic(slot)) return side;
-  side.kind = ContactSide::Kind::rigid;
+  side.kind = contact::ContactSide::Kind::rigid;
   side.arm = point - world.motion(slot).pose.p;
   return side;
 }
 
-Vec3 velocity_of(const RigidWorld& world, const ContactSide& side, std::size_t slot, double h) {
-  if (side.kind == ContactSide::Kind::fixed) return side.moved / h;
-  const RigidMotion motion = world.motion(slot);
+Vec3 velocity_of(const rigid::RigidWorld& world, const contact::ContactSide& side, std::size_t slot,
+                 double h) {
+  if (side.kind == contact::ContactSide::Kind::fixed) return side.moved / h;
+  const rigid::RigidMotion motion = world.motion(slot);
   return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
 }
 
-Contact contact_of(const RigidWorld& world, const RigidContact& rc, double h) {
-  Contact c;
+contact::Contact contact_of(const rigid::RigidWorld& world, const rigid::RigidContact& rc, double h) {
+  contact::Contact c;
   c.a = rigid_side(world, rc.a, rc.point_a);
   c.b = rigid_side(world, rc.b, rc.point_b);
   c.point = (rc.point_a + rc.point_b) / 2;
   c.normal = rc.normal;
   c.gap = std::max(rc.gap, -rigid_opening_speed * h);
   c.friction = rc.friction;
-  c.rebound = rebound_speed(
+  c.rebound = coupled::rebound_speed(
       rc.restitution, rc.normal.dot(velocity_of(world, c.a, rc.a, h) - velocity_of(world, c.b, rc.b, h)));
   return c;
 }
 
-bool between_soft(const Contact& c) {
-  return c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft && c.a.body != c.b.body;
+bool between_soft(const contact::Contact& c) {
+  return c.a.kind == contact::ContactSide::Kind::soft && c.b.kind == contact::ContactSide::Kind::soft &&
+         c.a.body != c.b.body;
 }
 
 /// Links and couplings that the rigid world needs to find islands with soft bodies.
 class Links {
  public:
-  explicit Links(const SoftContacts& touching) : touching_(touching), first_(touching.group.size()) {}
+  explicit Links(const contact::SoftContacts& touching)
+      : touching_(touching), first_(touching.group.size()) {}
   void couple(std::size_t slot) { coupled.push_back(slot); }
   void join(std::size_t a, std::size_t b) { links.emplace_back(a, b); }
   void join_soft(std::size_t body, std::size_t slot) {
@@ -67,13 +70,13 @@ class Links {
   std::vector<std::size_t> coupled;
 
  private:
-  const SoftContacts& touching_;
+  const contact::SoftContacts& touching_;
   std::vector<std::optional<std::size_t>> first_;  // by soft group: a dynamic body of its island
 };
 
-void join_what_a_hand_touches(const Hand& hand, const Bodies& bodies, Links& links) {
+void join_what_a_hand_touches(const hands::Hand& hand, const Bodies& bodies, Links& links) {
   links.couple(hand.slot);
-  for (const PadMemory& pad : hand.pads)
+  for (const contact::PadMemory& pad : hand.pads)
     if (bodies.rigid.dynamic(pad.body)) links.join(hand.slot, pad.body);
   if (!hand.hold) return;
   if (bodies.is_soft(hand.hold->body))
@@ -84,21 +87,23 @@ void join_what_a_hand_touches(const Hand& hand, const Bodies& bodies, Links& lin
 
 }  // namespace
 
-const std::vector<MixedIsland>& find_islands(Bodies& bodies, std::span<const Hand> hands,
-                                             const SoftContacts& touching, std::span<const BladeGrip> grips,
-                                             double h) {
+const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<const hands::Hand> hands,
+                                                    const contact::SoftContacts& touching,
+                                                    std::span<const organs::BladeGrip> grips, double h) {
   Links links(touching);
   for (std::size_t i = 0; i < bodies.soft.size(); ++i)
-    for (const Contact& c : touching.with_rigid[i])
-      if (c.b.kind == ContactSide::Kind::rigid) links.join_soft(i, c.b.body);
-  for (const BladeGrip& grip : grips) links.join_soft(grip.body, grip.slot);
-  for (const Hand& hand : hands) join_what_a_hand_touches(hand, bodies, links);
+    for (const contact::Contact& c : touching.with_rigid[i])
+      if (c.b.kind == contact::ContactSide::Kind::rigid) links.join_soft(i, c.b.body);
+  for (const organs::BladeGrip& grip : grips) links.join_soft(grip.body, grip.slot);
+  for (const hands::Hand& hand : hands) join_what_a_hand_touches(hand, bodies, links);
   bodies.rigid.find_islands(links.links, links.coupled);
   return bodies.rigid.solve(h);
 }
 
-IslandBuilder::IslandBuilder(Bodies& bodies, std::span<const Hand> hands, const SoftContacts& touching,
-                             std::span<const Collider> colliders, std::span<const BladeGrip> grips, double h)
+IslandBuilder::IslandBuilder(Bodies& bodies, std::span<const hands::Hand> hands,
+                             const contact::SoftContacts& touching,
+                             std::span<const contact::Collider> colliders,
+                             std::span<const organs::BladeGrip> grips, double h)
     : bodies_(bodies),
       hands_(hands),
       touching_(touching),
@@ -108,49 +113,50 @@ IslandBuilder::IslandBuilder(Bodies& bodies, std::span<const Hand> hands, const 
       island_of_(bodies_.rigid.slots(), 0),
       island_of_group_(bodies_.soft.size()) {}
 
-void IslandBuilder::build(std::span<const MixedIsland> mixed, std::vector<Island>& islands,
+void IslandBuilder::build(std::span<const rigid::MixedIsland> mixed, std::vector<coupled::Island>& islands,
                           std::vector<Pad>& pads) {
   islands.clear();
   pads.clear();
   bodies_.retired.clear();
-  for (const MixedIsland& m : mixed) {
+  for (const rigid::MixedIsland& m : mixed) {
     for (const std::size_t slot : m.bodies) island_of_[slot] = islands.size();
-    Island& island = islands.emplace_back();
+    coupled::Island& island = islands.emplace_back();
     add_rigid_members(m, island);
     add_rigid_contacts(m, islands.size() - 1, island, pads);
   }
   find_islands_of_groups();
   add_soft_members(islands);
-  for (Island& island : islands) watch_flat_elements(island);
-  for (Island& island : islands) set_stiffness(island);
+  for (coupled::Island& island : islands) watch_flat_elements(island);
+  for (coupled::Island& island : islands) set_stiffness(island);
   add_ties(islands);
 }
 
-void IslandBuilder::add_rigid_members(const MixedIsland& mixed, Island& island) {
+void IslandBuilder::add_rigid_members(const rigid::MixedIsland& mixed, coupled::Island& island) {
   const Model& model = bodies_.model;
   for (const std::size_t slot : mixed.bodies) {
-    const Hand* hand = hand_at(hands_, slot);
-    const RigidSetup& setup = hand ? model.hands[hand->side].setup : model.rigid[slot].setup;
-    const RigidMotion motion = bodies_.rigid.motion(slot);
+    const hands::Hand* hand = hands::hand_at(hands_, slot);
+    const rigid::RigidSetup& setup = hand ? model.hands[hand->side].setup : model.rigid[slot].setup;
+    const rigid::RigidMotion motion = bodies_.rigid.motion(slot);
     const Pose& pose = motion.pose;
     const auto [linear, angular] = bodies_.rigid.predicted_velocity(slot, h_);
-    RigidMember member;
+    coupled::RigidMember member;
     member.slot = slot;
     member.mass = hand ? model.scene.hand.mass : setup.mass;
     member.inertia = room_inertia(setup, pose);
     member.predicted << h_ * linear, h_ * angular;
     member.steady << h_ * motion.linear_velocity, h_ * motion.angular_velocity;
-    if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, h_);
+    if (hand) member.pull = hands::hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, h_);
     island.rigid.push_back(member);
   }
 }
 
-void IslandBuilder::add_rigid_contacts(const MixedIsland& mixed, std::size_t index, Island& island,
-                                       std::vector<Pad>& pads) const {
-  std::vector<RigidContact> touches = mixed.contacts;
+void IslandBuilder::add_rigid_contacts(const rigid::MixedIsland& mixed, std::size_t index,
+                                       coupled::Island& island, std::vector<Pad>& pads) const {
+  std::vector<rigid::RigidContact> touches = mixed.contacts;
   for (const std::size_t slot : mixed.bodies)
-    if (const Hand* hand = hand_at(hands_, slot)) place_pads(bodies_, colliders_, *hand, touches);
-  for (const RigidContact& rc : touches) {
+    if (const hands::Hand* hand = hands::hand_at(hands_, slot))
+      place_pads(bodies_, colliders_, *hand, touches);
+  for (const rigid::RigidContact& rc : touches) {
     island.contacts.push_back(contact_of(bodies_.rigid, rc, h_));
     spread_over_pad(bodies_, hands_, rc, index, island.contacts, pads);
   }
@@ -161,15 +167,15 @@ void IslandBuilder::add_rigid_contacts(const MixedIsland& mixed, std::size_t ind
 void IslandBuilder::find_islands_of_groups() {
   const std::vector<std::size_t>& group = touching_.group;
   for (std::size_t i = 0; i < bodies_.soft.size(); ++i)
-    for (const Contact& c : touching_.with_rigid[i])
-      if (c.b.kind == ContactSide::Kind::rigid) island_of_group_[group[i]] = island_of_[c.b.body];
-  for (const BladeGrip& grip : grips_) island_of_group_[group[grip.body]] = island_of_[grip.slot];
-  for (const Hand& hand : hands_)
+    for (const contact::Contact& c : touching_.with_rigid[i])
+      if (c.b.kind == contact::ContactSide::Kind::rigid) island_of_group_[group[i]] = island_of_[c.b.body];
+  for (const organs::BladeGrip& grip : grips_) island_of_group_[group[grip.body]] = island_of_[grip.slot];
+  for (const hands::Hand& hand : hands_)
     if (hand.hold && bodies_.is_soft(hand.hold->body))
       island_of_group_[group[bodies_.soft_index(hand.hold->body)]] = island_of_[hand.slot];
 }
 
-void IslandBuilder::add_soft_members(std::vector<Island>& islands) {
+void IslandBuilder::add_soft_members(std::vector<coupled::Island>& islands) {
   for (Tissue& tissue : bodies_.soft) {
     if (tissue.state.asleep) continue;
     std::optional<std::size_t>& at = island_of_group_[touching_.group[tissue.index]];
@@ -177,58 +183,58 @@ void IslandBuilder::add_soft_members(std::vector<Island>& islands) {
       at = islands.size();
       islands.emplace_back();
     }
-    Island& island = islands[*at];
+    coupled::Island& island = islands[*at];
     island.soft.push_back({tissue.index, tissue.solver.get(), &tissue.state, &tissue.equilibrium});
-    const std::vector<Contact>& contacts = touching_.with_rigid[tissue.index];
+    const std::vector<contact::Contact>& contacts = touching_.with_rigid[tissue.index];
     island.contacts.insert(island.contacts.end(), contacts.begin(), contacts.end());
   }
-  for (const SoftPair& pair : touching_.pairs) {
-    Island& island = islands[*island_of_group_[touching_.group[pair.a]]];
+  for (const contact::SoftPair& pair : touching_.pairs) {
+    coupled::Island& island = islands[*island_of_group_[touching_.group[pair.a]]];
     island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
 }
 
 /// Adds contacts that keep elements of solids in contact with other soft bodies from inverting.
-void IslandBuilder::watch_flat_elements(Island& island) const {
+void IslandBuilder::watch_flat_elements(coupled::Island& island) const {
   const std::size_t met = island.contacts.size();
-  for (const SoftMember& s : island.soft) {
+  for (const coupled::SoftMember& s : island.soft) {
     if (std::none_of(island.contacts.begin(), island.contacts.begin() + static_cast<std::ptrdiff_t>(met),
-                     [&](const Contact& c) {
+                     [&](const contact::Contact& c) {
                        return between_soft(c) && (c.a.body == s.index || c.b.body == s.index);
                      }))
       continue;
     const double stiffness = bodies_.model.scene.contact_stiffness * s.body->desc().material.youngs_modulus;
-    find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v, {s.index, stiffness, h_},
-                       island.contacts);
+    contact::find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,
+                                {s.index, stiffness, h_}, island.contacts);
   }
 }
 
 /// Sets the stiffness of contacts between rigid bodies, and whether something kinematic keeps the island
 /// awake.
-void IslandBuilder::set_stiffness(Island& island) const {
-  const auto driven = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::fixed && bodies_.rigid.driven_to(side.body);
+void IslandBuilder::set_stiffness(coupled::Island& island) const {
+  const auto driven = [&](const contact::ContactSide& side) {
+    return side.kind == contact::ContactSide::Kind::fixed && bodies_.rigid.driven_to(side.body);
   };
   island.driven = std::any_of(island.contacts.begin(), island.contacts.end(),
-                              [&](const Contact& c) { return driven(c.a) || driven(c.b); });
+                              [&](const contact::Contact& c) { return driven(c.a) || driven(c.b); });
   double heaviest = 0;
-  for (const RigidMember& r : island.rigid) heaviest = std::max(heaviest, r.mass);
-  for (const SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
-  for (Contact& c : island.contacts)
-    if (c.a.kind != ContactSide::Kind::soft && c.bearer == 0)
-      c.stiffness = rigid_contact_stiffness(heaviest, h_);
+  for (const coupled::RigidMember& r : island.rigid) heaviest = std::max(heaviest, r.mass);
+  for (const coupled::SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
+  for (contact::Contact& c : island.contacts)
+    if (c.a.kind != contact::ContactSide::Kind::soft && c.bearer == 0)
+      c.stiffness = contact::rigid_contact_stiffness(heaviest, h_);
 }
 
 /// Adds the ties of blades in tissue first, then those of holds.
-void IslandBuilder::add_ties(std::vector<Island>& islands) const {
-  for (const BladeGrip& grip : grips_) islands[island_of_[grip.slot]].ties.push_back(grip.tie);
-  for (const Hand& hand : hands_) {
+void IslandBuilder::add_ties(std::vector<coupled::Island>& islands) const {
+  for (const organs::BladeGrip& grip : grips_) islands[island_of_[grip.slot]].ties.push_back(grip.tie);
+  for (const hands::Hand& hand : hands_) {
     if (!hand.hold) continue;
-    Island& island = islands[island_of_[hand.slot]];
+    coupled::Island& island = islands[island_of_[hand.slot]];
     const std::vector<HeldPoint> points = held_points(bodies_, hand);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const HeldPoint& p = points[i];
-      Tie tie;
+      contact::Tie tie;
       if (bodies_.is_soft(hand.hold->body))
         tie.b = bodies_.soft[bodies_.soft_index(hand.hold->body)].side(hand.hold->points[i].vertex);
       else

@@ -16,9 +16,9 @@ namespace prosector {
 
 /// Finds the islands of the rigid world: sets of bodies connected by contacts, holds and blades in tissue.
 /// The rigid world immediately solves those without tissue and hands for h s. Returns the other islands.
-const std::vector<MixedIsland>& find_islands(Bodies& bodies, std::span<const Hand> hands,
-                                             const SoftContacts& touching, std::span<const BladeGrip> grips,
-                                             double h);
+const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<const hands::Hand> hands,
+                                                    const contact::SoftContacts& touching,
+                                                    std::span<const organs::BladeGrip> grips, double h);
 
 /// Builder of the islands (sets of connected bodies that are solved together) that contain tissue or hands,
 /// from contacts and holds.
@@ -26,28 +26,30 @@ class IslandBuilder {
  public:
   /// Stores references to the inputs of a tick of h s: bodies, hands, contacts, colliders and ties of blades.
   /// They must outlive the builder.
-  IslandBuilder(Bodies& bodies, std::span<const Hand> hands, const SoftContacts& touching,
-                std::span<const Collider> colliders, std::span<const BladeGrip> grips, double h);
+  IslandBuilder(Bodies& bodies, std::span<const hands::Hand> hands, const contact::SoftContacts& touching,
+                std::span<const contact::Collider> colliders, std::span<const organs::BladeGrip> grips,
+                double h);
 
   /// Fills `islands`: first those of `mixed`, which contain rigid bodies, then islands of soft bodies only.
   /// Appends the contacts of finger pads to `pads`.
-  void build(std::span<const MixedIsland> mixed, std::vector<Island>& islands, std::vector<Pad>& pads);
+  void build(std::span<const rigid::MixedIsland> mixed, std::vector<coupled::Island>& islands,
+             std::vector<Pad>& pads);
 
  private:
-  void add_rigid_members(const MixedIsland& mixed, Island& island);
-  void add_rigid_contacts(const MixedIsland& mixed, std::size_t index, Island& island,
+  void add_rigid_members(const rigid::MixedIsland& mixed, coupled::Island& island);
+  void add_rigid_contacts(const rigid::MixedIsland& mixed, std::size_t index, coupled::Island& island,
                           std::vector<Pad>& pads) const;
   void find_islands_of_groups();
-  void add_soft_members(std::vector<Island>& islands);
-  void watch_flat_elements(Island& island) const;
-  void set_stiffness(Island& island) const;
-  void add_ties(std::vector<Island>& islands) const;
+  void add_soft_members(std::vector<coupled::Island>& islands);
+  void watch_flat_elements(coupled::Island& island) const;
+  void set_stiffness(coupled::Island& island) const;
+  void add_ties(std::vector<coupled::Island>& islands) const;
 
   Bodies& bodies_;
-  std::span<const Hand> hands_;
-  const SoftContacts& touching_;
-  std::span<const Collider> colliders_;
-  std::span<const BladeGrip> grips_;
+  std::span<const hands::Hand> hands_;
+  const contact::SoftContacts& touching_;
+  std::span<const contact::Collider> colliders_;
+  std::span<const organs::BladeGrip> grips_;
   double h_;
   std::vector<std::size_t> island_of_;                       // by slot
   std::vector<std::optional<std::size_t>> island_of_group_;  // by soft group

@@ -35,15 +35,15 @@ bool is_being_led(const Entanglements& entangled, std::size_t body) {
 
 namespace {
 
-bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t body) {
-  return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
+bool is_in_a_hand(const State& state, const contact::SoftContacts& touching, std::size_t body) {
+  return hands::in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
 }
 
 /// Returns whether the body is between a hand and other tissue, or between held tissue and anything. The hand
 /// then leaves no room for its rest shape.
-bool is_jammed(const State& state, const SoftContacts& touching, std::size_t body) {
+bool is_jammed(const State& state, const contact::SoftContacts& touching, std::size_t body) {
   const bool in_hand = is_in_a_hand(state, touching, body);
-  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const contact::SoftPair& pair) {
     return (pair.a == body || pair.b == body) && pair.a != pair.b &&
            (in_hand || is_in_a_hand(state, touching, pair.a + pair.b - body));
   });
@@ -56,7 +56,7 @@ bool is_squeezed(const Bodies& bodies, std::size_t body) {
   double by_rigid = 0, by_tissue = 0;
   // N: resultant of the rigid bodies' forces, which tissue and gravity balance.
   Vec3 unbalanced = Vec3::Zero();
-  for (const ContactMemory& m : bodies.soft[body].memories) {
+  for (const contact::ContactMemory& m : bodies.soft[body].memories) {
     (m.soft ? by_tissue : by_rigid) += m.force;
     if (!m.soft) unbalanced += m.force * m.normal;
   }
@@ -67,27 +67,30 @@ bool is_squeezed(const Bodies& bodies, std::size_t body) {
 
 /// Returns whether the body is deep in other tissue but can't be led out, because its inverted elements don't
 /// define a direction.
-bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
+bool is_blind(State& state, const contact::SoftContacts& touching, std::size_t body) {
   if (state.bodies.soft[body].inside_out().empty() || is_in_a_hand(state, touching, body)) return false;
-  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const contact::SoftPair& pair) {
     if ((pair.a != body && pair.b != body) || pair.a == pair.b || state.entangled.contains({pair.a, pair.b}))
       return false;
-    const SoftSkin a = state.bodies.soft[pair.a].skin(), b = state.bodies.soft[pair.b].skin();
+    const contact::SoftSkin a = state.bodies.soft[pair.a].skin(), b = state.bodies.soft[pair.b].skin();
     if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 ||
         is_in_a_hand(state, touching, pair.a + pair.b - body))
       return false;
-    return is_deep(find_immersion(a, b, {}, {}), find_immersion(b, a, {}, {}), std::min(a.cell, b.cell));
+    return contact::is_deep(contact::find_immersion(a, b, {}, {}), contact::find_immersion(b, a, {}, {}),
+                            std::min(a.cell, b.cell));
   });
 }
 
 /// Returns the obstacles to the body's rest shape: a hand, held tissue, squeezing bodies or, without
 /// attachments, a rigid body. Other tissue yields, and is led out.
-Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
-  const std::vector<Contact>& touches = touching.with_rigid[body];
-  const bool borne = std::any_of(touches.begin(), touches.end(),
-                                 [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
-  const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
-                               [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
+coupled::Surroundings surroundings_of(State& state, const contact::SoftContacts& touching, std::size_t body) {
+  const std::vector<contact::Contact>& touches = touching.with_rigid[body];
+  const bool borne = std::any_of(touches.begin(), touches.end(), [](const contact::Contact& c) {
+    return c.b.kind == contact::ContactSide::Kind::rigid;
+  });
+  const bool met =
+      std::any_of(touching.pairs.begin(), touching.pairs.end(),
+                  [&](const contact::SoftPair& pair) { return pair.a == body || pair.b == body; });
   const bool jammed = is_jammed(state, touching, body);
   const bool crushed = jammed || is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
   return {.jammed = jammed,
@@ -99,22 +102,22 @@ Surroundings surroundings_of(State& state, const SoftContacts& touching, std::si
 
 void report_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
 void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
-void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+void make_room_for(State& state, const contact::SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report);
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report);
 
 }  // namespace
 
-void recover_tangled_bodies(State& state, std::vector<Island>& islands, const SoftContacts& touching,
-                            double h, StepReport& report) {
+void recover_tangled_bodies(State& state, std::vector<coupled::Island>& islands,
+                            const contact::SoftContacts& touching, double h, StepReport& report) {
   if (state.time.tick % tangle_check_ticks != 0) return;
   std::vector<std::size_t> unfolded;
-  for (Island& island : islands)
-    for (SoftMember& s : island.soft) {
+  for (coupled::Island& island : islands)
+    for (coupled::SoftMember& s : island.soft) {
       const double lowest =
           height_of_lowest(s.state->motion.x, -state.bodies.model.scene.gravity.normalized());
-      if (!unfold_if_tangled(s, surroundings_of(state, touching, s.index),
-                             state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
+      if (!coupled::unfold_if_tangled(s, surroundings_of(state, touching, s.index),
+                                      state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
         continue;
       place_unfolded(state.bodies, s.index, lowest);
       report_reset(state.bodies, s.index, s.note, report);
@@ -132,7 +135,7 @@ namespace {
 
 /// Overlap of two bodies: the vertices of each inside the other.
 struct Overlap {
-  Immersion own, other;
+  contact::Immersion own, other;
   double deepest() const { return std::max(own.deepest, other.deepest); }
 };
 
@@ -167,7 +170,7 @@ bool may_overlap(const Bodies& bodies, std::size_t a, std::size_t b) {
 /// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
 /// again. Attached tissue that was pushed to the body's rest position would crush it, too. That tissue is
 /// reset to its own rest position and added to `unfolded`, unless a hand touches or jams it.
-void make_room_for(State& state, const SoftContacts& touching, std::size_t body,
+void make_room_for(State& state, const contact::SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (std::size_t other = 0; other < bodies.soft.size(); ++other) {
@@ -210,7 +213,7 @@ bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepRepo
   const double moved =
       (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
   if (moved < bodies.soft[body].desc().geometry.surface_cell) return false;
-  unfold(*bodies.soft[body].solver, bodies.soft[body].state);
+  soft::unfold(*bodies.soft[body].solver, bodies.soft[body].state);
   place_unfolded(bodies, body, 0);
   report_reset(bodies, body,
                fmt::format("the body remained overlapping with {}: it was moved to its rest position",
@@ -222,11 +225,11 @@ bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepRepo
 /// Returns how two closed solids overlap; nullopt for other bodies, and for overlaps that contacts alone
 /// remove.
 std::optional<Overlap> overlap_of(Bodies& bodies, std::size_t body, std::size_t other) {
-  const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
+  const contact::SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
   if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return std::nullopt;
   const auto &ruined = bodies.soft[body].inside_out(), &other_ruined = bodies.soft[other].inside_out();
-  const Overlap overlap = {find_immersion(own, others, ruined, other_ruined),
-                           find_immersion(others, own, other_ruined, ruined)};
+  const Overlap overlap = {contact::find_immersion(own, others, ruined, other_ruined),
+                           contact::find_immersion(others, own, other_ruined, ruined)};
   const double cell = std::min(bodies.soft[body].desc().geometry.surface_cell,
                                bodies.soft[other].desc().geometry.surface_cell);
   return overlap.deepest() < left_inside * cell ? std::nullopt : std::optional(overlap);
@@ -246,7 +249,8 @@ double deepest_in_tissue(Bodies& bodies, std::size_t body) {
 /// the body rests on something.
 Vec3 exit_direction(const Bodies& bodies, std::size_t body, std::size_t other, const Overlap& overlap) {
   const Vec3 up = -bodies.model.scene.gravity.normalized();
-  Vec3 way = way_apart(overlap.own, overlap.other, bodies.soft[body].middle() - bodies.soft[other].middle());
+  Vec3 way = contact::way_apart(overlap.own, overlap.other,
+                                bodies.soft[body].middle() - bodies.soft[other].middle());
   way -= std::min(0.0, way.dot(up)) * up;
   return way.norm() > 0 ? Vec3(way.normalized()) : up;
 }

@@ -17,7 +17,7 @@ bool is_being_led(const Entanglements& entangled, std::size_t body);
 /// Resets to their rest shape the bodies of these islands (sets of bodies solved together) that stayed
 /// tangled, separates bodies that stayed overlapping, and reports both. Does so only every few ticks.
 /// `touching` are the contacts of the last solve, `h` (s) is its time step.
-void recover_tangled_bodies(State& state, std::vector<Island>& islands, const SoftContacts& touching,
-                            double h, StepReport& report);
+void recover_tangled_bodies(State& state, std::vector<coupled::Island>& islands,
+                            const contact::SoftContacts& touching, double h, StepReport& report);
 
 }  // namespace prosector

@@ -12,6 +12,6 @@ namespace prosector {
 /// been quiet long enough, and keeps the others awake. Moves the contact surfaces of all their soft bodies to
 /// the current node positions. `driven`: whether kinematic bodies (on prescribed trajectories) move and may
 /// move others.
-void update_sleep(State& state, std::vector<Island>& islands, bool driven);
+void update_sleep(State& state, std::vector<coupled::Island>& islands, bool driven);
 
 }  // namespace prosector

@@ -7,13 +7,13 @@
 namespace prosector {
 namespace {
 
-void take_velocities(const Island& island, RigidWorld& world, double h) {
-  for (const RigidMember& r : island.rigid)
+void take_velocities(const coupled::Island& island, rigid::RigidWorld& world, double h) {
+  for (const coupled::RigidMember& r : island.rigid)
     world.set_velocity(r.slot, r.twist.head<3>() / h, r.twist.tail<3>() / h);
 }
 
-BodyReport row_of(const SoftMember& s, const IslandReport& solved, const Bodies& bodies,
-                  const SoftContacts& touching, double h) {
+BodyReport row_of(const coupled::SoftMember& s, const coupled::IslandReport& solved, const Bodies& bodies,
+                  const contact::SoftContacts& touching, double h) {
   BodyReport row;
   row.body = s.body->desc().name;
   row.newton_iterations = solved.newton_iterations;
@@ -42,13 +42,13 @@ BodyReport row_of(const SoftMember& s, const IslandReport& solved, const Bodies&
 
 }  // namespace
 
-void solve_islands(std::vector<Island>& islands, IslandStepper& stepper, Bodies& bodies,
-                   const SoftContacts& touching, double h, StepReport& report) {
-  for (Island& island : islands) {
-    const IslandReport solved = stepper.step(island, h, bodies.model.scene.gravity);
+void solve_islands(std::vector<coupled::Island>& islands, coupled::IslandStepper& stepper, Bodies& bodies,
+                   const contact::SoftContacts& touching, double h, StepReport& report) {
+  for (coupled::Island& island : islands) {
+    const coupled::IslandReport solved = stepper.step(island, h, bodies.model.scene.gravity);
     if (solved.finite) take_velocities(island, bodies.rigid, h);
-    for (const SoftMember& s : island.soft) {
-      keep(island.contacts, s.index, bodies.soft[s.index].memories);
+    for (const coupled::SoftMember& s : island.soft) {
+      contact::keep(island.contacts, s.index, bodies.soft[s.index].memories);
       report.bodies.push_back(row_of(s, solved, bodies, touching, h));
       if (!solved.finite) stop(*s.state);
     }
@@ -56,9 +56,9 @@ void solve_islands(std::vector<Island>& islands, IslandStepper& stepper, Bodies&
   }
 }
 
-void apply_restitution(std::vector<Island>& islands, RigidWorld& world, double h) {
-  for (Island& island : islands)
-    if (bounce(island, h)) take_velocities(island, world, h);
+void apply_restitution(std::vector<coupled::Island>& islands, rigid::RigidWorld& world, double h) {
+  for (coupled::Island& island : islands)
+    if (coupled::bounce(island, h)) take_velocities(island, world, h);
 }
 
 }  // namespace prosector

@@ -15,16 +15,17 @@ constexpr double bent = 0.7;           // flexion beyond which a finger counts a
 constexpr double dimmed = 0.25;        // brightness of the room's lights when dimmed
 
 /// Returns the hands as input for panels, in canonical order.
-std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState> hand_states) {
-  std::vector<PanelHand> out;
+std::vector<panel::PanelHand> panel_hands(const State& state, std::span<const HandState> hand_states) {
+  std::vector<panel::PanelHand> out;
   for (std::size_t i = 0; i < state.hands.size(); ++i) {
-    const Hand& hand = state.hands[i];
+    const hands::Hand& hand = state.hands[i];
     const HandState& shown = hand_states[i];
     const Pose centre = state.bodies.rigid.motion(hand.slot).pose;
-    PanelHand& felt = out.emplace_back();
+    panel::PanelHand& felt = out.emplace_back();
     felt.who = {hand.participant, static_cast<std::uint8_t>(hand.side)};
     felt.palm = felt.touched_at = centre.p;
-    const auto poses = hand_part_poses(hand.side, hand.flexion, state.bodies.model.hands[hand.side].center);
+    const auto poses =
+        hands::hand_part_poses(hand.side, hand.flexion, state.bodies.model.hands[hand.side].center);
     for (const HandSegment& s : hand_segments(hand.side)) {
       const Pose segment = centre * poses[s.joint + 1];
       felt.fingers.push_back(
@@ -45,7 +46,7 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
 
 /// Applies a control's request. If a part refuses (for example too far from its place to be attached), it
 /// stays unchanged, its control shows that, and the report has the reason.
-void carry_out(State& state, const PanelAction& action, StepReport& report) {
+void carry_out(State& state, const panel::PanelAction& action, StepReport& report) {
   using Kind = PartEvent::Kind;
   const bool on = action.value >= 0.5;
   const auto apply = [&](Kind kind, BodyId body, double value = 0) {
@@ -84,11 +85,11 @@ bool PanelStation::has_panel(BodyId body) const {
 std::pair<Vec3, Vec3> PanelStation::box(BodyId body) const {
   const Bodies& bodies = state_.bodies;
   if (!bodies.is_soft(body)) return bodies.rigid.bounds(body, 0);
-  const SurfaceDetector& surface = bodies.soft[bodies.soft_index(body)].surface.vertices();
+  const contact::SurfaceDetector& surface = bodies.soft[bodies.soft_index(body)].surface.vertices();
   return {surface.lo(), surface.hi()};
 }
 
-ShownControls PanelStation::shown(BodyId body) const {
+panel::ShownControls PanelStation::shown(BodyId body) const {
   const Bodies& bodies = state_.bodies;
   const Part& part = bodies.parts[body];
   bool alone = false, seen = false;  // whether there are other parts; whether one of them is visible
@@ -97,7 +98,7 @@ ShownControls PanelStation::shown(BodyId body) const {
     alone = true;
     seen = seen || !bodies.parts[other].hidden;
   }
-  ShownControls out{};
+  panel::ShownControls out{};
   const auto set = [&](PanelControl control, double value) {
     out[static_cast<std::size_t>(control)] = value;
   };
@@ -119,7 +120,7 @@ std::optional<BodyId> PanelStation::first() const {
 void step_panels(State& state, std::span<const HandState> hand_states, StepReport& report) {
   if (!state.panels) return;
   const PanelStation subjects(state);
-  for (const PanelAction& action : state.panels->step(panel_hands(state, hand_states), subjects))
+  for (const panel::PanelAction& action : state.panels->step(panel_hands(state, hand_states), subjects))
     carry_out(state, action, report);
   state.panels->show(subjects);
   report.panel_carriers = state.panels->carriers();

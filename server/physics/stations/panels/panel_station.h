@@ -14,13 +14,13 @@ namespace prosector {
 
 /// Source of the answers to control panels' queries about bodies: which have a panel, their bounding boxes,
 /// and which controls to show.
-class PanelStation final : public PanelSubjects {
+class PanelStation final : public panel::PanelSubjects {
  public:
   /// Stores a reference to `state`, which must outlive the object.
   explicit PanelStation(const State& state) : state_(state) {}
   bool has_panel(BodyId body) const override;
   std::pair<Vec3, Vec3> box(BodyId body) const override;
-  ShownControls shown(BodyId body) const override;
+  panel::ShownControls shown(BodyId body) const override;
   std::optional<BodyId> first() const override;
 
  private:

@@ -15,27 +15,27 @@ struct PointForce {
 
 /// Returns the point forces on a rigid body in this tick, without gravity; world frame. Contacts of the
 /// coupled solver count along their normals. For an attached body only these count.
-std::vector<PointForce> forces_on(const Bodies& bodies, std::span<const Hand> hands,
-                                  std::span<const Island> islands, std::size_t slot, double h) {
+std::vector<PointForce> forces_on(const Bodies& bodies, std::span<const hands::Hand> hands,
+                                  std::span<const coupled::Island> islands, std::size_t slot, double h) {
   std::vector<PointForce> out;
   bool mixed = false;
   const bool held = !bodies.rigid.dynamic(slot);
-  for (const Island& island : islands) {
+  for (const coupled::Island& island : islands) {
     if (!held && std::none_of(island.rigid.begin(), island.rigid.end(),
-                              [&](const RigidMember& r) { return r.slot == slot; }))
+                              [&](const coupled::RigidMember& r) { return r.slot == slot; }))
       continue;
     mixed = true;
-    const auto is_it = [&](const ContactSide& side) {
-      return side.kind != ContactSide::Kind::soft && side.body == slot;
+    const auto is_it = [&](const contact::ContactSide& side) {
+      return side.kind != contact::ContactSide::Kind::soft && side.body == slot;
     };
-    for (const Contact& c : island.contacts) {
+    for (const contact::Contact& c : island.contacts) {
       if (is_it(c.a)) out.push_back({c.point, c.force * c.normal});
       if (is_it(c.b)) out.push_back({c.point, -c.force * c.normal});
     }
   }
   if (!mixed && !held)
-    for (const RigidImpulse& i : bodies.rigid.impulses(slot)) out.push_back({i.point, i.impulse / h});
-  for (const Hand& hand : hands)
+    for (const rigid::RigidImpulse& i : bodies.rigid.impulses(slot)) out.push_back({i.point, i.impulse / h});
+  for (const hands::Hand& hand : hands)
     if (hand.hold && hand.hold->body == slot)
       for (const HeldPoint& p : held_points(bodies, hand)) out.push_back({p.at_body, p.force()});
   return out;
@@ -43,10 +43,10 @@ std::vector<PointForce> forces_on(const Bodies& bodies, std::span<const Hand> ha
 
 /// Returns the force through the plane of a free body, N: the inertial force of either side minus the forces
 /// on it.
-double force_through_free(const Bodies& bodies, std::span<const Collider> colliders, BodyId body,
+double force_through_free(const Bodies& bodies, std::span<const contact::Collider> colliders, BodyId body,
                           const RigidModel::Fracture& plane, const PlaneLoad& load, double h) {
-  const RigidMotion now = bodies.rigid.motion(body);
-  const Collider& before = colliders[body];  // at the tick's start
+  const rigid::RigidMotion now = bodies.rigid.motion(body);
+  const contact::Collider& before = colliders[body];  // at the tick's start
   const Vec3 linear = (now.linear_velocity - before.linear) / h;
   const Vec3 angular = (now.angular_velocity - before.angular) / h;
   const auto acceleration = [&](const Vec3& center) -> Vec3 {
@@ -73,19 +73,19 @@ double force_through_held(const Bodies& bodies, BodyId body, const RigidModel::F
 void break_at(State& state, BodyId body, const RigidModel::Fracture& plane, double force,
               StepReport& report) {
   Bodies& bodies = state.bodies;
-  const RigidMotion whole = bodies.rigid.motion(body);
+  const rigid::RigidMotion whole = bodies.rigid.motion(body);
   const Pose frame = whole.pose * bodies.model.rigid[body].center.inverse();
   for (const std::size_t piece : {plane.above, plane.below}) {
     bodies.parts[piece] = {};
     bodies.take_effect(bodies.rigid, static_cast<BodyId>(piece));
-    RigidMotion motion;
+    rigid::RigidMotion motion;
     motion.pose = frame * bodies.model.rigid[piece].center;
     motion.linear_velocity =
         whole.linear_velocity + whole.angular_velocity.cross(motion.pose.p - whole.pose.p);
     motion.angular_velocity = whole.angular_velocity;
     bodies.rigid.set_motion(piece, motion);
   }
-  for (Hand& hand : state.hands)
+  for (hands::Hand& hand : state.hands)
     if (hand.hold && hand.hold->body == body) hand_over(bodies, hand, plane);
   bodies.parts[body].hidden = true;
   bodies.take_effect(bodies.rigid, body);
@@ -95,14 +95,14 @@ void break_at(State& state, BodyId body, const RigidModel::Fracture& plane, doub
 
 }  // namespace
 
-void break_bones(State& state, std::span<const Island> islands, std::span<const Collider> colliders, double h,
-                 StepReport& report) {
+void break_bones(State& state, std::span<const coupled::Island> islands,
+                 std::span<const contact::Collider> colliders, double h, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (BodyId body = 0; body < bodies.model.rigid.size(); ++body) {
     const RigidModel& bone = bodies.model.rigid[body];
     // A piece that broke off in this tick has no collider parts yet.
     if (bone.fractures.empty() || colliders[body].parts == nullptr) continue;
-    const bool held = bodies.rigid.presence(body) == BodyPresence::fixed;
+    const bool held = bodies.rigid.presence(body) == rigid::BodyPresence::fixed;
     if (!held && (!bodies.rigid.dynamic(body) || bodies.rigid.motion(body).asleep)) continue;
     const Pose pose = bodies.rigid.motion(body).pose;
     const std::vector<PointForce> forces = forces_on(bodies, state.hands, islands, body, h);

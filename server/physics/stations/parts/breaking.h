@@ -12,7 +12,7 @@ namespace prosector {
 
 /// Breaks bones in which the force through a fracture plane exceeded its limit in the last h s, and reports
 /// it. `islands` (sets of bodies solved together) and `colliders` are those of the same time span.
-void break_bones(State& state, std::span<const Island> islands, std::span<const Collider> colliders, double h,
-                 StepReport& report);
+void break_bones(State& state, std::span<const coupled::Island> islands,
+                 std::span<const contact::Collider> colliders, double h, StepReport& report);
 
 }  // namespace prosector

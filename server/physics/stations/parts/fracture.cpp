@@ -45,7 +45,7 @@ void add_pieces(Model& model, std::size_t body,
   while (model.rigid[root].whole) root = *model.rigid[root].whole;
   for (std::size_t k = 0; k < desc.fractures.size(); ++k) {
     const FractureDesc& plane = desc.fractures[k];
-    const CutSurface cut = cut_surface(surface, plane.point, plane.normal);
+    const rigid::CutSurface cut = rigid::cut_surface(surface, plane.point, plane.normal);
     if (cut.above.triangles.empty() || cut.below.triangles.empty()) {
       if (root != body) continue;  // of a piece: this plane cuts another piece
       throw InputError(

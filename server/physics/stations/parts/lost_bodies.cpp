@@ -11,13 +11,13 @@ constexpr double far_outside = 10;        // m beyond the room's sides: out of r
 constexpr double farthest_share = 0.9;    // of the largest coordinate of a pose
 constexpr std::uint8_t most_returns = 3;  // returns are counted as first, second, or later
 
-bool is_sound(const RigidMotion& motion) {
+bool is_sound(const rigid::RigidMotion& motion) {
   return is_finite(motion.pose) && motion.linear_velocity.allFinite() && motion.angular_velocity.allFinite();
 }
 
 /// Returns the box outside of which bodies are lost. Upwards it ends only at the limit of poses, since bodies
 /// fall down again.
-Aabb within_reach(const Bodies& bodies) {
+collision::Aabb within_reach(const Bodies& bodies) {
   const Vec3 farthest = Vec3::Constant(farthest_share * max_coordinate);
   if (!bodies.model.scene.room) return {-farthest, farthest};
   const RoomShape room;
@@ -49,11 +49,11 @@ void bring_back(State& state, BodyId body, StepReport& report) {
 
 }  // namespace
 
-void recover_hands(State& state, std::span<const RigidMotion> last_good, StepReport& report) {
-  for (const Hand& hand : state.hands) {
-    const RigidMotion motion = state.bodies.rigid.motion(hand.slot);
+void recover_hands(State& state, std::span<const rigid::RigidMotion> last_good, StepReport& report) {
+  for (const hands::Hand& hand : state.hands) {
+    const rigid::RigidMotion motion = state.bodies.rigid.motion(hand.slot);
     if (is_sound(motion) && motion.pose.p.cwiseAbs().maxCoeff() < max_coordinate) continue;
-    RigidMotion back = last_good[hand.slot];
+    rigid::RigidMotion back = last_good[hand.slot];
     back.linear_velocity = back.angular_velocity = Vec3::Zero();
     state.bodies.rigid.set_motion(hand.slot, back);
     BodyReport& row = report.bodies.emplace_back();
@@ -64,17 +64,17 @@ void recover_hands(State& state, std::span<const RigidMotion> last_good, StepRep
   }
 }
 
-void return_lost_bodies(State& state, std::span<const Island> islands, StepReport& report) {
+void return_lost_bodies(State& state, std::span<const coupled::Island> islands, StepReport& report) {
   Bodies& bodies = state.bodies;
-  const Aabb reach = within_reach(bodies);
+  const collision::Aabb reach = within_reach(bodies);
   for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot) {
     if (!bodies.rigid.dynamic(slot)) continue;
-    const RigidMotion motion = bodies.rigid.motion(slot);
+    const rigid::RigidMotion motion = bodies.rigid.motion(slot);
     if (!is_sound(motion) || reach.squared_distance(motion.pose.p) > 0)
       bring_back(state, static_cast<BodyId>(slot), report);
   }
-  for (const Island& island : islands)
-    for (const SoftMember& s : island.soft)
+  for (const coupled::Island& island : islands)
+    for (const coupled::SoftMember& s : island.soft)
       if (!reach.overlaps(
               {bodies.soft[s.index].surface.vertices().lo(), bodies.soft[s.index].surface.vertices().hi()}))
         bring_back(state, bodies.soft_id(s.index), report);

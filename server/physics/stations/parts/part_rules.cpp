@@ -54,7 +54,7 @@ void change_part(State& state, BodyId body, const Part& wanted, StepReport& repo
                                       : "the part was attached again at its place",
                 report);
     if (wanted.attached && !before.attached) {
-      RigidMotion motion;
+      rigid::RigidMotion motion;
       motion.pose = bodies.model.rigid[body].start * bodies.model.rigid[body].center;
       bodies.rigid.set_motion(body, motion);
     }
@@ -145,7 +145,7 @@ void reset_body(State& state, BodyId body, StepReport& report) {
 void put_at_start(Bodies& bodies, BodyId body) {
   PROSECTOR_ASSERT(body < bodies.count());
   if (!bodies.is_soft(body)) {
-    RigidMotion motion;
+    rigid::RigidMotion motion;
     motion.pose = bodies.model.rigid[body].start * bodies.model.rigid[body].center;
     bodies.rigid.set_motion(body, motion);
     return;

@@ -14,17 +14,17 @@ namespace {
 constexpr std::uint64_t magic = 0x35746e696f704350;  // "PCpoint5"
 constexpr std::size_t most_hands = 1024;
 
-std::vector<const SoftBody*> solvers_of(const Bodies& bodies) {
-  std::vector<const SoftBody*> out;
+std::vector<const soft::SoftBody*> solvers_of(const Bodies& bodies) {
+  std::vector<const soft::SoftBody*> out;
   for (const Tissue& tissue : bodies.soft) out.push_back(tissue.solver.get());
   return out;
 }
 
 /// Saves the state with those of the lingerers that are given.
-void save(const State& state, const Lingerers::Map& watched, RecordWriter& io) {
+void save(const State& state, const coupled::Lingerers::Map& watched, RecordWriter& io) {
   const Bodies& bodies = state.bodies;
   const Model& model = bodies.model;
-  const std::vector<const SoftBody*> tissues = solvers_of(bodies);
+  const std::vector<const soft::SoftBody*> tissues = solvers_of(bodies);
   const GraspableBodies graspable{model, tissues};
   io.number(magic, "format");
   for (const std::uint8_t byte : model.hash) io.number(byte, "scene");
@@ -34,7 +34,7 @@ void save(const State& state, const Lingerers::Map& watched, RecordWriter& io) {
   save_refined(state, io);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) {
     const auto in = io.scope(model.rigid[slot].name);
-    const RigidMotion motion = bodies.rigid.motion(slot);
+    const rigid::RigidMotion motion = bodies.rigid.motion(slot);
     entry(io, motion);
   }
   for (const Tissue& tissue : bodies.soft) {
@@ -42,9 +42,9 @@ void save(const State& state, const Lingerers::Map& watched, RecordWriter& io) {
     entry(io, tissue.state, tissue.state);
     entry(io, tissue.memories, most_features(tissue.anatomy()));
   }
-  io.list(state.hands, most_hands, "hand", [&](const Hand& hand) {
+  io.list(state.hands, most_hands, "hand", [&](const hands::Hand& hand) {
     entry(io, hand, graspable);
-    const RigidMotion motion = bodies.rigid.motion(hand.slot);
+    const rigid::RigidMotion motion = bodies.rigid.motion(hand.slot);
     entry(io, motion);
   });
   if (state.panels) state.panels->save(io);
@@ -70,7 +70,7 @@ RestoredState::RestoredState(State& state, std::span<const std::uint8_t> bytes)
     : state_(state),
       cuts_(state),
       refinements_(state),
-      rigid_(state.bodies.model.scene.gravity, room_sides(state.bodies.model.scene.room)) {
+      rigid_(state.bodies.model.scene.gravity, rigid::room_sides(state.bodies.model.scene.room)) {
   ByteReader in(bytes, "checkpoint");
   RecordReader io(in);
   read(io);
@@ -92,19 +92,19 @@ void RestoredState::read(RecordReader& io) {
   io.number(time_.tick, "tick");
   cuts_.read(io);
   refinements_.read(io, cuts_);
-  std::vector<const SoftBody*> tissues = cuts_.bodies();
+  std::vector<const soft::SoftBody*> tissues = cuts_.bodies();
   refinements_.replace(tissues);
   const GraspableBodies graspable{model, tissues};
   for (const RigidModel& r : model.rigid) {
-    RigidMotion motion;
+    rigid::RigidMotion motion;
     entry(io, motion);
     rigid_.add(r.setup, motion);
   }
-  for (const SoftBody* body : tissues) {
+  for (const soft::SoftBody* body : tissues) {
     entry(io, soft_.emplace_back(), body->initial_state());
     entry(io, memories_.emplace_back(), most_features(body->anatomy()));
   }
-  io.list(hands_, most_hands, "hand", [&](Hand& hand) { read_hand(io, hand, graspable); });
+  io.list(hands_, most_hands, "hand", [&](hands::Hand& hand) { read_hand(io, hand, graspable); });
   if (state_.panels) panels_.emplace(model.h).load(io, model.rigid.size() + tissues.size());
   io.number(room_lights_, "room's lights");
   io.require(room_lights_ >= 0 && room_lights_ <= 1, "a brightness beyond 0 to 1");
@@ -117,13 +117,13 @@ void RestoredState::read(RecordReader& io) {
 }
 
 /// Reads a hand, and puts it into the rigid world.
-void RestoredState::read_hand(RecordReader& io, Hand& hand, const GraspableBodies& graspable) {
+void RestoredState::read_hand(RecordReader& io, hands::Hand& hand, const GraspableBodies& graspable) {
   entry(io, hand, graspable);
   const bool first = &hand == hands_.data();
   io.require(
       first || std::pair((&hand)[-1].participant, (&hand)[-1].side) < std::pair(hand.participant, hand.side),
       "hands out of order");
-  RigidMotion motion;
+  rigid::RigidMotion motion;
   entry(io, motion);
   hand.slot = add_hand(graspable.model, rigid_, hand, motion);
   if (hand.hold && hand.hold->body < graspable.model.rigid.size())

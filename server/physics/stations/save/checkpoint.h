@@ -36,23 +36,23 @@ class RestoredState {
 
  private:
   void read(RecordReader& io);
-  void read_hand(RecordReader& io, Hand& hand, const GraspableBodies& graspable);
+  void read_hand(RecordReader& io, hands::Hand& hand, const GraspableBodies& graspable);
 
   State& state_;
   RestoredCuts cuts_;
   RestoredRefinements refinements_;
   SimTime time_;
-  RigidWorld rigid_;
-  std::vector<SoftBodyState> soft_;
-  std::vector<ContactMemories> memories_;
-  std::vector<Hand> hands_;
-  std::optional<PanelWorld> panels_;
+  rigid::RigidWorld rigid_;
+  std::vector<soft::SoftBodyState> soft_;
+  std::vector<contact::ContactMemories> memories_;
+  std::vector<hands::Hand> hands_;
+  std::optional<panel::PanelWorld> panels_;
   double room_lights_ = 1;
   LayerSides layer_sides_;
   std::vector<Part> parts_;
   std::map<BodyId, std::uint8_t> lost_;
   Entanglements entangled_;
-  Lingerers::Map lingerers_;
+  coupled::Lingerers::Map lingerers_;
 };
 
 /// Reads a saved state and replaces `state` by it. Throws InputError, and changes nothing, for bytes that are

@@ -21,7 +21,7 @@ inline constexpr std::size_t most_layer_sides = 1'000'000;
 inline constexpr std::size_t most_corners = 1 << 20;  // of a collider
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<RigidMotion>& motion) {
+void entry(Io& io, typename Io::template Entry<rigid::RigidMotion>& motion) {
   auto& [pose, linear_velocity, angular_velocity, asleep, quiet_seconds] = motion;
   io.pose(pose, "pose");
   io.vector(linear_velocity, "linear velocity");
@@ -33,7 +33,7 @@ void entry(Io& io, typename Io::template Entry<RigidMotion>& motion) {
 /// Writes or reads (as `io` does) a soft body's state in a checkpoint. `like` is the state of this body at
 /// the start of the scene; its vectors have the same lengths.
 template <class Io>
-void entry(Io& io, typename Io::template Entry<SoftBodyState>& state, const SoftBodyState& like) {
+void entry(Io& io, typename Io::template Entry<soft::SoftBodyState>& state, const soft::SoftBodyState& like) {
   auto& [motion, warm_start, history, asleep, quiet_ticks, tangled_ticks, steps_down, recovering, law_seconds,
          energy_slack, mode, omega] = state;
   auto& [x, v, x_prev, v_prev, has_history] = motion;
@@ -73,7 +73,7 @@ inline std::size_t most_features(const Anatomy& anatomy) {
 /// Writes or reads (as `io` does) in a checkpoint the data of a body's contacts that the next tick starts
 /// from. `features` is the number of features of the body's surface.
 template <class Io>
-void entry(Io& io, typename Io::template Entry<ContactMemories>& memories, std::size_t features) {
+void entry(Io& io, typename Io::template Entry<contact::ContactMemories>& memories, std::size_t features) {
   io.list(memories, most_memories, "contact", [&](auto& memory) {
     auto& [soft, body, feature, met, grip, force, normal, stiffness, rest] = memory;
     io.flag(soft, "with a soft body");
@@ -86,12 +86,13 @@ void entry(Io& io, typename Io::template Entry<ContactMemories>& memories, std::
     io.vector(normal, "normal");
     io.number(stiffness, "stiffness");
     io.number(rest, "rest gap");
-    io.require(is_consistent(memory), "a contact without force or stiffness, or with a rest gap above 0");
+    io.require(contact::is_consistent(memory),
+               "a contact without force or stiffness, or with a rest gap above 0");
   });
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<PadMemory>& pad, std::size_t rigid_bodies) {
+void entry(Io& io, typename Io::template Entry<contact::PadMemory>& pad, std::size_t rigid_bodies) {
   auto& [part, body, place, force, grip] = pad;
   io.number(part, "part of the hand");
   io.index(body, rigid_bodies, "pressed body");
@@ -104,7 +105,7 @@ void entry(Io& io, typename Io::template Entry<PadMemory>& pad, std::size_t rigi
 /// Rigid and soft bodies of a scene. The hands' records in a checkpoint are checked against them.
 struct GraspableBodies {
   const Model& model;
-  std::span<const SoftBody* const> tissues;
+  std::span<const soft::SoftBody* const> tissues;
 
   bool can_be_held(BodyId body) const {
     const std::size_t rigid = model.rigid.size();
@@ -117,11 +118,11 @@ struct GraspableBodies {
 };
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<Hold>& hold, const GraspableBodies& bodies) {
+void entry(Io& io, typename Io::template Entry<hands::Hold>& hold, const GraspableBodies& bodies) {
   auto& [body, points, lifted, resting_ticks] = hold;
   io.number(body, "held body");
   io.require(bodies.can_be_held(body), "a hold on a nonexistent or fixed body");
-  io.list(points, max_hold_points, "hold point", [&, &held = body](auto& point) {
+  io.list(points, hands::max_hold_points, "hold point", [&, &held = body](auto& point) {
     auto& [in_hand, in_body, vertex, stiffness, max_force] = point;
     io.vector(in_hand, "position in the hand");
     io.vector(in_body, "position in the body");
@@ -137,7 +138,7 @@ void entry(Io& io, typename Io::template Entry<Hold>& hold, const GraspableBodie
 
 /// Writes or reads (as `io` does) a hand's state in a checkpoint, except its slot (index) in the rigid world.
 template <class Io>
-void entry(Io& io, typename Io::template Entry<Hand>& hand, const GraspableBodies& bodies) {
+void entry(Io& io, typename Io::template Entry<hands::Hand>& hand, const GraspableBodies& bodies) {
   auto& [participant, side, slot, target, previous_target, target_flexion, flexion, draws, reaction, hold,
          pads] = hand;
   io.number(participant, "participant");
@@ -192,13 +193,15 @@ void entry(Io& io, typename Io::template Entry<Entanglements>& entangled, std::s
 }
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<Lingerers::Map>& watched, const GraspableBodies& bodies) {
+void entry(Io& io, typename Io::template Entry<coupled::Lingerers::Map>& watched,
+           const GraspableBodies& bodies) {
   const std::size_t rigid = bodies.model.rigid.size(), count = rigid + bodies.tissues.size();
   io.map(watched, count, "lingering body", [&](auto& body, auto& how) {
     io.number(body, "body");
     io.require(body < count, "a nonexistent lingering body");
     auto& [place, ticks] = how;
-    io.vector(place, body < rigid ? pose_numbers : 3 * bodies.tissues[body - rigid]->nodes(), "positions");
+    io.vector(place, body < rigid ? coupled::pose_numbers : 3 * bodies.tissues[body - rigid]->nodes(),
+              "positions");
     io.number(ticks, "ticks");
     io.require(ticks >= 0, "a body that lingers for a negative time");
   });

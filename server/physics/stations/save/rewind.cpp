@@ -35,11 +35,11 @@ void keep_later_pieces(State& state, std::size_t count) {
         std::find_if(state.dissection.organs.begin(), state.dissection.organs.end(), [&](const auto& entry) {
           const auto& pieces = entry.second.pieces();
           return std::any_of(pieces.begin(), pieces.end(),
-                             [&](const OrganPiece& p) { return p.body == body; });
+                             [&](const organs::OrganPiece& p) { return p.body == body; });
         });
     Numbering numbering;
-    std::unique_ptr<SoftBody> solver = make_piece(bodies, owner->second, body, numbering);
-    TissueSurface surface(solver->anatomy());
+    std::unique_ptr<soft::SoftBody> solver = make_piece(bodies, owner->second, body, numbering);
+    contact::TissueSurface surface(solver->anatomy());
     place_piece(state, body, owner->first, std::move(solver), std::move(numbering), std::move(surface));
     bodies.parts[bodies.soft_id(body)].hidden = true;
     bodies.take_effect(bodies.rigid, bodies.soft_id(body));
@@ -53,8 +53,8 @@ void report_changes(State& state, std::span<const Shown> was, ParticipantId auth
   for (std::size_t i = 0; i < was.size(); ++i) {
     Tissue& tissue = bodies.soft[i];
     tissue.state.steps_down = was[i].steps_down;  // the server is as busy as it was
-    std::erase_if(tissue.memories, [&](const ContactMemory& m) {
-      return !m.soft && m.body >= bodies.model.rigid.size() && !is_room(m.body);
+    std::erase_if(tissue.memories, [&](const contact::ContactMemory& m) {
+      return !m.soft && m.body >= bodies.model.rigid.size() && !rigid::is_room(m.body);
     });
     tissue.revision = was[i].revision;
     const std::uint64_t content_hash = topology_hash(state, i);
@@ -69,11 +69,11 @@ void report_changes(State& state, std::span<const Shown> was, ParticipantId auth
 }
 
 /// Puts the hands that are there now in place of those that were there then.
-void restore_hands(State& state, std::span<const Hand> present, std::span<const RigidMotion> motions,
-                   StepReport& report) {
+void restore_hands(State& state, std::span<const hands::Hand> present,
+                   std::span<const rigid::RigidMotion> motions, StepReport& report) {
   for (; !state.hands.empty(); state.hands.pop_back()) state.bodies.rigid.remove(state.hands.back().slot);
   for (std::size_t i = 0; i < present.size(); ++i) {
-    Hand& hand = state.hands.emplace_back(present[i]);
+    hands::Hand& hand = state.hands.emplace_back(present[i]);
     if (hand.hold)
       report.let_go.push_back({hand.participant, hand.side, hand.hold->body, "everything was rewound"});
     hand.hold.reset();
@@ -85,7 +85,7 @@ void restore_hands(State& state, std::span<const Hand> present, std::span<const 
 Refusal refuse_foreign_state(const State& state, const RestoredState& past) {
   if (past.soft_bodies() > state.bodies.soft.size())
     return "cannot rewind: the saved state has pieces of cut bodies that never existed in this session";
-  const std::map<std::size_t, Organ>& cut = state.dissection.organs;
+  const std::map<std::size_t, organs::Organ>& cut = state.dissection.organs;
   for (const auto& [first, then] : past.cuts().organs())
     if (!cut.contains(first) || !cut.at(first).has_past(then))
       return "cannot rewind: the cuts in the saved state are not earlier cuts of this session";
@@ -101,20 +101,20 @@ void go_back(State& state, RestoredState& past, const CutEvent& event, StepRepor
   for (const Tissue& tissue : bodies.soft)
     shown.push_back(
         {topology_hash(state, tissue.index), tissue.numbering, tissue.revision, tissue.state.steps_down});
-  const std::vector<Hand> present = state.hands;
-  std::vector<RigidMotion> motions;
-  for (const Hand& hand : present) motions.push_back(bodies.rigid.motion(hand.slot));
-  std::map<std::size_t, Organ> cut = state.dissection.organs;
+  const std::vector<hands::Hand> present = state.hands;
+  std::vector<rigid::RigidMotion> motions;
+  for (const hands::Hand& hand : present) motions.push_back(bodies.rigid.motion(hand.slot));
+  std::map<std::size_t, organs::Organ> cut = state.dissection.organs;
 
   past.take_effect();
   for (auto& [first, organ] : cut) {
     take_refinement_back(state, first);  // it goes on as one that was cut
     const auto then = state.dissection.organs.find(first);
-    organ.rewind(
-        then != state.dissection.organs.end()
-            ? then->second
-            : Organ(first, organ.whole(), bodies.soft[first].solver->desc().material.density, organ.held()),
-        event.participant);
+    organ.rewind(then != state.dissection.organs.end()
+                     ? then->second
+                     : organs::Organ(first, organ.whole(), bodies.soft[first].solver->desc().material.density,
+                                     organ.held()),
+                 event.participant);
   }
   state.dissection.organs = std::move(cut);
   state.dissection.blades.clear();

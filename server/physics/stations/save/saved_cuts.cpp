@@ -9,22 +9,26 @@
 namespace prosector {
 namespace {
 
+using organs::entry;  // records of cuts
+
 constexpr std::size_t most_strokes = 1 << 20;  // maximum number of simultaneous strokes of one blade
 
 template <class Io>
-void entry(Io& io, typename Io::template Entry<Blade>& blade, const std::vector<BladeShape>& shapes) {
+void entry(Io& io, typename Io::template Entry<organs::Blade>& blade,
+           const std::vector<organs::BladeShape>& shapes) {
   auto& [slot, holder, stroke, cutting, drawn, outside, cut_to, strokes] = blade;
   io.index(slot, shapes.size(), "instrument");
-  const std::vector<BladeShape::Edge>& edges = shapes[slot].edges;
+  const std::vector<organs::BladeShape::Edge>& edges = shapes[slot].edges;
   io.require(!edges.empty(), "a blade without an edge");
   io.number(holder, "holder");
   io.number(stroke, "stroke");
   io.flag(cutting, "cutting");
   io.flag(drawn, "drawn");
   io.number(outside, "seconds outside tissue");
-  io.list(cut_to, most_listed, "point of the edges", [&](auto& point) { io.vector(point, "position"); });
+  io.list(cut_to, organs::most_listed, "point of the edges",
+          [&](auto& point) { io.vector(point, "position"); });
   std::size_t points = 0;
-  for (const BladeShape::Edge& edge : edges) points += edge.points.size();
+  for (const organs::BladeShape::Edge& edge : edges) points += edge.points.size();
   io.require(cut_to.size() == points, "a blade with other points");
   io.map(strokes, most_strokes, "stroke", [&](auto& where, auto& of_edge) {
     io.number(where.first, "organ");
@@ -35,8 +39,8 @@ void entry(Io& io, typename Io::template Entry<Blade>& blade, const std::vector<
 }
 
 /// Returns whether two organs were cut alike, and have the same pieces.
-bool equal_history(const Organ& a, const Organ& b) {
-  return a.log().size() == b.log().size() && begins_with(a.log(), b.log()) &&
+bool equal_history(const organs::Organ& a, const organs::Organ& b) {
+  return a.log().size() == b.log().size() && organs::begins_with(a.log(), b.log()) &&
          a.mark().pieces == b.mark().pieces;
 }
 
@@ -53,21 +57,21 @@ void forget_bodies_from(State& state, std::size_t count) {
 }  // namespace
 
 void save_cuts(const State& state, RecordWriter& io) {
-  const Dissection& dissection = state.dissection;
+  const organs::Dissection& dissection = state.dissection;
   const std::deque<Tissue>& soft = state.bodies.soft;
-  io.index(soft.size(), most_soft_bodies, "soft bodies");
-  io.map(dissection.organs, 0, "organ", [&](std::size_t first, const Organ& organ) {
+  io.index(soft.size(), organs::most_soft_bodies, "soft bodies");
+  io.map(dissection.organs, 0, "organ", [&](std::size_t first, const organs::Organ& organ) {
     io.index(first, soft.size(), "body");
     entry(io, organ.log());
     entry(io, organ.mark().pieces);
-    for (const OrganPiece& piece : organ.pieces()) {
+    for (const organs::OrganPiece& piece : organ.pieces()) {
       io.number(soft[piece.body].revision, "revision");
       io.vector(soft[piece.body].equilibrium, 0, "equilibrium");
     }
   });
   io.number(dissection.strokes, "strokes");
   io.list(dissection.blades, 0, "blade",
-          [&](const Blade& blade) { entry(io, blade, state.bodies.model.blades); });
+          [&](const organs::Blade& blade) { entry(io, blade, state.bodies.model.blades); });
 }
 
 RestoredCuts::RestoredCuts(State& state) : state_(state), count_(state.bodies.model.scene.soft.size()) {
@@ -83,7 +87,7 @@ RestoredCuts::RestoredCuts(State& state) : state_(state), count_(state.bodies.mo
 void RestoredCuts::read(RecordReader& io) {
   const Model& model = state_.bodies.model;
   const std::size_t described = model.scene.soft.size();
-  io.index(count_, most_soft_bodies, "soft bodies");
+  io.index(count_, organs::most_soft_bodies, "soft bodies");
   io.require(count_ >= described, "the checkpoint is damaged: it has fewer soft bodies than the scene");
   std::size_t organs = 0;
   io.index(organs, described + 1, "organs");
@@ -97,25 +101,26 @@ void RestoredCuts::read(RecordReader& io) {
     io.require(pieces_.contains(body),
                "the checkpoint is damaged: it has an additional body that is not a piece of any cut body");
   io.number(strokes_, "strokes");
-  io.list(blades_, model.rigid.size(), "blade", [&](Blade& blade) { entry(io, blade, model.blades); });
+  io.list(blades_, model.rigid.size(), "blade",
+          [&](organs::Blade& blade) { entry(io, blade, model.blades); });
 }
 
 void RestoredCuts::read_organ(RecordReader& io, std::size_t first) {
-  const SoftBody& body = *state_.bodies.soft[first].solver;
-  io.require(mesh_kind(body.anatomy()) != MeshKind::rope, "a cut through a rope");
+  const soft::SoftBody& body = *state_.bodies.soft[first].solver;
+  io.require(soft::mesh_kind(body.anatomy()) != soft::MeshKind::rope, "a cut through a rope");
   const auto cut = state_.dissection.organs.find(first);
   const Anatomy& whole =
       cut == state_.dissection.organs.end() ? unrefined_anatomy(state_, first) : cut->second.whole();
-  Organ& organ =
+  organs::Organ& organ =
       organs_.try_emplace(first, first, whole, body.desc().material.density, held_nodes_of(state_, first))
           .first->second;
-  OrganLog log;
-  PieceMarks marks;
+  organs::OrganLog log;
+  organs::PieceMarks marks;
   entry(io, log);
   entry(io, marks);
   organ.restore(std::move(log), marks, count_);
   const bool current = is_current(first, organ);
-  for (const OrganPiece& piece : organ.pieces()) {
+  for (const organs::OrganPiece& piece : organ.pieces()) {
     const auto known = pieces_.find(piece.body);
     io.require(known == pieces_.end() || piece.body == first, "a piece of two organs");
     Piece& made = pieces_[piece.body];
@@ -126,18 +131,18 @@ void RestoredCuts::read_organ(RecordReader& io, std::size_t first) {
       made.numbering = state_.bodies.soft[piece.body].numbering;
     else
       made.solver = make_piece(state_.bodies, organ, piece.body, made.numbering);
-    const SoftBody& solver = current ? *state_.bodies.soft[piece.body].solver : *made.solver;
+    const soft::SoftBody& solver = current ? *state_.bodies.soft[piece.body].solver : *made.solver;
     io.vector(made.equilibrium, 3 * solver.nodes(), "equilibrium");
   }
 }
 
-bool RestoredCuts::is_current(std::size_t first, const Organ& organ) const {
+bool RestoredCuts::is_current(std::size_t first, const organs::Organ& organ) const {
   const auto now = state_.dissection.organs.find(first);
   return now != state_.dissection.organs.end() && equal_history(now->second, organ);
 }
 
-std::vector<const SoftBody*> RestoredCuts::bodies() const {
-  std::vector<const SoftBody*> out(count_, nullptr);
+std::vector<const soft::SoftBody*> RestoredCuts::bodies() const {
+  std::vector<const soft::SoftBody*> out(count_, nullptr);
   for (std::size_t body = 0; body < count_; ++body) {
     const auto piece = pieces_.find(body);
     out[body] = piece != pieces_.end() && piece->second.solver ? piece->second.solver.get()
@@ -150,7 +155,7 @@ void RestoredCuts::take_effect() {
   forget_bodies_from(state_, count_);
   for (auto& [body, piece] : pieces_) {
     if (piece.solver) {
-      TissueSurface surface(piece.solver->anatomy());
+      contact::TissueSurface surface(piece.solver->anatomy());
       place_piece(state_, body, piece.first, std::move(piece.solver), std::move(piece.numbering),
                   std::move(surface));
     }

@@ -11,7 +11,7 @@ constexpr std::size_t most_refined_edges = 1 << 24;
 
 /// Saved refinement of one body.
 struct RefinementRecord {
-  std::vector<RefinedEdge> edges;
+  std::vector<cutting::RefinedEdge> edges;
   bool touched = false;
 };
 
@@ -53,32 +53,32 @@ void RestoredRefinements::read(RecordReader& io, const RestoredCuts& cuts) {
   }
 }
 
-void RestoredRefinements::replace(std::vector<const SoftBody*>& bodies) {
+void RestoredRefinements::replace(std::vector<const soft::SoftBody*>& bodies) {
   for (auto& [body, restored] : refined_) {
-    const RefinedBody& now = state_.dissection.refined.at(body);
+    const organs::RefinedBody& now = state_.dissection.refined.at(body);
     const bool from_cuts = bodies[body] != state_.bodies.soft[body].solver.get();
     if (from_cuts && !restored.mesh.any()) continue;
     if (!from_cuts && now.mesh.edges() == restored.mesh.edges()) continue;
-    RefinedBody made = now;
+    organs::RefinedBody made = now;
     made.mesh = restored.mesh;
     restored.solver = same_tissue(state_.bodies, body, state_.bodies.soft[body].desc(),
-                                  refined_anatomy(made, refined_mesh(made)));
+                                  organs::refined_anatomy(made, organs::refined_mesh(made)));
     bodies[body] = restored.solver.get();
   }
 }
 
 void RestoredRefinements::take_effect() {
   for (auto& [body, restored] : refined_) {
-    RefinedBody& refined = state_.dissection.refined.at(body);
+    organs::RefinedBody& refined = state_.dissection.refined.at(body);
     refined.mesh = std::move(restored.mesh);
     refined.touched = restored.touched;
-    refined.piece = refined_mesh(refined);
+    refined.piece = organs::refined_mesh(refined);
     ++refined.rehung;
     if (!restored.solver) continue;
-    TissueSurface surface(restored.solver->anatomy());
+    contact::TissueSurface surface(restored.solver->anatomy());
     place_piece(state_, body, body, std::move(restored.solver), {}, std::move(surface));
     state_.bodies.soft[body].equilibrium =
-        refined_field(refined, refined.piece, state_.dissection.uncut_equilibrium[body]);
+        organs::refined_field(refined, refined.piece, state_.dissection.uncut_equilibrium[body]);
   }
 }
 

@@ -24,16 +24,16 @@ class RestoredRefinements {
   /// Replaces, in `bodies`, each soft body whose refinement in the checkpoint differs from its current one by
   /// a body with the checkpoint's mesh. `bodies` is the list that RestoredCuts::bodies() returns. The new
   /// pointers are valid as long as this object is.
-  void replace(std::vector<const SoftBody*>& bodies);
+  void replace(std::vector<const soft::SoftBody*>& bodies);
   /// Replaces the meshes of the state's refined bodies by those of the checkpoint. Must be called after
   /// RestoredCuts::take_effect().
   void take_effect();
 
  private:
   struct Restored {
-    LocalRefinement mesh;
+    cutting::LocalRefinement mesh;
     bool touched = false;
-    std::unique_ptr<SoftBody> solver;  // null: the one that is there is right
+    std::unique_ptr<soft::SoftBody> solver;  // null: the one that is there is right
   };
   State& state_;
   std::map<std::size_t, Restored> refined_;  // by body: all that may be

@@ -23,11 +23,11 @@ namespace {
 /// Carries a field of a body's nodes over to those of another mesh of it.
 class FieldTransfer {
  public:
-  FieldTransfer(const SoftBody& from, const SoftBody& to) {
+  FieldTransfer(const soft::SoftBody& from, const soft::SoftBody& to) {
     const Eigen::Index nodes = to.nodes();
-    Aabb box;
+    collision::Aabb box;
     for (Eigen::Index i = 0; i < nodes; ++i) box.add(to.rest().segment<3>(3 * i));
-    const Locator locator(from.linear_tets(), from.rest(), box);
+    const organs::Locator locator(from.linear_tets(), from.rest(), box);
     for (Eigen::Index i = 0; i < nodes; ++i) {
       const Vec3 place = to.rest().segment<3>(3 * i);
       const auto within = locator.at(place);
@@ -49,7 +49,7 @@ class FieldTransfer {
   std::vector<SparseMap::Row> rows_;
 
   /// Returns the node that stands for a place which only the other mesh has.
-  static SparseMap::Row nearest(const SoftBody& body, const Vec3& place) {
+  static SparseMap::Row nearest(const soft::SoftBody& body, const Vec3& place) {
     SparseMap::Row row{};
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < body.nodes(); ++i) {
@@ -70,7 +70,7 @@ bool same_rung(const SoftDesc& a, const SoftDesc& b) {
 }
 
 bool modelled_alike(const Tissue& a, const Tissue& b) {
-  const SoftBodyState &s = a.state, &t = b.state;
+  const soft::SoftBodyState &s = a.state, &t = b.state;
   return same_rung(a.desc(), b.desc()) && a.solver->content_hash() == b.solver->content_hash() &&
          s.motion.x.size() == t.motion.x.size() && s.history.size() == t.history.size() &&
          s.mode.size() == t.mode.size();
@@ -112,7 +112,7 @@ bool same_bodies(const State& from, const State& to) {
 /// Gives the new body the shape and motion of the old one.
 void follow(const Tissue& from, Tissue& to) {
   const FieldTransfer transfer(*from.solver, *to.solver);
-  SoftBodyState& state = to.state;
+  soft::SoftBodyState& state = to.state;
   state.motion.x = to.equilibrium + transfer(from.state.motion.x - from.equilibrium);
   state.motion.v = transfer(from.state.motion.v);
   state.motion.x_prev = state.motion.x;
@@ -147,7 +147,7 @@ Refusal take_over(const State& from, State& to) {
   take_cuts(from, to);
   Bodies& bodies = to.bodies;
   to.time = from.time;
-  RigidWorld world(bodies.model.scene.gravity, room_sides(bodies.model.scene.room));
+  rigid::RigidWorld world(bodies.model.scene.gravity, rigid::room_sides(bodies.model.scene.room));
   for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot)
     world.add(bodies.model.rigid[slot].setup, from.bodies.rigid.motion(slot));
   bodies.rigid = std::move(world);

@@ -34,8 +34,8 @@ struct Stiffness {
 
 /// A point of the surface near a collider.
 struct Met {
-  ContactSide side;
-  Distance nearest;           // to the collider, from there
+  contact::ContactSide side;
+  contact::Distance nearest;  // to the collider, from there
   std::uint32_t feature = 0;  // as Contact::feature
   double area = 0;            // m²
   Stiffness stiffness;
@@ -67,13 +67,14 @@ double aslant(const Vec3& outward, const Vec3& normal) {
 
 /// Returns the number of contact points of a surface.
 std::uint32_t points_of(const TriangleMesh& surface) {
-  return static_cast<std::uint32_t>(surface.positions.size() + most_face_points * surface.triangles.size());
+  return static_cast<std::uint32_t>(surface.positions.size() +
+                                    contact::most_face_points * surface.triangles.size());
 }
 
 class AreaContacts {
  public:
-  AreaContacts(const Tissue& tissue, const Collider& collider, double margin, const ContactMemories& held,
-               std::vector<Contact>& out)
+  AreaContacts(const Tissue& tissue, const contact::Collider& collider, double margin,
+               const contact::ContactMemories& held, std::vector<contact::Contact>& out)
       : tissue_(tissue),
         collider_(collider),
         margin_(margin),
@@ -85,8 +86,8 @@ class AreaContacts {
   }
 
   void add_vertices() {
-    const SurfaceDetector& places = tissue_.surface.vertices();
-    places.near(collider_, margin_, [&](std::uint32_t vertex, const Distance& d) {
+    const contact::SurfaceDetector& places = tissue_.surface.vertices();
+    places.near(collider_, margin_, [&](std::uint32_t vertex, const contact::Distance& d) {
       if (!still_ && places.stretch_at(vertex) >= most_stretch) return;
       Met met;
       met.side = surface_side(tissue_, vertex);
@@ -95,7 +96,8 @@ class AreaContacts {
       met.outward = places.outward_at(vertex);
       met.aslant = 1;  // of the most parallel triangle; the others' load is carried by their own points
       for (const std::uint32_t triangle : places.around(vertex)) {
-        const double whole = area_of(triangle), area = whole * corner_share(division(whole, d.curvature));
+        const double whole = area_of(triangle),
+                     area = whole * contact::corner_share(division(whole, d.curvature));
         met.area += area;
         met.aslant = std::min(met.aslant, aslant(places.outward(triangle), d.normal));
         const Stiffness of_part = stiffness_of(tissue_, triangle, area, d.curvature);
@@ -107,15 +109,15 @@ class AreaContacts {
   }
 
   void add_faces() {
-    const SurfaceDetector& places = tissue_.surface.vertices();
+    const contact::SurfaceDetector& places = tissue_.surface.vertices();
     places.near_triangles(collider_, margin_, [&](std::uint32_t triangle) {
       const auto x = places.corners(triangle);
       const Vec3 middle = (x[0] + x[1] + x[2]) / 3;
       double reach = 0;
       for (const Vec3& corner : x) reach = std::max(reach, (corner - middle).norm());
-      const Distance d = distance_to(collider_, middle, reach + margin_);
+      const contact::Distance d = contact::distance_to(collider_, middle, reach + margin_);
       if (d.value > reach + margin_) return;
-      if (division(area_of(triangle), d.curvature) == Division::corners) return;
+      if (division(area_of(triangle), d.curvature) == contact::Division::corners) return;
       if (!still_ && places.stretch(triangle) >= most_stretch) return;
       add_points(triangle, d.curvature);
     });
@@ -128,21 +130,21 @@ class AreaContacts {
     return (b - a).cross(c - a).norm() / 2;
   }
 
-  Division division(double area, double curvature) const {
-    return division_for(area, curvature, tissue_.desc().configuration.is_quadratic());
+  contact::Division division(double area, double curvature) const {
+    return contact::division_for(area, curvature, tissue_.desc().configuration.is_quadratic());
   }
 
   void add_points(std::uint32_t triangle, double curvature) {
     const double area = area_of(triangle);
-    const Division parts = division(area, curvature);
-    const auto first = static_cast<std::uint32_t>(surface_.positions.size()) + most_face_points * triangle +
-                       first_face_point(parts);
+    const contact::Division parts = division(area, curvature);
+    const auto first = static_cast<std::uint32_t>(surface_.positions.size()) +
+                       contact::most_face_points * triangle + contact::first_face_point(parts);
     const Vec3 outward = tissue_.surface.vertices().outward(triangle);
     const Stiffness whole = stiffness_of(tissue_, triangle, area, curvature);
-    const auto points = face_points(parts);
+    const auto points = contact::face_points(parts);
     for (std::uint32_t p = 0; p < points.size(); ++p) {
-      const ContactSide side = surface_side(tissue_, triangle, points[p].weights);
-      const Distance d = distance_to(collider_, place_of(side, tissue_), margin_);
+      const contact::ContactSide side = surface_side(tissue_, triangle, points[p].weights);
+      const contact::Distance d = contact::distance_to(collider_, place_of(side, tissue_), margin_);
       const double share = points[p].share;
       if (d.value > margin_) continue;
       const Stiffness stiffness = {whole.at_first * share, whole.beyond * share};
@@ -151,27 +153,27 @@ class AreaContacts {
   }
 
   void add(const Met& met) {
-    const ContactMemory* memory = find(held_, other_, met.feature);
-    Approach approach{place_of(met.side, tissue_), met.nearest};
+    const contact::ContactMemory* memory = contact::find(held_, other_, met.feature);
+    contact::Approach approach{place_of(met.side, tissue_), met.nearest};
     if (memory) {
       approach.before = &memory->normal;
       approach.depth = memory->force / met.stiffness.at_first;
     }
     approach.outward = met.outward;
     approach.lip = lip * tissue_.desc().geometry.surface_cell;
-    const std::optional<Distance> side = side_of(collider_, approach);
+    const std::optional<contact::Distance> side = contact::side_of(collider_, approach);
     if (!side || !(met.stiffness.at_first > 0)) return;
-    Contact& c = out_.emplace_back(rigid_contact(tissue_, approach.at, *side, collider_));
+    contact::Contact& c = out_.emplace_back(rigid_contact(tissue_, approach.at, *side, collider_));
     c.a = met.side;
     c.stiffness = met.stiffness.at_first;
     c.feature = met.feature;
     soften(met, c);
-    recall(memory, c);
+    contact::recall(memory, c);
     if (met.stiffness.beyond > 0) add_beyond(met, c);
   }
 
   /// Adds the contact beyond the depth of a dent, if the point may get so deep in this tick.
-  void add_beyond(const Met& met, Contact first) {
+  void add_beyond(const Met& met, contact::Contact first) {
     first.rest = -most_dent / met.nearest.curvature;
     first.gap -= first.rest;
     if (first.gap > margin_) return;
@@ -179,13 +181,13 @@ class AreaContacts {
     first.feature += points_of(surface_);
     first.grip.setZero();
     first.gripped = 0;
-    recall(find(held_, other_, first.feature), first);
+    contact::recall(contact::find(held_, other_, first.feature), first);
     out_.push_back(first);
   }
 
   /// Makes the gap the mean over the point's area, with a spread by the angle between the surfaces.
-  void soften(const Met& met, Contact& c) const {
-    if (division(met.area, met.nearest.curvature) == Division::corners) return;
+  void soften(const Met& met, contact::Contact& c) const {
+    if (division(met.area, met.nearest.curvature) == contact::Division::corners) return;
     const double width = std::sqrt(met.area);
     c.spread = met.aslant * width / 2;
     c.gap += std::min(met.nearest.curvature * met.area / 24, most_rise * width);
@@ -195,13 +197,13 @@ class AreaContacts {
   static constexpr double most_rise = 1.0 / 16;
 
   const Tissue& tissue_;
-  const Collider& collider_;
+  const contact::Collider& collider_;
   double margin_;
-  const ContactMemories& held_;
-  std::vector<Contact>& out_;
+  const contact::ContactMemories& held_;
+  std::vector<contact::Contact>& out_;
   const TriangleMesh& surface_;
   bool still_;
-  ContactSide other_;
+  contact::ContactSide other_;
 };
 
 }  // namespace
@@ -210,8 +212,8 @@ std::uint32_t area_features(const TriangleMesh& surface) {
   return 2 * points_of(surface);
 }
 
-void add_area_contacts(const Tissue& tissue, const Collider& collider, double margin,
-                       const ContactMemories& held, std::vector<Contact>& out) {
+void add_area_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
+                       const contact::ContactMemories& held, std::vector<contact::Contact>& out) {
   AreaContacts contacts(tissue, collider, margin, held, out);
   contacts.add_vertices();
   contacts.add_faces();

@@ -22,7 +22,7 @@ std::uint32_t area_features(const TriangleMesh& surface);
 /// (contact index) is its index. A face point's feature is the number of vertices plus most_face_points times
 /// its triangle plus its own index. A point that may get deeper in a round collider than a third of its
 /// radius of curvature has a second contact, which adds pressure beyond that depth. Its feature is the last.
-void add_area_contacts(const Tissue& tissue, const Collider& collider, double margin,
-                       const ContactMemories& held, std::vector<Contact>& out);
+void add_area_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
+                       const contact::ContactMemories& held, std::vector<contact::Contact>& out);
 
 }  // namespace prosector

@@ -13,15 +13,15 @@ namespace prosector {
 
 /// All rigid bodies and hands that soft bodies may touch, by slot (index) in the rigid world, then the sides
 /// of the room. Bodies that can't be touched now have no shape parts.
-using Colliders = std::vector<Collider>;
+using Colliders = std::vector<contact::Collider>;
 
 /// Rebuilds the list of colliders from the bodies' current poses, and marks the instruments that hands hold
 /// as blades.
-void refresh(Colliders& colliders, const Bodies& bodies, std::span<const Hand> hands,
-             std::span<const Blade> blades);
+void refresh(Colliders& colliders, const Bodies& bodies, std::span<const hands::Hand> hands,
+             std::span<const organs::Blade> blades);
 
 /// Returns an upper bound of the speed (m/s) of any point of the collider, from its linear and angular
 /// velocity.
-double total_speed(const Collider& collider);
+double total_speed(const contact::Collider& collider);
 
 }  // namespace prosector

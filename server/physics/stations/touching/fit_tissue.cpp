@@ -12,22 +12,22 @@ namespace {
 
 bool has_blades(const Model& model) {
   return std::any_of(model.blades.begin(), model.blades.end(),
-                     [](const BladeShape& blade) { return !blade.edges.empty(); });
+                     [](const organs::BladeShape& blade) { return !blade.edges.empty(); });
 }
 
 bool can_fall_apart(const Tissue& tissue) {
-  const CollisionMask& mask = tissue.collision.mask;
-  return mesh_kind(tissue.anatomy()) == MeshKind::sheet && may_touch(mask, mask);
+  const collision::CollisionMask& mask = tissue.collision.mask;
+  return soft::mesh_kind(tissue.anatomy()) == soft::MeshKind::sheet && collision::may_touch(mask, mask);
 }
 
 /// Returns whether two bodies may touch as thin shells. A sheet that can be cut has self-contact from the
 /// start, for its future pieces: a checkpoint's content must not depend on whether it was cut.
 bool meet_as_thin_shells(const Tissue& a, const Tissue& b, bool with_blades) {
-  const SoftCollision &first = a.collision, &second = b.collision;
+  const contact::SoftCollision &first = a.collision, &second = b.collision;
   if (!a.is_thin() || !b.is_thin() || first.fidelity != Fidelity::mesh || second.fidelity != Fidelity::mesh)
     return false;
   return a.index == b.index ? first.with_itself || (with_blades && can_fall_apart(a))
-                            : may_touch(first.mask, second.mask);
+                            : collision::may_touch(first.mask, second.mask);
 }
 
 }  // namespace

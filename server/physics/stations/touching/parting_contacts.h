@@ -14,8 +14,9 @@ namespace prosector {
 /// that can't determine the way out. `before` is their entanglement in the last tick, or null. `pressed`:
 /// whether a hand holds or presses one of them. Returns the new entanglement, or none if ordinary contacts
 /// suffice.
-std::optional<Entanglement> add_parting_contacts(Tissue& a, Tissue& b, const Entanglement* before,
-                                                 bool pressed, double h, std::size_t first,
-                                                 std::vector<Contact>& out);
+std::optional<contact::Entanglement> add_parting_contacts(Tissue& a, Tissue& b,
+                                                          const contact::Entanglement* before, bool pressed,
+                                                          double h, std::size_t first,
+                                                          std::vector<contact::Contact>& out);
 
 }  // namespace prosector

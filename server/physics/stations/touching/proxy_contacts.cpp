@@ -24,26 +24,26 @@ double proxy_stiffness(const Tissue& tissue) {
 }
 
 /// Returns the body's rolling parameters; boxes don't roll.
-RollingSide rolling_side(const Tissue& tissue) {
+rigid::RollingSide rolling_side(const Tissue& tissue) {
   if (!rolls(tissue.collision.fidelity)) return {};
-  const ProxyShape& shape = *tissue.surface.proxy();
+  const contact::ProxyShape& shape = *tissue.surface.proxy();
   return {tissue.desc().contact.rolling_resistance, (shape.box().lo + shape.box().hi) / 2,
           shape.shape_matching().spin(tissue.state.motion.v)};
 }
 
 /// Appends contacts of two proxies.
-void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
-  const ProxyShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
-  std::vector<ShapeTouch> touches;
-  find_touches(shape_a.piece(), shape_b.piece(), margin, touches);
-  const ShapeMatching &of_a = shape_a.shape_matching(), &of_b = shape_b.shape_matching();
+void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<contact::Contact>& out) {
+  const contact::ProxyShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
+  std::vector<contact::ShapeTouch> touches;
+  contact::find_touches(shape_a.piece(), shape_b.piece(), margin, touches);
+  const contact::ShapeMatching &of_a = shape_a.shape_matching(), &of_b = shape_b.shape_matching();
   const std::size_t shares = std::max(of_a.shares(), of_b.shares());
   const double own = proxy_stiffness(a), other = proxy_stiffness(b);
-  const RollingSide rolling_a = rolling_side(a), rolling_b = rolling_side(b);
-  for (const ShapeTouch& touch : touches) {
-    const Vec3 at = touch.point + rolling_lead(rolling_a, rolling_b, touch.point, touch.normal);
+  const rigid::RollingSide rolling_a = rolling_side(a), rolling_b = rolling_side(b);
+  for (const contact::ShapeTouch& touch : touches) {
+    const Vec3 at = touch.point + rigid::rolling_lead(rolling_a, rolling_b, touch.point, touch.normal);
     for (std::size_t share = 0; share < shares; ++share) {
-      Contact& c = out.emplace_back(pair_contact(a, b, touch.normal, touch.gap));
+      contact::Contact& c = out.emplace_back(pair_contact(a, b, touch.normal, touch.gap));
       c.point = of_a.hang(at, touch.normal, share % of_a.shares(), c.a);
       of_b.hang(at, touch.normal, share % of_b.shares(), c.b);
       c.stiffness = 2 * own * other / (own + other) / static_cast<double>(touches.size() * shares);
@@ -52,45 +52,48 @@ void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vecto
 }
 
 /// Appends contacts of the vertices of `a`, which has no proxy, with the proxy of `b`.
-void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
-  const ProxyShape& shape = *b.surface.proxy();
+void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin,
+                            std::vector<contact::Contact>& out) {
+  const contact::ProxyShape& shape = *b.surface.proxy();
   const double skin = a.half_thickness();
-  const Aabb reach = shape.box().grown(margin + skin);
-  const SurfaceDetector& vertices = a.surface.vertices();
+  const collision::Aabb reach = shape.box().grown(margin + skin);
+  const contact::SurfaceDetector& vertices = a.surface.vertices();
   vertices.in_box(reach.lo, reach.hi, [&](std::uint32_t vertex) {
     const Vec3& x = vertices.positions()[vertex];
-    const auto near = proximity(CollisionPiece(SphereShape{x, skin}), shape.piece(), margin);
+    const auto near = collision::proximity(collision::CollisionPiece(collision::SphereShape{x, skin}),
+                                           shape.piece(), margin);
     if (!near) return;
-    Contact& c = out.emplace_back(pair_contact(a, b, near->normal, near->gap));
+    contact::Contact& c = out.emplace_back(pair_contact(a, b, near->normal, near->gap));
     c.a = a.side(vertex);
     c.point = x;
     shape.shape_matching().hang(x, near->normal, vertex % shape.shape_matching().shares(), c.b);
     c.stiffness = pair_stiffness(a, b, vertex);
     c.feature = vertex;
-    recall(find(a.memories, c.b, c.feature), c);
+    contact::recall(contact::find(a.memories, c.b, c.feature), c);
   });
 }
 
 }  // namespace
 
-bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double margin,
-                        std::vector<Contact>& out) {
-  const ProxyShape& own = *tissue.surface.proxy();
+bool add_proxy_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
+                        std::vector<contact::Contact>& out) {
+  const contact::ProxyShape& own = *tissue.surface.proxy();
   if (!own.box().grown(margin).overlaps({collider.lo, collider.hi}) || !collider.outline) return false;
-  std::vector<CollisionPiece> pieces;
+  std::vector<collision::CollisionPiece> pieces;
   collider.outline->place(collider.pose, collider.part_poses, pieces);
-  std::vector<ShapeTouch> touches;
-  for (const CollisionPiece& piece : pieces)
-    if (own.box().grown(margin).overlaps(box_of(piece))) find_touches(own.piece(), piece, margin, touches);
+  std::vector<contact::ShapeTouch> touches;
+  for (const collision::CollisionPiece& piece : pieces)
+    if (own.box().grown(margin).overlaps(collision::box_of(piece)))
+      contact::find_touches(own.piece(), piece, margin, touches);
   const std::size_t shares = own.shape_matching().shares();
   const double stiffness = proxy_stiffness(tissue) / static_cast<double>(touches.size() * shares);
   if (touches.empty()) return false;
-  const RollingSide rolling = rolling_side(tissue);
-  const RollingSide other{collider.rolling_resistance, collider.pose.p, collider.angular};
-  for (const ShapeTouch& touch : touches) {
-    const Vec3 at = touch.point + rolling_lead(rolling, other, touch.point, touch.normal);
+  const rigid::RollingSide rolling = rolling_side(tissue);
+  const rigid::RollingSide other{collider.rolling_resistance, collider.pose.p, collider.angular};
+  for (const contact::ShapeTouch& touch : touches) {
+    const Vec3 at = touch.point + rigid::rolling_lead(rolling, other, touch.point, touch.normal);
     for (std::size_t share = 0; share < shares; ++share) {
-      Contact c = rigid_contact(tissue, touch.point, {touch.gap, touch.normal}, collider);
+      contact::Contact c = rigid_contact(tissue, touch.point, {touch.gap, touch.normal}, collider);
       c.point = own.shape_matching().hang(at, touch.normal, share, c.a);
       if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
       c.stiffness = stiffness;
@@ -100,7 +103,8 @@ bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double m
   return true;
 }
 
-bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
+bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin,
+                             std::vector<contact::Contact>& out) {
   if (!b.surface.proxy()) return add_proxy_pair_contacts(b, a, margin, out);
   const std::size_t before = out.size();
   if (a.surface.proxy())

@@ -17,48 +17,50 @@ namespace {
 
 constexpr double still_margin = 0.005;  // m: motion of a soft body before its position in the tree is updated
 
-BroadPhase::Id box_id(std::size_t body) {
-  return static_cast<BroadPhase::Id>(body);
+collision::BroadPhase::Id box_id(std::size_t body) {
+  return static_cast<collision::BroadPhase::Id>(body);
 }
 
 /// Returns a box around the body's positions within the next h s.
-Aabb box_of(const Tissue& tissue, double h) {
-  const double reach = tissue.state.asleep ? 0 : std::min(most_reach, tissue.reach(h));
-  return tissue.outer_box().grown(wake_margin + reach);
+collision::Aabb box_of(const Tissue& tissue, double h) {
+  const double reach = tissue.state.asleep ? 0 : std::min(contact::most_reach, tissue.reach(h));
+  return tissue.outer_box().grown(contact::wake_margin + reach);
 }
 
-bool is_awake(const Collider& c, const RigidWorld& world) {
+bool is_awake(const contact::Collider& c, const rigid::RigidWorld& world) {
   return c.driven_to || (!c.fixed && !world.motion(c.slot).asleep);
 }
 
 /// Returns whether a moving collider is about to touch a sleeping body.
-bool woken_by_rigid(const Tissue& tissue, std::span<const Collider> colliders, const RigidWorld& world,
-                    double h) {
-  return std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
+bool woken_by_rigid(const Tissue& tissue, std::span<const contact::Collider> colliders,
+                    const rigid::RigidWorld& world, double h) {
+  return std::any_of(colliders.begin(), colliders.end(), [&](const contact::Collider& c) {
     if (!may_meet(tissue, c) || !is_awake(c, world)) return false;
-    std::vector<Contact> found;
-    return touches(tissue, c, wake_margin + std::min(most_reach, h * total_speed(c))) ||
-           (is_swept(tissue, c, h) && add_swept_contacts(tissue, c, contact_margin, h, found));
+    std::vector<contact::Contact> found;
+    return touches(tissue, c, contact::wake_margin + std::min(contact::most_reach, h * total_speed(c))) ||
+           (is_swept(tissue, c, h) && add_swept_contacts(tissue, c, contact::contact_margin, h, found));
   });
 }
 
 /// Appends the body's contacts with one collider. `own`: bound of the body's motion in the tick, m.
-void add_rigid_contacts(const Tissue& tissue, const Collider& c, double own, double h,
-                        std::vector<Contact>& out) {
-  const double reach =
-      is_room(c.slot) ? own : std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
+void add_rigid_contacts(const Tissue& tissue, const contact::Collider& c, double own, double h,
+                        std::vector<contact::Contact>& out) {
+  const double reach = rigid::is_room(c.slot)
+                           ? own
+                           : std::min(contact::most_reach, own + std::max(c.pull, h * total_speed(c)));
   if (is_swept(tissue, c, h))
-    add_swept_contacts(tissue, c, contact_margin + reach, h, out);
+    add_swept_contacts(tissue, c, contact::contact_margin + reach, h, out);
   else
-    add_contacts(tissue, c, contact_margin + reach, tissue.memories, h, out);
+    add_contacts(tissue, c, contact::contact_margin + reach, tissue.memories, h, out);
 }
 
 /// Removes the sides of pairs that are no longer near; pairs with a sleeping body keep theirs.
-void forget_sides(LayerSides& sides, const Bodies& bodies, std::span<const BroadPhase::Pair> near) {
+void forget_sides(LayerSides& sides, const Bodies& bodies,
+                  std::span<const collision::BroadPhase::Pair> near) {
   std::erase_if(sides, [&](const auto& entry) {
     const auto [a, b] = entry.first;
     if (bodies.soft[a].state.asleep || bodies.soft[b].state.asleep || a == b) return false;
-    return !std::binary_search(near.begin(), near.end(), BroadPhase::Pair(box_id(a), box_id(b)));
+    return !std::binary_search(near.begin(), near.end(), collision::BroadPhase::Pair(box_id(a), box_id(b)));
   });
 }
 
@@ -68,7 +70,8 @@ SoftContactFinder::SoftContactFinder(std::size_t soft_bodies) : boxes_(still_mar
   found_.resize(soft_bodies);
 }
 
-const SoftContacts& SoftContactFinder::find(State& state, std::span<const Collider> colliders, double h) {
+const contact::SoftContacts& SoftContactFinder::find(State& state,
+                                                     std::span<const contact::Collider> colliders, double h) {
   found_.resize(state.bodies.soft.size());
   for (auto& list : found_.with_rigid) list.clear();
   for (Tissue& tissue : state.bodies.soft) tissue.begin_tick();
@@ -85,7 +88,7 @@ void SoftContactFinder::track(const Bodies& bodies, double h) {
   tracked_ = bodies.soft.size();
   for (const Tissue& tissue : bodies.soft) {
     if (tissue.collision.fidelity == Fidelity::none) continue;
-    const BroadPhase::Id id = box_id(tissue.index);
+    const collision::BroadPhase::Id id = box_id(tissue.index);
     const bool moves = !tissue.state.asleep;
     if (!boxes_.has(id)) {
       boxes_.add(id, box_of(tissue, h), tissue.collision.mask, moves);
@@ -96,7 +99,7 @@ void SoftContactFinder::track(const Bodies& bodies, double h) {
   }
 }
 
-void SoftContactFinder::meet_rigid(State& state, std::span<const Collider> colliders, double h) {
+void SoftContactFinder::meet_rigid(State& state, std::span<const contact::Collider> colliders, double h) {
   Bodies& bodies = state.bodies;
   std::vector<char> done(bodies.soft.size(), 0);
   for (bool again = true; again;) {
@@ -117,19 +120,19 @@ void SoftContactFinder::meet_rigid(State& state, std::span<const Collider> colli
 }
 
 /// Lists the body's contacts with colliders, and wakes these.
-void SoftContactFinder::list_rigid(Bodies& bodies, Tissue& tissue, std::span<const Collider> colliders,
-                                   double h) {
+void SoftContactFinder::list_rigid(Bodies& bodies, Tissue& tissue,
+                                   std::span<const contact::Collider> colliders, double h) {
   const double own = tissue.reach(h);
   by_collider_.resize(colliders.size());
   parallel_each(colliders.size(), [&](std::size_t i) {
     by_collider_[i].clear();
     if (may_meet(tissue, colliders[i])) add_rigid_contacts(tissue, colliders[i], own, h, by_collider_[i]);
   });
-  std::vector<Contact>& out = found_.with_rigid[tissue.index];
+  std::vector<contact::Contact>& out = found_.with_rigid[tissue.index];
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     if (by_collider_[i].empty()) continue;
     out.insert(out.end(), by_collider_[i].begin(), by_collider_[i].end());
-    const Collider& c = colliders[i];
+    const contact::Collider& c = colliders[i];
     if (!c.fixed && bodies.rigid.motion(c.slot).asleep) bodies.rigid.wake(c.slot);
   }
 }
@@ -137,10 +140,11 @@ void SoftContactFinder::list_rigid(Bodies& bodies, Tissue& tissue, std::span<con
 bool SoftContactFinder::woken_by_soft(State& state, std::size_t body, double h) {
   const Bodies& bodies = state.bodies;
   if (bodies.soft[body].collision.fidelity == Fidelity::none) return false;
-  std::vector<Contact> found;
+  std::vector<contact::Contact> found;
   for (const std::size_t other : boxes_.query(box_of(bodies.soft[body], h)))
     if (!bodies.soft[other].state.asleep && bodies.may_meet(body, other) &&
-        add_pair_contacts(state, body, other, wake_margin + std::min(most_reach, bodies.soft[other].reach(h)),
+        add_pair_contacts(state, body, other,
+                          contact::wake_margin + std::min(contact::most_reach, bodies.soft[other].reach(h)),
                           h, found))
       return true;
   return false;
@@ -154,23 +158,23 @@ void SoftContactFinder::meet_each_other(State& state, double h) {
   std::fill(found_.parted.begin(), found_.parted.end(), std::nullopt);
   still_entangled_.clear();
   std::fill(found_.passed_through.begin(), found_.passed_through.end(), 0);
-  std::vector<BroadPhase::Pair> near = boxes_.find_pairs();
-  for (BroadPhase::Id i = 0; i < soft.size(); ++i)
+  std::vector<collision::BroadPhase::Pair> near = boxes_.find_pairs();
+  for (collision::BroadPhase::Id i = 0; i < soft.size(); ++i)
     if (soft[i].collision.with_itself) near.emplace_back(i, i);
   std::sort(near.begin(), near.end());
   std::size_t used = 0;
   for (const auto& [a, b] : near) {
     if (soft[a].state.asleep || soft[b].state.asleep || !state.bodies.may_meet(a, b)) continue;
     if (used == found_.pairs.size()) found_.pairs.emplace_back();
-    SoftPair& pair = found_.pairs[used];
+    contact::SoftPair& pair = found_.pairs[used];
     pair.a = a;
     pair.b = b;
     pair.contacts.clear();
     // When a solid hits something, one part stops while the other moves on.
     const double nearing =
         a == b && soft[a].is_thin() ? soft[a].inner_reach(h) : soft[a].reach(h) + soft[b].reach(h);
-    const double reach = std::min(most_reach, nearing);
-    if (add_pair_contacts(state, a, b, contact_margin + reach, h, pair.contacts)) ++used;
+    const double reach = std::min(contact::most_reach, nearing);
+    if (add_pair_contacts(state, a, b, contact::contact_margin + reach, h, pair.contacts)) ++used;
   }
   found_.pairs.resize(used);
   std::swap(state.entangled, still_entangled_);
@@ -179,7 +183,7 @@ void SoftContactFinder::meet_each_other(State& state, double h) {
 }
 
 bool SoftContactFinder::add_pair_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
-                                          std::vector<Contact>& out) {
+                                          std::vector<contact::Contact>& out) {
   Tissue &first = state.bodies.soft[a], &second = state.bodies.soft[b];
   const std::size_t before = out.size();
   if (a == b && !first.is_thin()) {
@@ -197,14 +201,14 @@ bool SoftContactFinder::add_pair_contacts(State& state, std::size_t a, std::size
 }
 
 bool SoftContactFinder::add_thin_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
-                                          std::vector<Contact>& out) {
+                                          std::vector<contact::Contact>& out) {
   const auto both_in = [&](const auto& organ) {
     return organ.second.grouping().has(a) && organ.second.grouping().has(b);
   };
   const auto& organs = state.dissection.organs;
   const bool one_organ = a == b || std::any_of(organs.begin(), organs.end(), both_in);
   const std::size_t before = out.size();
-  std::vector<LayerSide>& sides = state.layer_sides[{a, b}];
+  std::vector<contact::LayerSide>& sides = state.layer_sides[{a, b}];
   const int passed =
       add_thin_shell_contacts(state.bodies.soft[a], state.bodies.soft[b], sides, one_organ, margin, h, out);
   found_.passed_through[a] += passed;
@@ -214,9 +218,9 @@ bool SoftContactFinder::add_thin_contacts(State& state, std::size_t a, std::size
 }
 
 void SoftContactFinder::lead_apart(State& state, Tissue& a, Tissue& b, double h, std::size_t first,
-                                   std::vector<Contact>& out) {
+                                   std::vector<contact::Contact>& out) {
   const auto pressed = [&](const Tissue& tissue) {
-    return in_a_hand(state.hands, state.bodies.soft_id(tissue.index), found_.with_rigid[tissue.index]);
+    return hands::in_a_hand(state.hands, state.bodies.soft_id(tissue.index), found_.with_rigid[tissue.index]);
   };
   const auto known = state.entangled.find({a.index, b.index});
   const auto now = add_parting_contacts(a, b, known != state.entangled.end() ? &known->second : nullptr,
@@ -236,7 +240,7 @@ void SoftContactFinder::group(std::size_t soft_bodies) {
     while (group[body] != body) body = group[body] = group[group[body]];
     return body;
   };
-  for (const SoftPair& pair : found_.pairs) {
+  for (const contact::SoftPair& pair : found_.pairs) {
     const std::size_t a = first(pair.a), b = first(pair.b);
     group[std::max(a, b)] = std::min(a, b);
   }

@@ -23,10 +23,10 @@ double pair_stiffness(const Tissue& a, const Tissue& b, std::uint32_t vertex) {
   return 2 * own * ratio / (1 + ratio);
 }
 
-Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, double gap) {
+contact::Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, double gap) {
   const SoftDesc &of_a = a.desc(), &of_b = b.desc();
-  Contact c;
-  c.a.kind = c.b.kind = ContactSide::Kind::soft;
+  contact::Contact c;
+  c.a.kind = c.b.kind = contact::ContactSide::Kind::soft;
   c.a.body = a.index;
   c.b.body = b.index;
   c.normal = normal;
@@ -36,9 +36,9 @@ Contact pair_contact(const Tissue& a, const Tissue& b, const Vec3& normal, doubl
   return c;
 }
 
-Contact pair_contact(const Tissue& a, const Tissue& b, const VertexMeeting& meeting) {
+contact::Contact pair_contact(const Tissue& a, const Tissue& b, const contact::VertexMeeting& meeting) {
   const Anatomy& other = b.anatomy();
-  Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
+  contact::Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
   c.a = a.side(meeting.vertex);
   const auto& corners = other.surface.triangles[meeting.at.triangle];
   for (std::size_t k = 0; k < 3; ++k)
@@ -46,31 +46,32 @@ Contact pair_contact(const Tissue& a, const Tissue& b, const VertexMeeting& meet
   c.feature = meeting.vertex;
   c.point = a.surface.vertices().positions()[meeting.vertex];
   c.stiffness = pair_stiffness(a, b, meeting.vertex);
-  recall(find(a.memories, c.b, c.feature), c);
+  contact::recall(contact::find(a.memories, c.b, c.feature), c);
   return c;
 }
 
-bool add_vertex_contacts(Tissue& a, Tissue& b, double margin, std::vector<VertexMeeting>& meetings,
-                         std::vector<Contact>& out) {
-  const SoftSkin first = a.skin(), second = b.skin();
+bool add_vertex_contacts(Tissue& a, Tissue& b, double margin, std::vector<contact::VertexMeeting>& meetings,
+                         std::vector<contact::Contact>& out) {
+  const contact::SoftSkin first = a.skin(), second = b.skin();
   bool deep = false;
-  const auto add = [&](const Tissue& from, const Tissue& to, const SoftSkin& own, const SoftSkin& other) {
+  const auto add = [&](const Tissue& from, const Tissue& to, const contact::SoftSkin& own,
+                       const contact::SoftSkin& other) {
     meetings.clear();
-    find_meetings(own, other, margin, meetings);
-    deep = deep || may_be_immersed(own, other, meetings);
-    for (const VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
+    contact::find_meetings(own, other, margin, meetings);
+    deep = deep || contact::may_be_immersed(own, other, meetings);
+    for (const contact::VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
   };
   add(a, b, first, second);
   add(b, a, second, first);
   return deep;
 }
 
-void add_self_contacts(Tissue& tissue, double margin, double h, std::vector<VertexMeeting>& meetings,
-                       std::vector<Contact>& out) {
+void add_self_contacts(Tissue& tissue, double margin, double h, std::vector<contact::VertexMeeting>& meetings,
+                       std::vector<contact::Contact>& out) {
   meetings.clear();
   tissue.surface.self_collision()->find(tissue.skin(), margin, meetings);
-  for (const VertexMeeting& meeting : meetings) {
-    Contact c = pair_contact(tissue, tissue, meeting);
+  for (const contact::VertexMeeting& meeting : meetings) {
+    contact::Contact c = pair_contact(tissue, tissue, meeting);
     c.gap = std::max(c.gap, -overlap_opening_speed * h);
     out.push_back(c);
   }

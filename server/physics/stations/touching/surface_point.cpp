@@ -11,15 +11,16 @@ namespace {
 
 constexpr std::size_t corners_of_tet = 4;
 
-ContactSide side_of_body(const Tissue& tissue) {
-  ContactSide out;
-  out.kind = ContactSide::Kind::soft;
+contact::ContactSide side_of_body(const Tissue& tissue) {
+  contact::ContactSide out;
+  out.kind = contact::ContactSide::Kind::soft;
   out.body = tissue.index;
   return out;
 }
 
 /// Adds `share` of a row, in terms of element corners: an edge node is the mean of its ends.
-void add_corners(const SparseMap::Row& row, double share, const EdgeNodes& edges, ContactSide& out) {
+void add_corners(const SparseMap::Row& row, double share, const soft::EdgeNodes& edges,
+                 contact::ContactSide& out) {
   for (std::size_t k = 0; k < row.node.size(); ++k) {
     if (row.weight[k] == 0) continue;
     if (row.node[k] < edges.vertices()) {
@@ -33,9 +34,10 @@ void add_corners(const SparseMap::Row& row, double share, const EdgeNodes& edges
 
 /// Converts a point of a tetrahedron from corner weights to quadratic shape functions. Returns false, and
 /// adds nothing, if the corners don't belong to one tetrahedron.
-bool add_quadratic(const ContactSide& corners, const EdgeNodes& edges, ContactSide& out) {
+bool add_quadratic(const contact::ContactSide& corners, const soft::EdgeNodes& edges,
+                   contact::ContactSide& out) {
   if (corners.nodes > corners_of_tet) return false;
-  ContactSide made = out;
+  contact::ContactSide made = out;
   const auto put = [&](std::uint32_t node, double weight) {
     made.node[made.nodes] = node;
     made.weight[made.nodes++] = weight;
@@ -45,7 +47,7 @@ bool add_quadratic(const ContactSide& corners, const EdgeNodes& edges, ContactSi
     put(corners.node[a], of_a * (2 * of_a - 1));
     for (std::size_t b = 0; b < a; ++b) {
       const std::uint32_t middle = edges.find(corners.node[a], corners.node[b]);
-      if (middle == EdgeNodes::none) return false;
+      if (middle == soft::EdgeNodes::none) return false;
       put(middle, 4 * of_a * corners.weight[b]);
     }
   }
@@ -54,18 +56,18 @@ bool add_quadratic(const ContactSide& corners, const EdgeNodes& edges, ContactSi
 }
 
 /// Returns the point of surface vertices with these weights.
-ContactSide point_of(const Tissue& tissue, const std::array<std::uint32_t, 3>& vertices,
-                     const Vec3& weights) {
+contact::ContactSide point_of(const Tissue& tissue, const std::array<std::uint32_t, 3>& vertices,
+                              const Vec3& weights) {
   const SparseMap& embedding = tissue.anatomy().embedding;
-  ContactSide out = side_of_body(tissue);
-  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  contact::ContactSide out = side_of_body(tissue);
+  const soft::EdgeNodes* edges = tissue.solver->follower().edge_nodes();
   const auto for_vertices = [&](const auto& f) {
     for (std::size_t k = 0; k < vertices.size(); ++k)
       if (const double share = weights[static_cast<Eigen::Index>(k)]; share != 0)
         f(embedding.rows[vertices[k]], share);
   };
   if (edges) {
-    ContactSide corners;
+    contact::ContactSide corners;
     bool few = true;
     for_vertices([&](const SparseMap::Row& row, double share) {
       few = few && corners.nodes <= corners_of_tet;
@@ -101,12 +103,12 @@ class Corners {
   }
 
  private:
-  std::array<std::uint32_t, 3 * ContactSide::most_nodes> nodes_{};
+  std::array<std::uint32_t, 3 * contact::ContactSide::most_nodes> nodes_{};
   std::size_t count_ = 0;
 };
 
 /// Returns the corners that carry a surface vertex; ignores weights at the level of rounding.
-Corners corners_of(const SparseMap::Row& row, const EdgeNodes* edges) {
+Corners corners_of(const SparseMap::Row& row, const soft::EdgeNodes* edges) {
   constexpr double carries = 1e-9;  // weight
   Corners out;
   for (std::size_t k = 0; k < row.node.size(); ++k) {
@@ -121,17 +123,17 @@ Corners corners_of(const SparseMap::Row& row, const EdgeNodes* edges) {
 
 }  // namespace
 
-ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec3& weights) {
+contact::ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec3& weights) {
   return point_of(tissue, tissue.anatomy().surface.triangles[triangle], weights);
 }
 
-ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
+contact::ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
   return point_of(tissue, {vertex, vertex, vertex}, Vec3::UnitX());
 }
 
 double element_size(const Tissue& tissue, std::uint32_t triangle) {
   const Anatomy& anatomy = tissue.anatomy();
-  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  const soft::EdgeNodes* edges = tissue.solver->follower().edge_nodes();
   Corners all;
   double of_hanging = 0;  // m, sum
   int hanging = 0;        // number of vertices that are not nodes
@@ -147,7 +149,7 @@ double element_size(const Tissue& tissue, std::uint32_t triangle) {
   return within_one ? all.size(anatomy.tets.positions) : of_hanging / hanging;
 }
 
-Vec3 place_of(const ContactSide& side, const Tissue& tissue) {
+Vec3 place_of(const contact::ContactSide& side, const Tissue& tissue) {
   Vec3 at = Vec3::Zero();
   for (std::size_t k = 0; k < side.nodes; ++k)
     at += side.weight[k] * tissue.state.motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));

@@ -15,7 +15,7 @@ inline constexpr double overlap_opening_speed = 0.06;
 /// `out`. `sides` are the known sides of element pairs, which are updated. `one_organ`: whether both were cut
 /// from one original body, or are the same body. Returns the number of element pairs that have passed through
 /// each other.
-int add_thin_shell_contacts(Tissue& a, Tissue& b, std::vector<LayerSide>& sides, bool one_organ,
-                            double margin, double h, std::vector<Contact>& out);
+int add_thin_shell_contacts(Tissue& a, Tissue& b, std::vector<contact::LayerSide>& sides, bool one_organ,
+                            double margin, double h, std::vector<contact::Contact>& out);
 
 }  // namespace prosector

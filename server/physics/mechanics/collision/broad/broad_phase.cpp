@@ -4,7 +4,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 void BroadPhase::add(Id id, const Aabb& box, const CollisionMask& mask, bool moves) {
   PROSECTOR_ASSERT(!has(id));
@@ -66,4 +66,4 @@ std::size_t BroadPhase::bytes() const {
          pairs_.capacity() * sizeof(Pair);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/collision/broad/collision_mask.h"
 #include "server/physics/mechanics/collision/broad/dynamic_tree.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Broad phase of collision detection: finds pairs of objects whose bounding boxes overlap. Moving and static
 /// objects have separate trees. Moving objects are tested against both trees, static objects are not tested
@@ -58,4 +58,4 @@ class BroadPhase {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 constexpr auto most_groups = static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::digits);
 
@@ -39,4 +39,4 @@ std::uint32_t CollisionGroups::bit(std::string_view name) const {
   return 1u << (found - names_.begin());
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Collision filter of an object as bit masks: its group, and the groups with which it may collide. By
 /// default an object is in the first group and collides with all groups.
@@ -41,4 +41,4 @@ class CollisionGroups {
   std::vector<std::string> names_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 Aabb around(const Aabb& a, const Aabb& b) {
@@ -160,4 +160,4 @@ void DynamicTree::rotate(std::uint32_t i) {
   refit(i);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

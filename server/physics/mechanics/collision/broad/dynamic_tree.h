@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Bounding volume tree of enlarged (fat) boxes, so that small movements do not change the tree. A leaf is
 /// inserted next to the node whose choice increases the total surface area of the tree's boxes least
@@ -119,4 +119,4 @@ void DynamicTree::pairs_with(const DynamicTree& other, const F& f) const {
   if (root_ != nothing && other.root_ != nothing) pairs(*this, root_, other, other.root_, f);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/collision/narrow/convex_contact.h"
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 // Edges count as parallel below this sine of the angle between them; their cross product is skipped.
@@ -173,4 +173,4 @@ std::optional<Proximity> sphere_box_proximity(const SphereShape& a, const BoxSha
   return rounded(out, a.radius, 0);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

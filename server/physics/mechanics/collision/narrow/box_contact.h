@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/collision/primitives/proximity.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct SphereShape {
   Vec3 center = Vec3::Zero();  // m
@@ -41,4 +41,4 @@ std::optional<Proximity> sphere_proximity(const SphereShape& a, const SphereShap
 /// farther apart than `margin`, m.
 std::optional<Proximity> sphere_box_proximity(const SphereShape& a, const BoxShape& b, double margin);
 
-}  // namespace prosector
+}  // namespace prosector::collision

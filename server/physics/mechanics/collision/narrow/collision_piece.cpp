@@ -2,7 +2,7 @@
 
 #include "server/physics/mechanics/collision/narrow/convex_contact.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 using Result = std::optional<Proximity>;
@@ -84,4 +84,4 @@ Aabb box_of(const CollisionPiece& piece) {
   return std::visit([](const auto& shape) { return box_around(shape); }, piece);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/collision/narrow/surface_contact.h"
 #include "server/physics/mechanics/collision/shapes/convex.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct ConvexShape {
   std::shared_ptr<const FacetedConvex> convex;
@@ -33,4 +33,4 @@ inline bool is_mesh(const CollisionPiece& piece) {
   return std::holds_alternative<MeshShape>(piece);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -9,7 +9,7 @@
 
 #include "server/physics/mechanics/collision/narrow/gjk.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 // Bullet's tolerances are absolute, so shapes are scaled to about this size.
@@ -169,4 +169,4 @@ std::optional<Proximity> convex_proximity(const Convex& a, const Pose& pose_a, c
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/collision/primitives/proximity.h"
 #include "server/physics/mechanics/collision/shapes/convex.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Returns the distance or the penetration depth of two convex shapes, with normal and closest points. The
 /// distance is computed by our GJK (gjk.h). The depth is computed by Bullet's expanding polytope algorithm
@@ -26,4 +26,4 @@ namespace prosector {
 std::optional<Proximity> convex_proximity(const Convex& a, const Pose& pose_a, const Convex& b,
                                           const Pose& pose_b, double margin);
 
-}  // namespace prosector
+}  // namespace prosector::collision

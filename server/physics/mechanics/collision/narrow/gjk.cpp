@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 constexpr std::array<std::array<std::size_t, 4>, 4> faces{
@@ -73,4 +73,4 @@ bool Gjk::reduce() {
   return true;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

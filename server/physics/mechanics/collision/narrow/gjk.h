@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct ClosestPoints {
   bool apart = false;  // false: the sets overlap, or are closer than rounding; the points are not set
@@ -78,4 +78,4 @@ ClosestPoints Gjk::run(const A& farthest_a, const B& farthest_b, const Vec3& sta
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

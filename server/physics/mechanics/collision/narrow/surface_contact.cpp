@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/collision/primitives/triangle_crossing.h"
 #include "server/physics/mechanics/collision/surface/surface_pairs.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 /// A surface transformed into the other surface's frame.
@@ -327,4 +327,4 @@ std::optional<Proximity> sphere_surface_proximity(const SphereShape& a, const Me
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/collision/primitives/proximity.h"
 #include "server/physics/mechanics/collision/surface/triangle_surface.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct MeshShape {
   std::shared_ptr<const TriangleSurface> surface;
@@ -33,4 +33,4 @@ std::optional<Proximity> surface_proximity(const MeshShape& a, const MeshShape& 
 /// `margin`, m.
 std::optional<Proximity> sphere_surface_proximity(const SphereShape& a, const MeshShape& b, double margin);
 
-}  // namespace prosector
+}  // namespace prosector::collision

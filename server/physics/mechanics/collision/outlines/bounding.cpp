@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 template <class F>
@@ -72,4 +72,4 @@ BoxShape enclosing_oriented_box(std::span<const Cloud> clouds) {
   return area(along_axes) < area(along_frame) ? along_axes : along_frame;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

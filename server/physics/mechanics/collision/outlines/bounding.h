@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/collision/narrow/box_contact.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Point cloud to be enclosed by a bounding volume. Each point stands for a ball of radius `rounding`.
 struct Cloud {
@@ -32,4 +32,4 @@ BoxShape enclosing_box_along(const Quat& axes, std::span<const Cloud> clouds);
 /// axes, and one along the eigenvectors of the points' covariance (Gottschalk, Lin and Manocha 1996).
 BoxShape enclosing_oriented_box(std::span<const Cloud> clouds);
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 bool equal(const Pose& a, const Pose& b) {
@@ -118,4 +118,4 @@ void RigidOutline::place(const Pose& pose, std::span<const Pose> part_poses,
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/collision/narrow/collision_piece.h"
 #include "server/physics/mechanics/collision/outlines/bounding.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Collision shape of a rigid body that consists of parts. The fidelity selects the shape:
 ///   none: no shape;
@@ -54,4 +54,4 @@ class RigidOutline {
   BoxShape rest_box_;        // in the body frame
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

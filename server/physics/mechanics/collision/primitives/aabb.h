@@ -7,7 +7,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Axis-aligned bounding box from corner `lo` to corner `hi`, m. A default-constructed box is empty: lo > hi,
 /// and it overlaps nothing.
@@ -51,4 +51,4 @@ inline Aabb transformed(const Aabb& box, const Mat3& rotation, const Vec3& shift
   return {center - half, center + half};
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace prosector {
+namespace prosector::collision {
 
 Vec3 closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
@@ -77,4 +77,4 @@ TrianglePair closest(const Triangle& a, const Triangle& b) {
   return best;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -6,7 +6,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 using Triangle = std::array<Vec3, 3>;  // m
 
@@ -39,4 +39,4 @@ inline Vec3 at(const Triangle& t, const Vec3& weights) {
   return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

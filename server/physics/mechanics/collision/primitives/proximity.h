@@ -6,7 +6,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Point that moves with a triangle surface, given by a triangle and barycentric weights.
 struct SurfacePoint {
@@ -36,4 +36,4 @@ inline Proximity rounded(Proximity p, double rounding_a, double rounding_b) {
   return p;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct SegmentHit {
   double t;      // position along the segment, in [0, 1]
@@ -28,4 +28,4 @@ inline std::optional<SegmentHit> segment_hit(const Vec3& a, const Vec3& b, const
   return SegmentHit{t, {1 - v - w, v, w}};
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

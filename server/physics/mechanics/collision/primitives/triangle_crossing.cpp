@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 // Relative rounding tolerance: a few units in the last place of the quantities computed below.
@@ -75,4 +75,4 @@ TriangleCrossing crossing(const Triangle& a, const Triangle& b) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

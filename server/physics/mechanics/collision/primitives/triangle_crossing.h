@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/collision/primitives/closest_points.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Point at which an edge of one triangle crosses the other triangle, when triangles a and b intersect.
 struct Piercing {
@@ -30,4 +30,4 @@ struct TriangleCrossing {
 /// Swapping a and b changes only `of_a` and the order of the points.
 TriangleCrossing crossing(const Triangle& a, const Triangle& b);
 
-}  // namespace prosector
+}  // namespace prosector::collision

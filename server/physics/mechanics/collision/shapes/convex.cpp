@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/scene/primitives.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 // Points this close to a face, relative to the extent, may be corners of the exact hull. Bullet's hull
@@ -194,4 +194,4 @@ std::shared_ptr<const TriangleSurface> box_surface(const Vec3& half) {
   return shared_surface(mesh);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/collision/shapes/shape.h"
 #include "server/physics/mechanics/collision/surface/triangle_surface.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Convex shape in its own frame: a convex core, offset outwards by the radius `rounding`. The shape is all
 /// points within `rounding` of the core. The core is contained in the ball of radius `reach` about `center`.
@@ -120,4 +120,4 @@ std::shared_ptr<const TriangleSurface> box_surface(const Vec3& half);
 /// empty mesh, or for a mesh vertex that is not finite.
 void check_part(const ShapePart& part);
 
-}  // namespace prosector
+}  // namespace prosector::collision

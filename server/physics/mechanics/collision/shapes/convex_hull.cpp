@@ -2,7 +2,7 @@
 
 #include "server/physics/mechanics/collision/shapes/shape.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   std::vector<btVector3> in;
@@ -29,4 +29,4 @@ TriangleMesh convex_hull(const std::vector<Vec3>& points) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -115,4 +115,4 @@ Extent part_extent(const ShapePart& part) {
   return {(lo + hi) / 2, (hi - lo) / 2};
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

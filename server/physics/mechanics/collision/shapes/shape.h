@@ -6,7 +6,7 @@
 
 #include "common/mesh.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 enum class ShapeKind : std::uint8_t { box, sphere, capsule, cylinder, ellipsoid, hull, triangles };
 
@@ -47,4 +47,4 @@ Extent part_extent(const ShapePart& part);
 /// coordinates.
 TriangleMesh convex_hull(const std::vector<Vec3>& points);
 
-}  // namespace prosector
+}  // namespace prosector::collision

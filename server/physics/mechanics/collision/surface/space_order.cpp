@@ -6,7 +6,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 /// Inserts two zero bits between adjacent bits of a 10-bit number.
@@ -110,4 +110,4 @@ void SpaceOrder::follow(const ListEdit& edit, std::span<const Vec3> come) {
   codes_ = std::move(codes);
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

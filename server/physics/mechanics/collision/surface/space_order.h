@@ -8,7 +8,7 @@
 #include "server/physics/base/list_edit.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Order of points along a Morton curve, in which neighbouring points are near each other. The curve passes
 /// through the points' bounding box, with 1024 cells along its longest side. Points in the same cell are
@@ -36,4 +36,4 @@ class SpaceOrder {
   std::vector<std::uint32_t> order_, codes_;  // point indices in curve order, and their Morton codes
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

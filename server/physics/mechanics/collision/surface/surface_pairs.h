@@ -6,7 +6,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Traverses the bounding volume trees of two surfaces simultaneously. Calls leaf(node of a, node of b) for
 /// pairs of leaves whose boxes' squared distance is at most `limit()`, m². The nearer boxes are visited
@@ -47,4 +47,4 @@ void descend_pairs(const SurfaceTree& a, const SurfaceTree& b, const Mat3& rotat
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

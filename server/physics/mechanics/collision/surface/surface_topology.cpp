@@ -7,7 +7,7 @@
 #include "common/assert.h"
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 namespace {
 
@@ -102,4 +102,4 @@ void SurfaceTopology::find_pieces() {
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

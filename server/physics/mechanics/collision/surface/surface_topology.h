@@ -8,7 +8,7 @@
 
 #include "server/physics/mechanics/collision/surface/vertex_stars.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 class SurfaceTopology {
  public:
@@ -48,4 +48,4 @@ class SurfaceTopology {
   bool closed_ = true;
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

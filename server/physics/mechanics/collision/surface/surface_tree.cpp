@@ -2,7 +2,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions)
     : order_(triangles.size()) {
@@ -68,4 +68,4 @@ void SurfaceTree::refit(std::span<const Corners> triangles, std::span<const Vec3
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -10,7 +10,7 @@
 #include "common/assert.h"
 #include "server/physics/mechanics/collision/primitives/aabb.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 /// Bounding volume hierarchy of a surface's triangles: a balanced tree of axis-aligned boxes. It is built
 /// once: by splitting at the median centroid along the longest side, or by halving a given order of the
@@ -109,4 +109,4 @@ void SurfaceTree::descend(const Bound& bound, const Limit& limit, const Leaf& le
   }
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -9,7 +9,7 @@
 #include "common/assert.h"
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::collision {
 namespace {
 
 // Tolerance relative to a triangle's squared distance; rounding errors are far smaller.
@@ -192,4 +192,4 @@ std::uint32_t TriangleSurface::farthest(const Vec3& direction) const {
   return best;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/collision/surface/surface_topology.h"
 #include "server/physics/mechanics/collision/surface/surface_tree.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 struct NearestPoint {
   std::uint32_t triangle = 0;
@@ -83,4 +83,4 @@ class TriangleSurface {
   SurfaceTree tree_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

@@ -5,7 +5,7 @@
 
 #include "common/assert.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 VertexStars::VertexStars(std::span<const Corners> triangles, std::size_t vertices) : begin_(vertices + 1, 0) {
   for (const Corners& t : triangles)
@@ -64,4 +64,4 @@ std::vector<std::uint32_t> VertexStars::around(std::span<const std::uint32_t> ve
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::collision

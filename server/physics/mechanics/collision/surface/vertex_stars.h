@@ -9,7 +9,7 @@
 #include "common/assert.h"
 #include "server/physics/base/surface_edit.h"
 
-namespace prosector {
+namespace prosector::collision {
 
 class VertexStars {
  public:
@@ -33,4 +33,4 @@ class VertexStars {
   std::vector<std::uint32_t> begin_, triangles_;  // the triangles of vertex i start at triangles_[begin_[i]]
 };
 
-}  // namespace prosector
+}  // namespace prosector::collision

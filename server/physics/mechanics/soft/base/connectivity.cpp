@@ -7,7 +7,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/base/table_rows.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 256;
@@ -143,4 +143,4 @@ void Incidence::add(std::span<const Vec3> f, double* g) const {
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -10,7 +10,7 @@
 #include "common/math.h"
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// List of a body's elements, each with its nodes in ascending order. The corners of element e are numbered
 /// from first_corner(e) on, so that data per corner (forces) of all elements form one array. Each element has
@@ -97,4 +97,4 @@ class Incidence {
   std::vector<std::uint32_t> corner_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

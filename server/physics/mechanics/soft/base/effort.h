@@ -5,7 +5,7 @@
 
 #include "common/scene/scene.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct Effort {
   int newton_iterations, solver_iterations;
@@ -26,4 +26,4 @@ inline Effort effort_of(const SoftConfiguration& configuration, int steps_down) 
           halved(configuration.substeps, 4)};
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Returns the row called `name` of a table of models, laws, integrators or solvers. Throws InputError that
 /// lists the allowed names if there is none. `field`: name of the scene file's field, for the message.
@@ -22,4 +22,4 @@ const Row& find_row(const std::vector<Row>& rows, const char* field, const std::
   throw InputError(fmt::format("{} is \"{}\"; allowed: {}", field, name, allowed));
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 Kept Kept::all(std::size_t before, std::size_t now) {
   return {{{0, 0, static_cast<std::uint32_t>(before)}}, before, now};
@@ -51,4 +51,4 @@ void apply(const MeshEdit& edit, TetMesh& mesh) {
   for (std::size_t i = 0; i < edit.tets.size(); ++i) mesh.tets[edit.tets[i]] = edit.corners[i];
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -10,7 +10,7 @@
 #include "common/math.h"
 #include "common/mesh.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Entries of a list, such as nodes or tetrahedra, that an edit preserves, with their indices before and
 /// after it. They keep their order.
@@ -83,4 +83,4 @@ void Kept::carry(std::vector<T>& values, std::size_t each) const {
   values = std::move(out);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

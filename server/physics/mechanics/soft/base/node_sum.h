@@ -6,7 +6,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class NodeSum {
  public:
@@ -31,4 +31,4 @@ class NodeSum {
   std::vector<double> sums_;  // one per chunk
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 inline VecX to_vector(std::span<const Vec3> points) {
   VecX x(static_cast<Eigen::Index>(3 * points.size()));
@@ -22,4 +22,4 @@ inline double ordered_sum(const std::vector<double>& sums) {
   return total;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

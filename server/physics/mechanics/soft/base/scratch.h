@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Resizes scratch memory to `count` entries of undefined value. When it must be reallocated, reserves a
 /// quarter more, about as much as cuts add before a body is rebuilt (is_worth_following). Without that
@@ -18,4 +18,4 @@ void fit_scratch(std::vector<T>& values, std::size_t count) {
   values.resize(count);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Replacement rows for a table of rows of different lengths: the values of all rows, concatenated, and the
 /// number of values in each row.
@@ -65,4 +65,4 @@ void replace_rows(const Kept& kept, std::span<const std::uint32_t> rows, const F
   values = std::move(out);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Gravitational acceleration of a soft body's nodes, either equal for all or distributed by shape functions.
 /// In quadratic elements, shape functions give an edge node more of the element's weight than its share of
@@ -33,4 +33,4 @@ struct Weight {
   const VecX* by_shape = nullptr;  // null: distributed by nodal masses
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

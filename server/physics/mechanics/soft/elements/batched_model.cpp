@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 BatchedModel::BatchedModel(const TetMesh& mesh, Connectivity connectivity,
                            std::unique_ptr<ElementBatches> batches, std::size_t elements_per_chunk)
@@ -110,4 +110,4 @@ void BatchedModel::relax_fully() {
   energy_known_ = forces_known_ = false;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

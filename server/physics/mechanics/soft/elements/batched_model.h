@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/elements/elastic_model.h"
 #include "server/physics/mechanics/soft/elements/relaxation.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Elements first … last − 1 of a body, which are processed together. Their integration points form the batch
 /// with index `batch`.
@@ -106,4 +106,4 @@ class BatchedModel : public ElasticModel, protected ChunkedElements {
   bool moved_ = false, energy_known_ = false, forces_known_ = false;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

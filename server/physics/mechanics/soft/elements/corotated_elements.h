@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Vector of three floats x, y, z, padded to four so that one SIMD load reads it. Used for rotated gradients
 /// r_a = √(Vμ)·R·∇N_a, in √(N/m).
@@ -33,4 +33,4 @@ struct CorotatedElements {
   std::vector<CorotatedVector> mean;  // by corner: m; empty: no element has a mean dilatation
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -1,7 +1,7 @@
 #include "server/physics/mechanics/soft/elements/corotational_kernel.h"
 #include "server/physics/mechanics/soft/elements/element_batches.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 class CorotationalBatches final : public ElementBatches {
@@ -50,4 +50,4 @@ std::unique_ptr<ElementBatches> make_corotational_batches(const Materials& mater
   return std::make_unique<CorotationalBatches>(materials, elements);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

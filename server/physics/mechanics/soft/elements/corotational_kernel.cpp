@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/simd/lane_twists.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 using Blocks = Tet4Elements::Stiffness;
 constexpr std::size_t stiffness_entries = sizeof(Blocks) / sizeof(double);
@@ -229,11 +229,11 @@ void corotated_elements(const LaneRest& rest, const LaneStrain& strain, double s
   }
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace prosector {
+namespace prosector::soft {
 
 HWY_EXPORT(gradients);
 HWY_EXPORT(rotations);
@@ -276,5 +276,5 @@ void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double
   HWY_DYNAMIC_DISPATCH(corotated_elements)(rest, strain, share, gradients, twists);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
 #endif

@@ -13,7 +13,7 @@
 #include "server/physics/mechanics/soft/elements/tet4.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Computes the deformation gradients F = edges·gradientsᵀ of a batch of linear tetrahedra. `edges`: columns
 /// x_a − x_0, m, a = 1 … 3, at current positions; the gradients are those of the shape functions, in `rest`.
@@ -49,4 +49,4 @@ void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<
 void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
                           std::span<CorotatedVector> gradients, std::span<Twist> twists);
 
-}  // namespace prosector
+}  // namespace prosector::soft

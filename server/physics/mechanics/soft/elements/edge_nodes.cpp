@@ -4,7 +4,7 @@
 
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 using Tet = std::array<std::uint32_t, 4>;
@@ -265,4 +265,4 @@ void follow_divided(const TetMesh& mesh, const EdgeNodes& edges, const MeshEdit&
     std::ranges::copy(eighths(mesh.tets[t], edges), parts.tets.begin() + 8 * std::ptrdiff_t{t});
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

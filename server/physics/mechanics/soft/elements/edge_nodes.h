@@ -10,7 +10,7 @@
 #include "common/mesh.h"
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class EdgeNodes {
  public:
@@ -82,4 +82,4 @@ TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges);
 /// changed `mesh`. Only the parts of new and changed tetrahedra are recomputed.
 void follow_divided(const TetMesh& mesh, const EdgeNodes& edges, const MeshEdit& edit, TetMesh& parts);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/elements/elastic_model.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 // Rows sum to zero, so a diagonal block is minus the sum of the others of its row, and each of these counts
 // in two rows.
@@ -10,4 +10,4 @@ double ElasticModel::rest_trace() {
   return sum;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

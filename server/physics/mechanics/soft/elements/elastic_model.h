@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/base/connectivity.h"
 #include "server/physics/mechanics/soft/elements/corotated_elements.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct SpringNetwork;
 
@@ -102,4 +102,4 @@ class ElasticModel {
   virtual void relax_fully() {}
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 #include "server/physics/mechanics/soft/elements/corotational_kernel.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t batches_per_chunk = 16;
@@ -105,4 +105,4 @@ void ElementBatches::deform(std::size_t batch, const double* x) {
   lane_gradients(rest_[batch], edges, strain_[batch].F);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

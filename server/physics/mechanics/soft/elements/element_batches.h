@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Strain energy of a body's elements and its derivatives, evaluated in batches of elements_per_batch (64)
 /// elements. Batch k has the elements from k·elements_per_batch on. Different batches may be processed
@@ -112,4 +112,4 @@ std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Mate
 std::unique_ptr<ElementBatches> make_corotational_batches(const Materials& materials,
                                                           const Tet4Elements& elements);
 
-}  // namespace prosector
+}  // namespace prosector::soft

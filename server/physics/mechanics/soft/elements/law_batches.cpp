@@ -4,7 +4,7 @@
 #include "server/physics/mechanics/soft/elements/corotational_kernel.h"
 #include "server/physics/mechanics/soft/elements/element_batches.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 class LawBatches final : public ElementBatches {
@@ -146,4 +146,4 @@ std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Mate
   return make_law_batches(law.make, materials, elements);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

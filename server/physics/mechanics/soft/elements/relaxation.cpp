@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/elements/corotational_kernel.h"
 #include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Smallest volume ratio at which S is computed. F⁻¹ of flatter elements is too large: their S counts as 0,
@@ -179,4 +179,4 @@ bool has_relaxed(const SoftMaterial& material, const VecX& history) {
   return history.size() == 0 || history.lpNorm<Eigen::Infinity>() <= least_strain * material.youngs_modulus;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

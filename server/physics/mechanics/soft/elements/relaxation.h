@@ -15,7 +15,7 @@
 
 #include "server/physics/mechanics/soft/elements/element_batches.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Element batches of any material law with viscoelastic stress relaxation. Between begin_step and end_step,
 /// their energy is the one that the step must minimise. Before the first begin_step it is that of the law.
@@ -93,4 +93,4 @@ std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, co
 /// history of a state of this body, may exceed a thousandth of Young's modulus.
 bool has_relaxed(const SoftMaterial& material, const VecX& history);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -4,7 +4,7 @@
 
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Four-point rule exact for quadratic fields (Hammer, Marlowe, Stroud 1956): (5 ± √5 …)/20.
@@ -216,4 +216,4 @@ void Tet10Elements::spread(const CorotatedVector* corners, CorotatedVector* r) {
     }
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

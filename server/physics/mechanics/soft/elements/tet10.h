@@ -16,7 +16,7 @@
 #include "server/physics/mechanics/soft/elements/edge_nodes.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class Tet10Elements {
  public:
@@ -94,4 +94,4 @@ class Tet10Elements {
   VecX volume_, shape_volume_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/elements/tet10.h"
 #include "server/physics/mechanics/soft/laws/mean_dilatation.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t per_element = Tet10Elements::points_per_element;
@@ -216,4 +216,4 @@ std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Mat
   return std::make_unique<Tet10Model>(law, split_volume(materials), relaxation, mesh);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -4,7 +4,7 @@
 #include "server/physics/mechanics/soft/elements/elastic_model.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates the elastic model of a body of quadratic tetrahedra under the material law called `law`. Mean
 /// dilatation (mean_dilatation.h) prevents volumetric locking. `relaxation`: terms of viscoelastic stress
@@ -14,4 +14,4 @@ std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Mat
                                                const std::vector<RelaxationDesc>& relaxation,
                                                const TetMesh& mesh);
 
-}  // namespace prosector
+}  // namespace prosector::soft

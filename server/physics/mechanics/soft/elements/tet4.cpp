@@ -9,7 +9,7 @@
 #include "common/anatomy/rest_stretch.h"
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t tets_per_chunk = 512;
@@ -211,4 +211,4 @@ VecX Tet4Elements::lumped_volume(const TetMesh& mesh) {
   return volume;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

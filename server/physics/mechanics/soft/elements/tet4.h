@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Linear tetrahedra. Each has one constant deformation gradient F = Σ_a x_a b_aᵀ, where x_a are its node
 /// positions and b_a = ∇N_a the gradients of the shape functions at rest.
@@ -94,4 +94,4 @@ class Tet4Elements {
   std::size_t dropped_ = 0;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -5,7 +5,7 @@
 #include "server/physics/mechanics/soft/elements/tet4.h"
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 using Forces = Tet4Elements::Forces;
@@ -114,4 +114,4 @@ std::unique_ptr<ElasticModel> make_tet4_volume_model(const Materials& materials,
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

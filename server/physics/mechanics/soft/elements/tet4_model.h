@@ -4,7 +4,7 @@
 #include "server/physics/mechanics/soft/elements/elastic_model.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates the elastic model of a body of linear tetrahedra under the material law called `law`.
 /// `relaxation`: terms of viscoelastic stress relaxation, may be empty. Throws InputError for an unknown law.
@@ -16,4 +16,4 @@ std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Mate
 /// It is added to the springs of a mass-spring solid.
 std::unique_ptr<ElasticModel> make_tet4_volume_model(const Materials& materials, const TetMesh& mesh);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -2,7 +2,7 @@
 
 #include "server/physics/mechanics/soft/integrators/implicit_integrators.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 class BackwardDifferences final : public TimeIntegrator {
@@ -43,4 +43,4 @@ std::unique_ptr<TimeIntegrator> make_bdf2() {
   return std::make_unique<BackwardDifferences>(2);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

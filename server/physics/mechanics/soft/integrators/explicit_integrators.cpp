@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Explicit Euler: x += h·v, v += h·a, both from the start; gains energy at every step.
@@ -136,4 +136,4 @@ double StepLimit::at(double omega, double damping_mass, double damping_stiffness
   return holds < least_step && !oscillator.damped() ? 0 : holds / omega;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Acceleration of a body's nodes as a function of node positions and velocities: the interface by which
 /// explicit integrators evaluate forces.
@@ -60,4 +60,4 @@ class StepLimit {
   VecX x_, v_;  // 2 entries each
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -8,7 +8,7 @@
 #include "server/physics/mechanics/soft/integrators/explicit_integrators.h"
 #include "server/physics/mechanics/soft/integrators/substepper.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr double safety = 0.9;  // relative to the stability limit, because the power method underestimates ω
@@ -170,4 +170,4 @@ std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anato
   return nullptr;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

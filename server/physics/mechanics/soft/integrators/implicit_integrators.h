@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/integrators/time_integrator.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates the implicit Euler integrator: first order and L-stable. It damps an oscillation of angular
 /// frequency ω with a damping ratio of about ωh/2, where h is the time step.
@@ -25,4 +25,4 @@ void finish_inertia_target(double c, const Weight& weight, Stage& stage);
 /// `stage.dxdv`. The values that `motion` had before become its previous step.
 void advance(const Stage& stage, const Eigen::Ref<const VecX>& x, Motion& motion);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/integrators/time_integrator.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct SoftBodyState {
   Motion motion;
@@ -26,4 +26,4 @@ struct SoftBodyState {
   double omega = 0;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

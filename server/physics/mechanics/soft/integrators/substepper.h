@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/integrators/soft_state.h"
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class Substepper {
  public:
@@ -78,4 +78,4 @@ std::unique_ptr<Substepper> make_xpbd_substepper(const SubstepBody& body, const 
 /// the body uses an implicit integrator and is stepped by minimisation.
 std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anatomy& anatomy);
 
-}  // namespace prosector
+}  // namespace prosector::soft

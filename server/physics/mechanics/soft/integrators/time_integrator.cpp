@@ -3,7 +3,7 @@
 #include "server/physics/mechanics/soft/base/find_row.h"
 #include "server/physics/mechanics/soft/integrators/implicit_integrators.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 const std::vector<IntegratorRow>& integrators() {
   static const std::vector<IntegratorRow> rows = {
@@ -40,4 +40,4 @@ void advance(const Stage& stage, const Eigen::Ref<const VecX>& x, Motion& motion
   motion.has_history = true;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -26,7 +26,7 @@
 #include "common/math.h"
 #include "server/physics/mechanics/soft/base/weight.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Positions and velocities of a soft body's nodes, now and one step before: the part of its state that
 /// integrators read and write. All of it is saved in checkpoints and hashed.
@@ -80,4 +80,4 @@ const std::vector<IntegratorRow>& integrators();
 /// none.
 std::unique_ptr<TimeIntegrator> make_integrator(const std::string& name);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -5,7 +5,7 @@
 
 #include "server/physics/mechanics/soft/integrators/implicit_integrators.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 const double gamma = 2 - std::sqrt(2.0);
@@ -53,4 +53,4 @@ std::unique_ptr<TimeIntegrator> make_tr_bdf2() {
   return std::make_unique<TrBdf2>();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

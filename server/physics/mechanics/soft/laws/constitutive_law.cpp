@@ -5,7 +5,7 @@
 #include "server/physics/mechanics/soft/base/find_row.h"
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 const std::vector<LawRow>& laws() {
   static const std::vector<LawRow> rows = {
@@ -36,4 +36,4 @@ std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Materia
   return find_row(laws(), "model", name).make(constants);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 #include "common/math.h"
 #include "server/physics/mechanics/soft/laws/material.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 
@@ -54,4 +54,4 @@ bool is_law(const std::string& name);
 /// if there is none.
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants);
 
-}  // namespace prosector
+}  // namespace prosector::soft

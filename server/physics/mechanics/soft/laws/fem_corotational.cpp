@@ -5,7 +5,7 @@
 #include "server/physics/mechanics/soft/laws/polar.h"
 #include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 // With R's derivative along the twists T_k = R[v_k]ₓ/√2 (v_k: principal directions of S, σᵢ + σⱼ the other
@@ -71,4 +71,4 @@ std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Material& constants
   return std::make_unique<FemCorotational>(constants.lame);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

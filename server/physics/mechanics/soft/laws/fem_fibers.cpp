@@ -3,7 +3,7 @@
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 #include "server/physics/mechanics/soft/laws/flattened_matrix.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Neo-Hookean law with fibres: W = W_iso + k/8 ⟨I₄ − 1⟩², I₄ = |Fa|². The fibre's tangent k (Fa⊗a)(Fa⊗a)ᵀ +
@@ -65,4 +65,4 @@ std::unique_ptr<ConstitutiveLaw> make_fem_fibers(const Material& constants) {
   return std::make_unique<FemFibers>(constants);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

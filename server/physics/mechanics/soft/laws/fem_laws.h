@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Returns the external pressure (Pa) on element e: pressure[e], or 0 if `pressure` is empty.
 inline double pressure_at(std::span<const double> pressure, std::size_t e) {
@@ -46,4 +46,4 @@ std::unique_ptr<ConstitutiveLaw> make_fem_fibers(const Material& constants);
 /// rest volume. Model `mass_spring` uses it to preserve volume.
 std::unique_ptr<ConstitutiveLaw> make_volume_law(const Material& constants);
 
-}  // namespace prosector
+}  // namespace prosector::soft

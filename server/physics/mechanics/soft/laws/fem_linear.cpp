@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 Mat3 strain(const Mat3& F) {
@@ -58,4 +58,4 @@ std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Material& constants) {
   return std::make_unique<FemLinear>(constants.lame);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

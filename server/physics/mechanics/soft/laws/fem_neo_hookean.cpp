@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/laws/polar.h"
 #include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// W = m/2 (I_C − 3) + Λ/2 (J − α)² − b/2 ln((I_C + 1)/4), minus its value at rest; I_C = ‖F‖², J = det F.
@@ -142,4 +142,4 @@ std::unique_ptr<ConstitutiveLaw> make_volume_law(const Material& constants) {
   return std::make_unique<FemNeoHookean>(Parameters{0, constants.lame.lambda, 1, 0});
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

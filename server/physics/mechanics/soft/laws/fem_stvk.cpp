@@ -5,7 +5,7 @@
 #include "server/physics/mechanics/soft/laws/polar.h"
 #include "server/physics/mechanics/soft/laws/symmetric_eigen.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 class FemStVK final : public ConstitutiveLaw {
@@ -83,4 +83,4 @@ std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Material& constants) {
   return std::make_unique<FemStVK>(constants.lame);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 
@@ -23,4 +23,4 @@ inline void add_outer(double c, const Vec9& q, Mat9& H) {
   for (int j = 0; j < 9; ++j) H.col(j) += (c * q[j]) * q;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

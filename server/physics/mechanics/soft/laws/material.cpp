@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 Material make_material(double youngs_modulus, double poisson_ratio, double fiber_stiffness,
@@ -70,7 +70,7 @@ void Materials::follow(const SoftMaterial& material, const TetMesh& mesh, const 
   edit.kept_tets.carry(kind, each);
   for (const std::size_t tet : edit.tets)
     std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(each * tet), each,
-                prosector::kind_of(material, mesh, tet));
+                soft::kind_of(material, mesh, tet));
 }
 
 std::uint32_t kind_of(const SoftMaterial& material, const TetMesh& mesh, std::size_t tet) {
@@ -99,4 +99,4 @@ Materials make_materials(const SoftMaterial& material, const TetMesh& mesh, bool
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

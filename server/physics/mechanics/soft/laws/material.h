@@ -9,7 +9,7 @@
 #include "common/scene/scene.h"
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Lamé constants λ and μ of an isotropic elastic material (Pa). From Young's modulus E and Poisson's ratio
 /// ν: λ = Eν/((1+ν)(1−2ν)), μ = E/(2(1+ν)).
@@ -61,4 +61,4 @@ std::uint32_t kind_of(const SoftMaterial& material, const TetMesh& mesh, std::si
 /// region and the allowed values for constants out of range.
 Materials make_materials(const SoftMaterial& material, const TetMesh& mesh, bool for_xpbd = false);
 
-}  // namespace prosector
+}  // namespace prosector::soft

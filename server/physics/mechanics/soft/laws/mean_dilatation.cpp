@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace prosector {
+namespace prosector::soft {
 
 SplitMaterials split_volume(const Materials& materials) {
   SplitMaterials out{materials, {}};
@@ -18,4 +18,4 @@ SplitMaterials split_volume(const Materials& materials) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -14,7 +14,7 @@
 
 #include "server/physics/mechanics/soft/laws/material.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Largest Poisson's ratio that is evaluated at each integration point; the rest of the bulk stiffness acts
 /// on an element's mean volume change. It is positive, so that no deformation within an element is free.
@@ -28,4 +28,4 @@ struct SplitMaterials {
 };
 SplitMaterials split_volume(const Materials& materials);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 using Vec4 = Eigen::Vector4d;
@@ -118,4 +118,4 @@ Polar polar(const Mat3& F) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Polar decomposition F = R·S of a 3×3 matrix. R is the proper rotation closest to F (it maximises tr(RᵀF)),
 /// and S is symmetric. For det F < 0 the smallest principal stretch in S is negative. With principal
@@ -22,4 +22,4 @@ struct Polar {
 /// two largest eigenvalues nearly coincide, an orthogonal eigensolver is used instead.
 Polar polar(const Mat3& F);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 /// Annihilates the off-diagonal entry `a_pq`; `a_rp` and `a_rq` are the other two.
@@ -42,4 +42,4 @@ SymmetricEigen symmetric_eigen(const Mat3& A) {
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

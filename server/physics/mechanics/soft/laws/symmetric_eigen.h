@@ -4,7 +4,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct SymmetricEigen {
   Vec3 values;   // in no particular order
@@ -15,4 +15,4 @@ struct SymmetricEigen {
 /// triangle.
 SymmetricEigen symmetric_eigen(const Mat3& A);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 #include "common/math.h"
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Sparse matrix of dense R×C blocks in compressed row storage: columns and blocks of all rows, concatenated,
 /// and the start of each row. Columns ascend within a row.
@@ -131,4 +131,4 @@ std::vector<Eigen::Matrix<double, B, B>> inverse_diagonal(const BlockCsr<B, B>& 
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/base/table_rows.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t block_rows_per_chunk = 128, rows_found_at_once = 512;
@@ -120,10 +120,10 @@ void BlockPattern::replace_rows(const Kept& kept, std::span<const std::uint32_t>
   const std::vector<std::uint32_t> now = kept.destinations();
   const auto renumbered = [&](std::uint32_t node) { return now[node]; };
   if (kept.all_unmoved())
-    prosector::replace_rows(kept, nodes, rows.columns, std::identity{}, row_begin_, column_);
+    soft::replace_rows(kept, nodes, rows.columns, std::identity{}, row_begin_, column_);
   else
-    prosector::replace_rows(kept, nodes, rows.columns, renumbered, row_begin_, column_);
-  prosector::replace_rows(kept, nodes, rows.places, std::identity{}, place_begin_, place_);
+    soft::replace_rows(kept, nodes, rows.columns, renumbered, row_begin_, column_);
+  soft::replace_rows(kept, nodes, rows.places, std::identity{}, place_begin_, place_);
   find_mirrors();
 }
 
@@ -196,4 +196,4 @@ void BlockPattern::multiply(std::span<const Mat3> values, const double* x, doubl
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

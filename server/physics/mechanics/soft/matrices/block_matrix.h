@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/soft/base/connectivity.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Sparsity pattern of a body's matrices of 3×3 blocks, one row per node, and the element blocks that are
 /// summed in each. Both triangles are stored, so a product with a vector reads rows only, and rows can run in
@@ -66,4 +66,4 @@ class BlockPattern {
   std::vector<std::uint32_t> place_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 /// Floats of one block: its columns without the multiple of I, and the summands of this multiple.
 constexpr std::size_t floats_per_sum = 16, slots_at_once = 96;  // on the stack
@@ -188,7 +188,7 @@ double quadratic_products(const CorotatedElements& elements, const Connectivity&
   return element_products<10, 4>(elements, all, first, last, x, out);
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -196,7 +196,7 @@ HWY_AFTER_NAMESPACE();
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 #include "server/physics/mechanics/soft/base/scratch.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t corotated_rows_per_chunk = 64, elements_per_chunk = 256, nodes_per_chunk = 1024;
@@ -262,5 +262,5 @@ double CorotatedStiffness::visit(const CorotatedElements& elements, const double
   return ordered_sum(sums_);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
 #endif

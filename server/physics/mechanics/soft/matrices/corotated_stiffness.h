@@ -5,7 +5,7 @@
 #include "server/physics/mechanics/soft/elements/corotated_elements.h"
 #include "server/physics/mechanics/soft/matrices/symmetric_rows.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Input of the assembly kernel for rotated elements: the matrix patterns, which give rows and incident
 /// elements, and the elements' data.
@@ -51,4 +51,4 @@ class CorotatedStiffness {
   std::vector<double> sums_;   // one per chunk
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 /// Column of B floats: the first four and, for six, the last four.
 template <int B>
@@ -117,11 +117,11 @@ void product66(const FloatBlocks& A, std::size_t first, std::size_t last, const 
   product<6, 6>(A, first, last, x, y);
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace prosector {
+namespace prosector::soft {
 
 HWY_EXPORT(from_zero);
 HWY_EXPORT(step);
@@ -156,5 +156,5 @@ void residual(const FloatRows& A, std::size_t first, std::size_t last, const flo
   HWY_DYNAMIC_DISPATCH(rest)(A, first, last, b, z, r);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
 #endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Sparse matrix of float blocks with R rows and C columns, column-major: the start of each row, and the
 /// column and values of each block. `value` must be readable for one float beyond its last block, because
@@ -38,4 +38,4 @@ void smooth(const FloatRows& A, std::size_t first, std::size_t last, const float
 void residual(const FloatRows& A, std::size_t first, std::size_t last, const float* b, const float* z,
               float* r);
 
-}  // namespace prosector
+}  // namespace prosector::soft

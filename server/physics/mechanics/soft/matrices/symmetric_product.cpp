@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 // Blocks right of the diagonal add columns scaled by an entry of x, with one sum per column, so that sums are
 // independent. For blocks left of the diagonal, the transposes, entry c is the product of column c and x.
@@ -154,11 +154,11 @@ void rest(const SymmetricFloats& A, std::size_t first, std::size_t last, const f
   for (std::size_t i = first; i < last; ++i) row_residual(A, i, b, z, r + 3 * i);
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace prosector {
+namespace prosector::soft {
 
 HWY_EXPORT(product);
 HWY_EXPORT(close);
@@ -186,5 +186,5 @@ void residual(const SymmetricFloats& A, std::size_t first, std::size_t last, con
   HWY_DYNAMIC_DISPATCH(rest)(A, first, last, b, z, r);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
 #endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Block left of the diagonal of a symmetric matrix of which only blocks right of the diagonal are stored. It
 /// is the transpose of the stored block with index `block`, in the earlier row `column`.
@@ -50,4 +50,4 @@ void smooth(const SymmetricFloats& A, std::size_t first, std::size_t last, const
 void residual(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b, const float* z,
               float* r);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -2,7 +2,7 @@
 
 #include "server/physics/base/parallel.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t symmetric_rows_per_chunk = 256;
@@ -69,4 +69,4 @@ void multiply(const SymmetricPattern& pattern, const SymmetricRows& K, double sc
                   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

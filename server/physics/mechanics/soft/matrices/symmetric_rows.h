@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 #include "server/physics/mechanics/soft/matrices/symmetric_product.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Sparsity pattern of a symmetric matrix of 3×3 blocks. Only blocks right of the diagonal are stored, row by
 /// row. The blocks of row i left of the diagonal are the transposes of blocks in earlier rows.
@@ -77,4 +77,4 @@ struct SymmetricRows {
 void multiply(const SymmetricPattern& pattern, const SymmetricRows& K, double scale, std::span<const Mat3> D,
               const double* x, double* y);
 
-}  // namespace prosector
+}  // namespace prosector::soft

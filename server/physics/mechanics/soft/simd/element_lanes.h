@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace prosector {
+namespace prosector::soft {
 
 inline constexpr std::size_t elements_per_batch = 64;
 
@@ -29,4 +29,4 @@ struct LaneStrain {
   alignas(64) double pressure[elements_per_batch] = {};  // Pa
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -15,7 +15,7 @@
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<double, 8>;
@@ -108,7 +108,7 @@ HWY_INLINE void store(const Matrix& A, LaneMatrix& m, std::size_t i) {
   column(A.c, 6);
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/simd/lane_math.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 struct Quaternion {
   V w;
@@ -116,7 +116,7 @@ HWY_INLINE Matrix polar_rotation(const Matrix& F, M& unique) {
   return polished(null_vector(unit, root), unit);
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

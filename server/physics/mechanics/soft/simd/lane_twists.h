@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/simd/lane_math.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 /// Performs a Jacobi rotation of columns p and q of a symmetric 3×3 matrix in each SIMD lane, which makes its
 /// entry a_pq zero. The third index is r. The eigenvector columns u_p and u_q are rotated too. Lanes that are
@@ -68,7 +68,7 @@ HWY_INLINE MatrixOf<T> half_twists(T lambda, T two_mu, T pressure, double least_
           u.a.z * ca + u.b.z * cb + u.c.z * cc};
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace prosector {
+namespace prosector::soft {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
@@ -59,4 +59,4 @@ void Cholesky::solve(const double* r, double* z) const {
   Eigen::Map<VecX>(z, n).noalias() = impl_->ldlt.permutationPinv() * y;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

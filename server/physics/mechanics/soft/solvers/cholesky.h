@@ -6,7 +6,7 @@
 
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class Cholesky {
  public:
@@ -26,4 +26,4 @@ class Cholesky {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/base/node_vectors.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 using Preconditioner = void (LinearOperator::*)(const VecX& r, VecX& z) const;
@@ -130,4 +130,4 @@ std::unique_ptr<LinearSolver> make_direct() {
   return std::make_unique<ConjugateGradient>(&LinearOperator::elastic_factor);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

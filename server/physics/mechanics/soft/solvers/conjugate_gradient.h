@@ -3,7 +3,7 @@
 
 #include "server/physics/mechanics/soft/solvers/linear_solver.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates a conjugate-gradient solver preconditioned with the inverses of the system matrix's diagonal
 /// blocks (block Jacobi).
@@ -18,4 +18,4 @@ std::unique_ptr<LinearSolver> make_direct();
 /// about ten iterations, independent of the mesh size.
 std::unique_ptr<LinearSolver> make_multigrid();
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 #include "server/physics/mechanics/soft/base/find_row.h"
 #include "server/physics/mechanics/soft/solvers/conjugate_gradient.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 const std::vector<SolverRow>& solvers() {
   static const std::vector<SolverRow> rows = {
@@ -23,4 +23,4 @@ std::unique_ptr<LinearSolver> make_solver(const std::string& name) {
   return find_row(solvers(), "solver", name).make();
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

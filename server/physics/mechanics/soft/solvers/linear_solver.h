@@ -8,7 +8,7 @@
 
 #include "common/math.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// System matrix H of an island as the linear solvers see it: its products with vectors and several
 /// preconditioners. Unknowns are first the island's soft nodes (3 each), then its rigid bodies (6 each).
@@ -59,4 +59,4 @@ const std::vector<SolverRow>& solvers();
 /// Creates the linear solver with this name. Throws InputError that lists the known names if there is none.
 std::unique_ptr<LinearSolver> make_solver(const std::string& name);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/soft/solvers/smoothed_aggregation.h"
 #include "server/physics/mechanics/soft/solvers/star_patches.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr int smoothing_steps = 2, smoothing_steps_beside_stars = 1;
@@ -385,4 +385,4 @@ void Multigrid::apply(const double* r, double* z) {
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -19,7 +19,7 @@
 #include "server/physics/mechanics/soft/matrices/symmetric_product.h"
 #include "server/physics/mechanics/soft/solvers/rest_system.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class Multigrid {
  public:
@@ -47,4 +47,4 @@ class Multigrid {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/solvers/node_covariance.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace prosector::HWY_NAMESPACE {
+namespace prosector::soft::HWY_NAMESPACE {
 
 void covariances(const BlockPattern& neighbours, const float* x, const float* rest, std::size_t first,
                  std::size_t last, LaneMatrix& F) {
@@ -29,11 +29,11 @@ void covariances(const BlockPattern& neighbours, const float* x, const float* re
   }
 }
 
-}  // namespace prosector::HWY_NAMESPACE
+}  // namespace prosector::soft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace prosector {
+namespace prosector::soft {
 
 HWY_EXPORT(covariances);
 
@@ -42,5 +42,5 @@ void node_covariances(const BlockPattern& neighbours, const float* x, const floa
   HWY_DYNAMIC_DISPATCH(covariances)(neighbours, x, rest, first, last, F);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
 #endif

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Computes for the nodes first … last − 1 the 3×3 matrices Σ (x_j − x_i)(X_j − X_i)ᵀ over the neighbours j
 /// of node i, where x are current and X rest positions. Stores them in the lanes of F from 0 on; at most
@@ -16,4 +16,4 @@ namespace prosector {
 void node_covariances(const BlockPattern& neighbours, const float* x, const float* rest, std::size_t first,
                       std::size_t last, LaneMatrix& F);
 
-}  // namespace prosector
+}  // namespace prosector::soft

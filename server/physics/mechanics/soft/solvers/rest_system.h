@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/base/connectivity.h"
 #include "server/physics/mechanics/soft/matrices/block_matrix.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 struct RestSystem {
   const BlockPattern& pattern;      // must outlive preconditioners built from it, as `elements` must
@@ -17,4 +17,4 @@ struct RestSystem {
   const VecX& attached;             // n, N/m
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
@@ -169,4 +169,4 @@ template Coarsening<3> coarsen(const BlockCsr<3, 3>&, std::span<const Eigen::Mat
 template Coarsening<6> coarsen(const BlockCsr<6, 6>&, std::span<const Eigen::Matrix<double, 6, 6>>,
                                const std::vector<bool>&, double);
 
-}  // namespace prosector
+}  // namespace prosector::soft

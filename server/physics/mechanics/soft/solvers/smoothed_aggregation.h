@@ -7,7 +7,7 @@
 
 #include "server/physics/mechanics/soft/matrices/block_csr.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// One coarsening step of multigrid for a matrix A of B×B blocks: the prolongation P, the restriction Pᵀ and
 /// the coarse matrix PᵀAP. Each coarse node is an aggregate of fine nodes with 6 unknowns, its rigid modes. A
@@ -34,4 +34,4 @@ Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<dou
 template <int B>
 double largest_eigenvalue(const BlockCsr<B, B>& A);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 #include "server/physics/base/parallel.h"
 #include "server/physics/mechanics/soft/elements/edge_nodes.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t patches_per_chunk = 16, nodes_per_chunk = 512;
@@ -134,4 +134,4 @@ void StarPatches::add(float share, const float* r, float* z) {
                   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -11,7 +11,7 @@
 
 #include "server/physics/mechanics/soft/solvers/rest_system.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 class StarPatches {
  public:
@@ -33,4 +33,4 @@ class StarPatches {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

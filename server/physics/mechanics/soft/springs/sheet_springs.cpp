@@ -11,7 +11,7 @@
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "server/physics/mechanics/soft/springs/spring_parts.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 using Line = std::array<std::uint32_t, 3>;
@@ -215,4 +215,4 @@ std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anat
   return out;
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

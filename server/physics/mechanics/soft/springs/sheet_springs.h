@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 #include "server/physics/mechanics/soft/springs/spring_network.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates the springs and bending elements of a sheet's cells. Springs are in the order of their nodes.
 /// Bending elements about edges come first, in the order of the edges, then those along lines of three nodes,
@@ -22,4 +22,4 @@ SpringNetwork make_sheet_springs(const SoftMaterial& material, const Anatomy& sh
 std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs);
 
-}  // namespace prosector
+}  // namespace prosector::soft

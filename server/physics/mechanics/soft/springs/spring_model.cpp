@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/springs/sheet_springs.h"
 #include "server/physics/mechanics/soft/springs/tet_springs.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t elements_per_chunk = 512;
@@ -48,7 +48,7 @@ class SpringModel final : public ElasticModel {
   std::vector<std::uint32_t> follow_sheet(const SoftMaterial& material, const Anatomy& sheet,
                                           const Kept& nodes,
                                           std::span<const std::uint32_t> touched) override {
-    std::vector<std::uint32_t> met = prosector::follow_sheet(material, sheet, nodes, touched, network_);
+    std::vector<std::uint32_t> met = soft::follow_sheet(material, sheet, nodes, touched, network_);
     fit();
     return met;
   }
@@ -229,4 +229,4 @@ std::unique_ptr<ElasticModel> make_sum_model(std::unique_ptr<ElasticModel> a,
   return std::make_unique<SumModel>(std::move(a), std::move(b));
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

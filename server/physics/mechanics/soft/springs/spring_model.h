@@ -6,7 +6,7 @@
 #include "server/physics/mechanics/soft/elements/elastic_model.h"
 #include "server/physics/mechanics/soft/springs/spring_network.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 std::unique_ptr<ElasticModel> make_spring_model(SpringNetwork network);
 
@@ -15,4 +15,4 @@ std::unique_ptr<ElasticModel> make_spring_model(SpringNetwork network);
 std::unique_ptr<ElasticModel> make_sum_model(std::unique_ptr<ElasticModel> a,
                                              std::unique_ptr<ElasticModel> b);
 
-}  // namespace prosector
+}  // namespace prosector::soft

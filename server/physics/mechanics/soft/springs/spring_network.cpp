@@ -12,7 +12,7 @@
 #include "server/physics/mechanics/soft/springs/spring_parts.h"
 #include "server/physics/mechanics/soft/springs/tet_springs.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr double equal = 1e-9;  // relative: smaller differences of lengths are rounding errors
@@ -64,4 +64,4 @@ SpringNetwork make_spring_network(const SoftMaterial& material, const Anatomy& a
                                   : make_rope_springs(material, anatomy);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -22,7 +22,7 @@
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Spring between two nodes, with energy ½k(l − l₀)², where k is the stiffness (N/m), l its length and l₀ its
 /// rest length (m).
@@ -66,4 +66,4 @@ struct SpringNetwork {
 /// cells or tetrahedra. Throws InputError for constants out of range.
 SpringNetwork make_spring_network(const SoftMaterial& material, const Anatomy& anatomy);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -1,6 +1,6 @@
 #include "server/physics/mechanics/soft/springs/spring_parts.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 void add_springs(std::span<const Vec3> x, std::vector<StiffnessPart> parts, SpringNetwork& network) {
   sort_parts(x.size(), parts);
@@ -16,4 +16,4 @@ void add_springs(std::span<const Vec3> x, std::vector<StiffnessPart> parts, Spri
   });
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -10,7 +10,7 @@
 #include "server/physics/mechanics/soft/base/mesh_edit.h"
 #include "server/physics/mechanics/soft/springs/spring_network.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 using Edge = std::array<std::uint32_t, 2>;  // ascending
 
@@ -91,4 +91,4 @@ void renumber(std::span<const std::uint32_t> now, std::vector<Element>& elements
     for (std::size_t k = 0; k < e.nodes().size(); ++k) e.node[k] = now[e.node[k]];
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

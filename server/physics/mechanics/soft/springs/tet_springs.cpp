@@ -9,7 +9,7 @@
 #include "server/physics/mechanics/soft/elements/tet4.h"
 #include "server/physics/mechanics/soft/springs/spring_parts.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 bool needs_volume_springs(const SoftMaterial& material, const Lame& c) {
@@ -140,4 +140,4 @@ void follow_tet_springs(const SoftMaterial& material, const TetMesh& mesh, const
   springs.rest = to_vector(mesh.positions);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -7,7 +7,7 @@
 #include "server/physics/mechanics/soft/laws/material.h"
 #include "server/physics/mechanics/soft/springs/spring_network.h"
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Creates springs along the edges of the tetrahedra of a mass-spring solid, in the order of their nodes.
 SpringNetwork make_tet_springs(const SoftMaterial& material, const TetMesh& mesh);
@@ -22,4 +22,4 @@ std::optional<Materials> volume_springs(const SoftMaterial& material, const TetM
 void follow_tet_springs(const SoftMaterial& material, const TetMesh& mesh, const MeshEdit& edit,
                         SpringNetwork& springs);
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace prosector {
+namespace prosector::soft {
 
 /// Set of colours taken at each node, for greedily colouring elements so that elements of one colour share no
 /// node. Stores one bit per colour and node.
@@ -34,4 +34,4 @@ class NodeColours {
   std::vector<std::vector<std::uint64_t>> words_;  // each word by node
 };
 
-}  // namespace prosector
+}  // namespace prosector::soft

@@ -20,7 +20,7 @@
 #include "server/physics/mechanics/soft/springs/spring_network.h"
 #include "server/physics/mechanics/soft/xpbd/node_colours.h"
 
-namespace prosector {
+namespace prosector::soft {
 namespace {
 
 constexpr std::size_t constraints_per_chunk = 256;
@@ -250,4 +250,4 @@ std::unique_ptr<Substepper> make_xpbd_substepper(const SubstepBody& body, const 
   return std::make_unique<XpbdSubstepper>(body, anatomy);
 }
 
-}  // namespace prosector
+}  // namespace prosector::soft
