@@ -19,7 +19,7 @@ using namespace test;
 constexpr double tick = 1.0 / 60;  // s
 
 double diameter(const std::vector<collision::ShapePart>& parts) {
-  const CollisionObject object = rigid(parts, Fidelity::sphere);
+  const CollisionObject object = test::rigid(parts, Fidelity::sphere);
   return 2 * std::get<collision::SphereShape>(object.pieces().front()).radius;
 }
 
@@ -98,7 +98,7 @@ RigidPairs::RigidPairs(const NamedParts& shape, int pairs)
     pair.start_a = random_turn(random);
     pair.start_b = random_turn(random);
     pair.truth =
-        proximity(rigid(parts_, Fidelity::mesh, pair.a), from_table(other, Fidelity::mesh, pair.b), 0);
+        proximity(test::rigid(parts_, Fidelity::mesh, pair.a), from_table(other, Fidelity::mesh, pair.b), 0);
   }
 }
 

@@ -116,7 +116,7 @@ ReportRow measure_organ_and_rigid(Fidelity fidelity, const NamedParts& shape, in
   Probe probe(shape.parts);
   const Tissue& tissue = organs.first();
   const CollisionObject own = reference_of(tissue);
-  CollisionObject other = rigid(shape.parts, Fidelity::mesh);
+  CollisionObject other = test::rigid(shape.parts, Fidelity::mesh);
   const double size = organ_size.norm(), other_size = 2 * other.box().half().norm();
   Random random(3);
   PairErrors errors(size);
