@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
-Six rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
+Seven rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
 docs/ is linked from docs/README.md or from the README.md of its own folder; each table has a heading row and a separator
 row; each page that a source names, and each source that a page names in `backticks` by a path from the root or from
-server/physics, is there. Tables, code and headings are free of the first rule, docs/decisions of the first and the last.
+server/physics, is there; each file of docs/pictures is shown
+by a page, and deploy/renew_pictures.py names its producer. Tables, code and headings are free of the first rule, docs/decisions of the first and the last.
 NAME in a path stands for any name.
 Lengths are bounded, too: README.md, the pages of docs/understand, and all of docs/ together. Each bound is printed with its figure.
 --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
@@ -13,6 +14,8 @@ Lengths are bounded, too: README.md, the pages of docs/understand, and all of do
 import pathlib
 import re
 import sys
+
+import renew_pictures
 
 MOST_WORDS = 30
 MOST_OF_README, MOST_OF_UNDERSTAND, MOST_OF_ALL = 950, 2400, 81000  # words; a bar of a table is none
@@ -143,6 +146,16 @@ def dead_mentions(root):
                         yield file, number, f"names {page}, which is not there"
 
 
+def unproduced(docs, pages):
+    """(picture, why) of each file of docs/pictures that no page shows, or that nothing renews."""
+    shown = {target for page in pages for _, target, _ in links(page)}
+    for picture in sorted(file for file in (docs / "pictures").rglob("*") if file.is_file()):
+        if picture not in shown:
+            yield picture, 1, "no page shows this picture"
+        if str(picture.relative_to(docs / "pictures")) not in renew_pictures.listed():
+            yield picture, 1, "deploy/renew_pictures.py names no producer of this picture"
+
+
 def length(page):
     return len(words_of(page.read_text()))
 
@@ -185,6 +198,7 @@ def main():
     faults += dead_mentions(root)
     if not words:
         faults += too_long(root, docs, pages)
+        faults += unproduced(docs, [*tops, *pages])
     for page, line, why in faults:
         print(f"{page.relative_to(root)}:{line}: {why}", file=sys.stderr)
     print(f"docs: {len(faults)} faults" if faults else f"docs: {len(pages)} pages good")

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Runs prosector-bench, keeps its reports and pictures, and fills the tables of docs/ from them.
+# Runs prosector-bench, keeps its reports and plots, and fills the tables of docs/ from them.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-subjects=(trade stability scaling soft integrators beam beam101k press collision contact references refine pictures)
+subjects=(trade stability scaling soft integrators beam beam101k press collision contact references refine)
 
 usage() {
   cat <<TXT
 deploy/measure.sh [--quick] [--out DIR] [--skip-build] [SUBJECT...]
   SUBJECT        of: ${subjects[*]} (default: all, an hour or more)
   --quick        coarser and shorter: checks that everything runs; not for publication
-  --out DIR      output folder for reports (default out/measure); pictures go to docs/pictures
+  --out DIR      output folder for reports (default out/measure); plots go to docs/pictures
   --skip-build   don't build (PROSECTOR_BIN: folder of the programs; default build/release/bin)
 TXT
 }
@@ -31,7 +31,7 @@ while [ $# -gt 0 ]; do
 done
 [ ${#chosen[@]} -gt 0 ] || chosen=("${subjects[@]}")
 
-[ $build = no ] || "$root/deploy/build.sh" release prosector-bench prosector-server prosector-client
+[ $build = no ] || "$root/deploy/build.sh" release prosector-bench
 bin=${PROSECTOR_BIN:-$root/build/release/bin}
 pictures=$root/docs/pictures
 [ $quick = no ] || pictures=$out
@@ -59,32 +59,14 @@ arguments() {  # of a subject, as published or quick
   esac
 }
 
-# A session on this machine alone, and a picture of it after some seconds.
-server=
-trap '[ -z "$server" ] || kill "$server" 2>/dev/null || true' EXIT
-picture() {  # SCENE SIZE SECONDS
-  local session=measure-$1-$$
-  "$bin/prosector-server" "$root/deploy/scenes/$1.toml" --session "$session" > "$out/$1.log" 2>&1 &
-  server=$!
-  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --timeout 60 --display osmesa \
-    --quality high --size "$2" --fps 2 --seconds "$(($3 + 1))" --screenshot "$pictures/$1.png@$3"
-  kill -TERM "$server" && wait "$server"
-  server=
-}
-
 for subject in "${chosen[@]}"; do
   printf '\n== %s (%d min %02d s)\n' "$subject" $((SECONDS / 60)) $((SECONDS % 60))
-  if [ "$subject" = pictures ]; then
-    picture cloth 1200x560 8
-    picture ropes 1000x600 4
-  else
-    # shellcheck disable=SC2046  # words, on purpose
-    "$bin/prosector-bench" "$subject" $(arguments "$subject") --json "$out/$subject.json"
-  fi
+  # shellcheck disable=SC2046  # words, on purpose
+  "$bin/prosector-bench" "$subject" $(arguments "$subject") --json "$out/$subject.json"
 done
 
 if [ $quick = yes ]; then
-  printf '\nReports and pictures: %s; the tables in docs/ are unchanged\n' "$out"
+  printf '\nReports and plots: %s; the tables in docs/ are unchanged\n' "$out"
 else
   "$root/deploy/fill_tables.py" "$out"
 fi

@@ -171,17 +171,23 @@ try:
     time.sleep(1)
     worked = [take(worker, f"worker_{k}") for k in range(8)]
     worker.end(signal.SIGINT)
-    # A cube of tags stands before the blue mark, and on a part of it; without [phantom] the mark would shine through.
+    # A cube of tags stands before the blue mark, and on a part of it; without [phantom] the mark shines through.
+    cube = f'[[board]]\nfile = "{CUBE}"\nposition = [0, {TABLE + 0.03}, 0.165]\n'
+    bare = look("observe", "bare", cube)
+    bare.wait("everything is here")
+    time.sleep(1)
+    through = take(bare, "bare_0")
+    bare.end(signal.SIGINT)
     (OUT / "cube.off").write_text("OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)) +
                                   "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n")
     config = OUT / "phantom_client.toml"
     config.write_text(f'[phantom]\nmesh = "cube.off"\nscale = 0.03\nboard = "{CUBE}"\n')
-    holder = look("join", "holder", f'[[board]]\nfile = "{CUBE}"\nposition = [0, {TABLE + 0.03}, 0.165]\n', "--config", config)
+    holder = look("join", "holder", cube, "--config", config)
     holder.wait("everything is here")
     time.sleep(1)
     hidden = [take(holder, f"holder_{k}") for k in range(4)]
     holder.end(signal.SIGINT)
-    for program in (watcher, worker, holder):
+    for program in (watcher, worker, bare, holder):
         check("a client ends well", program.process.returncode == 0)
 finally:
     for program in programs:
@@ -207,6 +213,7 @@ blue, red = [blob(picture, 2)[2] for picture in hidden], [blob(picture, 0)[2] fo
 print(f"behind the phantom {blue} pixels of the blue mark are seen")
 check("what is beside the phantom stays", min(red) > 100)
 check("the phantom hides what is behind it", free > 200 and max(blue) < 0.15 * free)
+check("without a phantom the mark is drawn over the cube", blob(through, 2)[2] > 0.5 * free)
 check("the hand hides what is below it", free > 200 and sum(pixels < 0.15 * free for pixels in left) >= len(left) // 4)
 if "-v" in sys.argv:
     print("\n".join(watcher.lines + worker.lines))
