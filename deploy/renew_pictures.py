@@ -68,7 +68,7 @@ def test(name, folder, pictures):
 
 def unit(program, tests, pictures):
     """A unit test that keeps what it drew in the folder PROSECTOR_PICTURES."""
-    return [str(BUILD / "tests" / program), f"--gtest_filter={tests}"], pictures
+    return [str(BUILD / "bin" / program), f"--gtest_filter={tests}"], pictures
 
 
 def observed(scene, seconds, *options):
@@ -111,9 +111,9 @@ PRODUCERS = {
     "setup_devices": test("e2e.setup_devices", "setup_devices", same_names([f"setup-{name}.png" for name in ("devices", "checks", "tracker", "glove")])),
     "setup_calibrate": test("e2e.setup_calibrate", "setup_calibrate", same_names(["setup-calibrate.png"])),
     "setup_face": test("e2e.setup_face", "setup_face", same_names(["setup-window.png"])),
-    "setup_field": unit("setup/test_setup", "Pages.LeadThroughABentField*", {"setup-field.png": one("field.png")}),
-    "setup_eyes": unit("setup/test_setup", "Pages.TheRulerFindsHowFarEyesAreApart*", {"setup-pictures.png": one("ruler.png")}),
-    "setup_camera": unit("setup/test_camera_page", "CameraPage.FindsALens*", {"setup-camera.png": one("camera-guide-1x.png")}),
+    "setup_field": unit("test_setup", "Pages.LeadThroughABentField*", {"setup-field.png": one("field.png")}),
+    "setup_eyes": unit("test_setup", "Pages.TheRulerFindsHowFarEyesAreApart*", {"setup-pictures.png": one("ruler.png")}),
+    "setup_camera": unit("test_camera_page", "CameraPage.FindsALens*", {"setup-camera.png": one("camera-guide-1x.png")}),
     "desk_cut": test("e2e.desk_cut", "desk_cut", {"cut-drawn.png": one("sheet.png")}),
     "openxr": test("e2e.openxr.hands", "openxr_hands", {"headset-openxr.png": grid(["left.ppm", "right.ppm"], 2)}),
     "tablet": test("e2e.tablet_liver", "tablet_liver", {"tablet.png": grid(
