@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
+#include <vector>
 
+#include "server/physics/mechanics/soft/elements/element_batches.h"
 #include "server/physics/mechanics/soft/elements/tet10.h"
 #include "server/physics/mechanics/soft/implicit_stepper.h"
 #include "server/physics/mechanics/soft/incremental_potential.h"
@@ -21,13 +24,19 @@ constexpr double h = 1. / 60;
 constexpr double of_floats = 2e-6;  // relative: what single precision leaves of matrices
 
 struct Case {
-  const char *name, *element;
+  std::string model, element;
   double poisson_ratio;  // quadratic ones average their dilatation above 0.2
 };
-constexpr Case cases[] = {{"tet4", "tet4", 0.3},
-                          {"tet4_incompressible", "tet4", 0.49},
-                          {"tet10", "tet10", 0.1},
-                          {"tet10_mean", "tet10", 0.49}};
+
+/// Every batched law, with linear and quadratic elements.
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const soft::BatchedLawRow& law : soft::batched_laws())
+    for (const auto& [element, nu] :
+         {std::pair("tet4", 0.3), {"tet4", 0.49}, {"tet10", 0.1}, {"tet10", 0.49}})
+      all.push_back({law.law, element, nu});
+  return all;
+}
 
 VecX random_vector(Eigen::Index n, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -37,13 +46,18 @@ VecX random_vector(Eigen::Index n, std::uint64_t seed) {
 SoftDesc description(const Case& row) {
   SoftDesc desc;
   desc.name = "cube";
-  desc.configuration.model = "fem_corotational";
+  desc.configuration.model = row.model;
   desc.configuration.element = row.element;
   desc.material.poisson_ratio = row.poisson_ratio;
   RegionDesc stiffer;
   stiffer.size = Vec3(0.1, 0.1, 0.08);
   stiffer.poisson_ratio = row.poisson_ratio / 2;  // λ/μ and the mean part differ within the body
   stiffer.youngs_modulus = 10 * desc.material.youngs_modulus;
+  if (row.model == "fem_fibers") {  // taut, slack and of other directions
+    desc.material.fiber_stiffness = 2 * desc.material.youngs_modulus;
+    desc.material.fiber_direction = Vec3(1, 0.2, 0.1);
+    stiffer.fiber_direction = Vec3(-0.3, 1, 1);
+  }
   desc.material.regions.push_back(stiffer);
   return desc;
 }
@@ -88,8 +102,9 @@ class Corotated : public testing::TestWithParam<Case> {
   soft::CorotatedStiffness rotated_;
   VecX x_;
 };
-INSTANTIATE_TEST_SUITE_P(Table, Corotated, testing::ValuesIn(cases),
-                         [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(Table, Corotated, testing::ValuesIn(cases()), [](const auto& row) {
+  return row.param.model + "_" + row.param.element + (row.param.poisson_ratio > 0.4 ? "_incompressible" : "");
+});
 
 TEST_P(Corotated, TangentAndDampingAreThoseOfTheBlocks) {
   for (const double s : {0.0, 2.5}) {
@@ -124,7 +139,7 @@ TEST_P(Corotated, RowsGoToDoubleAndBack) {
 
 TEST_P(Corotated, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
   soft::CorotatedElements elements;
-  model_->linearise(x_.data(), 1, elements);
+  model_->linearise(x_.data(), 0.5, elements);
   const VecX u = random_vector(x_.size(), 2), expected = product(in_double(0, 1), u);
   VecX f(u.size());
   const double energy = rotated_.multiply(elements, u.data(), f.data());
@@ -135,7 +150,7 @@ TEST_P(Corotated, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
 
 TEST_P(Corotated, ProductLeavesTranslationsAndMomentumAlone) {
   soft::CorotatedElements elements;
-  model_->linearise(x_.data(), 1, elements);
+  model_->linearise(x_.data(), 0.5, elements);
   const VecX u = random_vector(x_.size(), 2);
   VecX moved = u, f(u.size()), g(u.size());
   for (Eigen::Index i = 0; i < u.size() / 3; ++i) moved.segment<3>(3 * i) += Vec3(0.5, -2, 8);

@@ -61,7 +61,7 @@ class BatchedModel : public ElasticModel, protected ChunkedElements {
   void add_gradient(const double* x, double* g) final;
   std::span<const Mat3> tangent(const double* x) final;
   std::span<const Mat3> warped_stiffness(const double* x) final;
-  bool turns() const final { return batches_->turns(); }
+  bool turns() const final { return batches_->turns() || batches_->has_point_tangents(); }
   void linearise(const double* x, double share, CorotatedElements& out) final;
 
   std::size_t history_size() const final { return relaxing_ ? relaxing_->history_size() : 0; }

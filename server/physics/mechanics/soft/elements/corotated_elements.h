@@ -6,7 +6,8 @@
 // and the tangent, see corotational_kernel.h,
 //   H_ab = (λ/μ) r_a r_bᵀ + 2 (r_a·r_b) I + [r_a]ₓ T [r_b]ₓᵀ,   T = C/(2μ).
 // The sum s·K + H, as used for Rayleigh damping, is (s + 1) times H with T = (C/(2μ) + I)/(s + 1) − I. An
-// element's mean dilatation (mean_dilatation.h) adds m_a m_bᵀ, m_a = √(λ''/(4μ)) Σ_points r_a.
+// element's mean dilatation (mean_dilatation.h) adds m_a m_bᵀ, m_a = √(λ''/(4μ)) Σ_points r_a. Fibres of
+// stiffness k along the unit vector c, rotated, add (f·r_a)(f·r_b) f fᵀ, f = (k/μ)^¼·c; slack ones f = 0.
 
 #include <cstddef>
 #include <vector>
@@ -29,8 +30,13 @@ struct Twist {
 /// warped stiffness are assembled. Entries are ordered by element, then integration point, then corner.
 struct CorotatedElements {
   std::vector<CorotatedVector> gradient;
-  std::vector<Twist> twist;           // by point
-  std::vector<CorotatedVector> mean;  // by corner: m; empty: no element has a mean dilatation
+  std::vector<Twist> twist;            // by point
+  std::vector<CorotatedVector> mean;   // by corner: m; empty: no element has a mean dilatation
+  std::vector<CorotatedVector> fiber;  // by point: f; empty: there are no fibres
+  /// Stiffness blocks by element, N/m, 9 floats for each pair of nodes, plus three readable floats; empty for
+  /// the corotational law, whose blocks are summed row by row. With blocks, the arrays above serve damping
+  /// only.
+  std::vector<float> blocks;
 };
 
 }  // namespace prosector::soft

@@ -4,6 +4,7 @@
 
 // Must follow foreach_target.h, which includes these headers again.
 #include "server/physics/mechanics/soft/elements/corotational_kernel.h"
+#include "server/physics/mechanics/soft/elements/lane_forces.h"
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 #include "server/physics/mechanics/soft/laws/polar.h"
 #include "server/physics/mechanics/soft/simd/lane_math.h"
@@ -88,18 +89,6 @@ void energy(const LaneRest& rest, const LaneStrain& strain, double* out) {
     const V W = hn::Load(d, rest.mu + i) * double_dot(E, E) +
                 number(0.5) * hn::Load(d, rest.lambda + i) * volume * volume;
     hn::StoreU(hn::Load(d, rest.volume + i) * W, d, out + i);
-  }
-}
-
-/// Writes f_1 … f_3 (columns) of the elements from i on, and f_0 = −(f_1 + f_2 + f_3).
-HWY_INLINE void write_forces(const Matrix& columns, std::size_t i, std::span<Tet4Elements::Forces> out) {
-  alignas(64) LaneMatrix f;
-  store(columns, f, 0);
-  const std::size_t last = std::min(i + hn::Lanes(D()), out.size());
-  for (std::size_t e = i; e < last; ++e) {
-    auto* to = reinterpret_cast<double*>(&out[e]);
-    for (std::size_t k = 0; k < 9; ++k) to[3 + k] = f.at[k][e - i];
-    for (std::size_t k = 0; k < 3; ++k) to[k] = -(to[3 + k] + to[6 + k] + to[9 + k]);
   }
 }
 

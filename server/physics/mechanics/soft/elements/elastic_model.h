@@ -58,8 +58,8 @@ class ElasticModel {
   virtual bool turns() const { return false; }
   /// Computes the rotated elements (data from which the corotational tangent is assembled) at node positions
   /// x (3n, m) into `out`. `share` = 1/(s + 1), where s is the factor of the warped stiffness that damping
-  /// adds to the tangent. The same pass computes the data that energy and gradient at x need. Allocates
-  /// memory at the first call for `out`.
+  /// adds to the tangent. With `share` = 1, the data that only damping needs may be left out. The same pass
+  /// computes the data that energy and gradient at x need. Allocates memory at the first call for `out`.
   virtual void linearise(const double* /*x*/, double /*share*/, CorotatedElements& /*out*/) {}
 
   // ---- Updates after a cut or an undone cut

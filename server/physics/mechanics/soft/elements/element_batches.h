@@ -1,6 +1,7 @@
 #pragma once
 // Strain energy of all elements of a body and its derivatives, batch by batch. A law can implement whole
-// batches (corotational_batches.cpp); other laws are evaluated element by element (law_batches.cpp).
+// batches (corotational_batches.cpp, isotropic_batches.cpp); other laws are evaluated element by element
+// (law_batches.cpp).
 
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "server/physics/mechanics/soft/elements/corotated_elements.h"
+#include "server/physics/mechanics/soft/elements/point_tangents.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
 #include "server/physics/mechanics/soft/laws/constitutive_law.h"
 #include "server/physics/mechanics/soft/simd/element_lanes.h"
@@ -59,12 +61,20 @@ class ElementBatches {
   /// with the element. It is positive semidefinite and has the magnitude of the rest stiffness for any shape.
   virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
   /// Returns whether turn() is implemented: whether the law can compute each element's gradients in its
-  /// rotated frame (corotated_elements.h).
+  /// rotated frame (corotated_elements.h), which with its twist determine the whole tangent.
   virtual bool turns() const { return false; }
   /// Computes the batch as rotated elements (data from which the corotational tangent is assembled): four
   /// gradients and one twist per element. `share` is defined at ElasticModel::linearise().
   virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<CorotatedVector> /*gradients*/,
                     std::span<Twist> /*twists*/) const {}
+  /// Returns whether point_tangents() is implemented, from which stiffness blocks in single precision are
+  /// computed.
+  virtual bool has_point_tangents() const { return false; }
+  /// Computes the tangents at the points of the batch, at the positions of its last move(). `share` is
+  /// defined at ElasticModel::linearise().
+  virtual void point_tangents(std::size_t /*batch*/, double /*share*/, PointTangents& /*out*/) const {}
+  /// Returns whether the law has fibres.
+  virtual bool has_fibers() const { return false; }
 
   /// Returns the trace, N/m, of the warped stiffness (the linear elastic stiffness) of all elements of the
   /// body at rest.

@@ -3,38 +3,14 @@
 #include <algorithm>
 
 #include "server/physics/base/parallel.h"
+#include "server/physics/mechanics/soft/elements/tet10_shares.h"
 
 namespace prosector::soft {
 namespace {
 
-/// Four-point rule exact for quadratic fields (Hammer, Marlowe, Stroud 1956): (5 ± √5 …)/20.
-constexpr double near = 0.58541019662496845446, far = 0.13819660112501051518;
-constexpr double barycentric(std::size_t point, std::size_t corner) {
-  return point == corner ? near : far;
-}
-
-/// Column n of T_q: the corners c whose D_c depends on node n, and the weights.
-struct Share {
-  std::size_t count;
-  std::array<std::size_t, 2> corner;
-  std::array<double, 2> weight;
-};
-constexpr Share share(std::size_t point, std::size_t node) {
-  if (node < 4) return {1, {node, node}, {4 * barycentric(point, node) - 1, 0}};
-  const auto [c, d] = Tet10Elements::edge[node - 4];
-  return {2, {c, d}, {4 * barycentric(point, d), 4 * barycentric(point, c)}};
-}
-constexpr auto make_shares() {
-  std::array<std::array<Share, 10>, 4> all{};
-  for (std::size_t q = 0; q < 4; ++q)
-    for (std::size_t n = 0; n < 10; ++n) all[q][n] = share(q, n);
-  return all;
-}
-constexpr auto shares = make_shares();
-
 /// Returns column n of T_q with all four entries.
 constexpr std::array<double, 4> weights_of(std::size_t point, std::size_t node) {
-  const Share& s = shares[point][node];
+  const Tet10Share& s = tet10_shares[point][node];
   std::array<double, 4> w{};
   for (std::size_t k = 0; k < s.count; ++k) w[s.corner[k]] = s.weight[k];
   return w;
@@ -162,7 +138,7 @@ void Tet10Elements::move(std::size_t e, const double* x, double* to) const {
     std::array<Vec3, 4> D;
     for (Vec3& d : D) d.setZero();
     for (std::size_t n = 0; n < nodes_per_element; ++n) {
-      const Share& s = shares[q][n];
+      const Tet10Share& s = tet10_shares[q][n];
       for (std::size_t k = 0; k < s.count; ++k) D[s.corner[k]] += s.weight[k] * p[n];
     }
     for (const Vec3& d : D) to = std::copy_n(d.data(), 3, to);
@@ -173,7 +149,7 @@ void Tet10Elements::gather(const Tet4Elements::Forces* points, Vec3* f) {
   for (std::size_t n = 0; n < nodes_per_element; ++n) {
     f[n].setZero();
     for (std::size_t q = 0; q < points_per_element; ++q) {
-      const Share& s = shares[q][n];
+      const Tet10Share& s = tet10_shares[q][n];
       for (std::size_t k = 0; k < s.count; ++k) f[n] += s.weight[k] * points[q][s.corner[k]];
     }
   }
@@ -195,9 +171,9 @@ void Tet10Elements::gather(const Tet4Elements::Stiffness* points, Mat3* K) {
     }
     Mat3* to = K;
     for (std::size_t a = 0; a < nodes_per_element; ++a) {
-      const Share& s = shares[q][a];
+      const Tet10Share& s = tet10_shares[q][a];
       for (std::size_t b = a + 1; b < nodes_per_element; ++b, ++to) {
-        const Share& t = shares[q][b];
+        const Tet10Share& t = tet10_shares[q][b];
         for (std::size_t i = 0; i < s.count; ++i)
           for (std::size_t j = 0; j < t.count; ++j)
             *to += s.weight[i] * t.weight[j] * full[s.corner[i]][t.corner[j]];
@@ -209,7 +185,7 @@ void Tet10Elements::gather(const Tet4Elements::Stiffness* points, Mat3* K) {
 void Tet10Elements::spread(const CorotatedVector* corners, CorotatedVector* r) {
   for (std::size_t q = 0; q < points_per_element; ++q, corners += 4)
     for (std::size_t n = 0; n < nodes_per_element; ++n, ++r) {
-      const Share& s = shares[q][n];
+      const Tet10Share& s = tet10_shares[q][n];
       const CorotatedVector &a = corners[s.corner[0]], &b = corners[s.corner[1]];
       const auto wa = static_cast<float>(s.weight[0]), wb = static_cast<float>(s.weight[1]);
       for (std::size_t k = 0; k < 4; ++k) r->at[k] = wa * a.at[k] + wb * b.at[k];

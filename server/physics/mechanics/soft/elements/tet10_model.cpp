@@ -6,6 +6,7 @@
 
 #include "server/physics/mechanics/soft/base/scratch.h"
 #include "server/physics/mechanics/soft/elements/batched_model.h"
+#include "server/physics/mechanics/soft/elements/element_blocks.h"
 #include "server/physics/mechanics/soft/elements/tet10.h"
 #include "server/physics/mechanics/soft/laws/mean_dilatation.h"
 
@@ -185,17 +186,38 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
     fit_scratch(out.gradient, nodes * points.size());
     fit_scratch(out.twist, points.size());
     if (!mean_share_.empty()) fit_scratch(out.mean, nodes * elements.size());
+    if (batches().has_fibers()) fit_scratch(out.fiber, points.size());
+    if (batches().has_point_tangents()) fit_scratch(out.blocks, floats_per_tet10 * elements.size() + 3);
   }
   void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const override {
     std::array<CorotatedVector, 4 * elements_per_batch> corner{};
     const std::size_t begin = per_element * chunk.first, count = per_element * chunk.size();
-    batches().turn(chunk.batch, share, std::span(corner.data(), 4 * count),
-                   std::span(out.twist).subspan(begin, count));
+    const std::span gradients = std::span(corner.data(), 4 * count);
+    const std::span twists = std::span(out.twist).subspan(begin, count);
+    if (batches().has_point_tangents()) {
+      PointTangents tangents;
+      batches().point_tangents(chunk.batch, share, tangents);
+      find_blocks(chunk, share, tangents, out);
+      if (share == 1) return;  // no damping
+      turned_points(tangents, gradients, twists);
+      if (tangents.has_fibers) turned_fibers(tangents, std::span(out.fiber).subspan(begin, count));
+    } else {
+      batches().turn(chunk.batch, share, gradients, twists);
+    }
     for (std::size_t e = chunk.first; e < chunk.last; ++e) {
       CorotatedVector* own = &out.gradient[per_element * nodes * e];
       Tet10Elements::spread(&corner[4 * per_element * (e - chunk.first)], own);
       if (!mean_share_.empty()) average(mean_share_[e], own, &out.mean[nodes * e]);
     }
+  }
+  void find_blocks(const ElementChunk& chunk, double share, const PointTangents& tangents,
+                   CorotatedElements& out) const {
+    const std::span<const double> mean = mean_share_.empty()
+                                             ? std::span<const double>()
+                                             : std::span(mean_share_).subspan(chunk.first, chunk.size());
+    lane_tet10_blocks(
+        tangents, mean, share,
+        std::span(out.blocks).subspan(floats_per_tet10 * chunk.first, floats_per_tet10 * chunk.size()));
   }
 
   std::vector<double> mean_, mu_;  // by material: λ'', Pa, empty if no material has one; μ, Pa

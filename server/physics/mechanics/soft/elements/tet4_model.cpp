@@ -2,6 +2,7 @@
 
 #include "server/physics/mechanics/soft/base/scratch.h"
 #include "server/physics/mechanics/soft/elements/batched_model.h"
+#include "server/physics/mechanics/soft/elements/element_blocks.h"
 #include "server/physics/mechanics/soft/elements/tet4.h"
 #include "server/physics/mechanics/soft/laws/fem_laws.h"
 
@@ -74,10 +75,20 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   void reserve(CorotatedElements& out) const override {
     fit_scratch(out.gradient, 4 * elements.size());
     fit_scratch(out.twist, elements.size());
+    if (batches().has_fibers()) fit_scratch(out.fiber, elements.size());
+    if (batches().has_point_tangents()) fit_scratch(out.blocks, floats_per_tet4 * elements.size() + 3);
   }
   void turn(const ElementChunk& chunk, double share, CorotatedElements& out) const override {
-    batches().turn(chunk.batch, share, std::span(out.gradient).subspan(4 * chunk.first, 4 * chunk.size()),
-                   std::span(out.twist).subspan(chunk.first, chunk.size()));
+    const std::span gradients = std::span(out.gradient).subspan(4 * chunk.first, 4 * chunk.size());
+    const std::span twists = std::span(out.twist).subspan(chunk.first, chunk.size());
+    if (!batches().has_point_tangents()) return batches().turn(chunk.batch, share, gradients, twists);
+    PointTangents points;
+    batches().point_tangents(chunk.batch, share, points);
+    lane_tet4_blocks(
+        points, std::span(out.blocks).subspan(floats_per_tet4 * chunk.first, floats_per_tet4 * chunk.size()));
+    if (share == 1) return;  // no damping
+    turned_points(points, gradients, twists);
+    if (points.has_fibers) turned_fibers(points, std::span(out.fiber).subspan(chunk.first, chunk.size()));
   }
 
   VecX volume_;

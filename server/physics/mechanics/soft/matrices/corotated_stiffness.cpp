@@ -99,11 +99,63 @@ HWY_INLINE void assemble_rows(const CorotatedRows& rows, std::size_t first, std:
   }
 }
 
+/// Sums the elements' blocks of row i at the places `base` … base + count − 1 right of the diagonal.
+template <std::size_t corners>
+HWY_INLINE void sum_blocks(const CorotatedRows& rows, std::size_t i, std::size_t base, std::size_t count,
+                           float* sums) {
+  std::fill_n(sums, floats_per_sum * count, 0.f);
+  constexpr std::size_t pairs = corners * (corners - 1) / 2;
+  const std::uint32_t* slot = rows.blocks.places(i).data();
+  for (const std::uint32_t corner : rows.blocks.incidence().corners(i)) {
+    const std::size_t own = corner % corners, e = corner / corners;
+    const float* block = rows.elements.blocks.data() + 9 * (pairs * e + own * (2 * corners - own - 1) / 2);
+    for (std::size_t b = own + 1; b < corners; ++b, ++slot, block += 9) {
+      const std::size_t at = *slot - base;
+      if (at >= count) continue;
+      float* to = sums + floats_per_sum * at;
+      for (std::size_t k = 0; k < 3; ++k) store4(added(load4(block + 3 * k), load4(to + 4 * k)), to + 4 * k);
+    }
+  }
+}
+
+template <std::size_t corners>
+HWY_INLINE void gather_rows(const CorotatedRows& rows, std::size_t first, std::size_t last, float* K) {
+  alignas(64) float sums[floats_per_sum * slots_at_once];
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t all = rows.pattern.right(i).size();
+    float* to = K + 9 * rows.pattern.begin(i);
+    for (std::size_t base = 0; base < all; base += slots_at_once) {
+      const std::size_t count = std::min(slots_at_once, all - base);
+      sum_blocks<corners>(rows, i, base, count, sums);
+      for (std::size_t k = 0; k < count; ++k, to += 9)
+        for (std::size_t c = 0; c < 3; ++c) std::copy_n(sums + floats_per_sum * k + 4 * c, 3, to + 3 * c);
+    }
+  }
+}
+
+void linear_blocks(const CorotatedRows& rows, std::size_t first, std::size_t last, float* K) {
+  gather_rows<4>(rows, first, last, K);
+}
+void quadratic_blocks(const CorotatedRows& rows, std::size_t first, std::size_t last, float* K) {
+  gather_rows<10>(rows, first, last, K);
+}
 void linear_rows(const CorotatedRows& rows, std::size_t first, std::size_t last, float* K) {
   assemble_rows<4, 1>(rows, first, last, K);
 }
 void quadratic_rows(const CorotatedRows& rows, std::size_t first, std::size_t last, float* K) {
   assemble_rows<10, 4>(rows, first, last, K);
+}
+
+/// Adds the stress of fibres f at a point, (fᵀDf) f fᵀ, to `stress`, which is D + Dᵀ. Returns their energy
+/// ½(fᵀDf)².
+HWY_INLINE double add_fiber_stress(const CorotatedVector& f, W4* stress) {
+  const W4 fiber = wide(f.at);
+  W4 Sf = wide_zero();
+  for (std::size_t k = 0; k < 3; ++k) Sf = multiply_add(static_cast<double>(f.at[k]), stress[k], Sf);
+  const double tension = 0.5 * sum_of_three(multiply_add(fiber, Sf, wide_zero()));
+  for (std::size_t k = 0; k < 3; ++k)
+    stress[k] = multiply_add(tension * static_cast<double>(f.at[k]), fiber, stress[k]);
+  return 0.5 * tension * tension;
 }
 
 /// Computes the warped stress at a point, with D = Σ (u_b − u_0) r_bᵀ: D + Dᵀ + (λ/μ) tr(D) I. Returns the
@@ -142,6 +194,7 @@ HWY_INLINE double element_product(const CorotatedElements& elements, std::size_t
     W4 stress[3];
     double pressure;
     energy += warped_stress<corners>(u, r, elements.twist[points * e + p].column[0].at[3], stress, pressure);
+    if (!elements.fiber.empty()) energy += add_fiber_stress(elements.fiber[points * e + p], stress);
     if (!f) continue;
     for (std::size_t b = 1; b < corners; ++b) {
       sum[b] = multiply_add(pressure, wide(r[b].at), sum[b]);
@@ -203,6 +256,8 @@ constexpr std::size_t corotated_rows_per_chunk = 64, elements_per_chunk = 256, n
 
 }  // namespace
 
+HWY_EXPORT(linear_blocks);
+HWY_EXPORT(quadratic_blocks);
 HWY_EXPORT(linear_rows);
 HWY_EXPORT(quadratic_rows);
 HWY_EXPORT(linear_products);
@@ -224,7 +279,11 @@ void CorotatedStiffness::assemble(const CorotatedElements& elements, SymmetricRo
   const CorotatedRows rows = {blocks_, pattern_, elements};
   parallel_chunks(pattern_.rows(), corotated_rows_per_chunk,
                   [&](std::size_t first, std::size_t last, std::size_t) {
-                    if (corners() == 4) {
+                    if (!elements.blocks.empty() && corners() == 4) {
+                      HWY_DYNAMIC_DISPATCH(linear_blocks)(rows, first, last, K.right.data());
+                    } else if (!elements.blocks.empty()) {
+                      HWY_DYNAMIC_DISPATCH(quadratic_blocks)(rows, first, last, K.right.data());
+                    } else if (corners() == 4) {
                       HWY_DYNAMIC_DISPATCH(linear_rows)(rows, first, last, K.right.data());
                     } else {
                       HWY_DYNAMIC_DISPATCH(quadratic_rows)(rows, first, last, K.right.data());

@@ -37,6 +37,10 @@ HWY_INLINE V4 multiply_add(const V4& a, const V4& b, V4 sum) {
 HWY_INLINE V4 scaled(float s, const V4& v) {
   return multiply_add(s, v, zero4());
 }
+HWY_INLINE V4 added(V4 a, const V4& b) {
+  for (int k = 0; k < 4; ++k) a.at[k] += b.at[k];
+  return a;
+}
 HWY_INLINE V4 cross4(const V4& a, const V4& b) {
   return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
            a.at[0] * b.at[1] - a.at[1] * b.at[0], 0}};
@@ -61,6 +65,9 @@ HWY_INLINE V4 multiply_add(V4 a, V4 b, V4 sum) {
 }
 HWY_INLINE V4 scaled(float s, V4 v) {
   return hn::Set(Four(), s) * v;
+}
+HWY_INLINE V4 added(V4 a, V4 b) {
+  return a + b;
 }
 /// Returns the vector (y, z, x) for v = (x, y, z), a cyclic permutation. The fourth entry of the result is
 /// undefined.
