@@ -40,7 +40,7 @@ struct HandRow {
   const char* name;
   HandImpedance hand;
 };
-const std::vector<HandRow> hands = {{"light", light_hand}, {"medium", medium_hand}};
+const std::vector<HandRow> simulated_hands = {{"light", light_hand}, {"medium", medium_hand}};
 
 constexpr double still = 3e-4;                               // m: larger ripple counts as unstable
 constexpr double min_stiffness = 30, max_stiffness = 20000;  // N/m
@@ -122,7 +122,7 @@ Report bench_haptics(const HapticsBenchOptions& options) {
   stable_table.print_header();
   std::vector<ReportRow> stable_rows, felt_rows;
   for (const HapticScheme& scheme : schemes)
-    for (const HandRow& hand : hands)
+    for (const HandRow& hand : simulated_hands)
       for (LineQuality line : {clean, bad})
         for (const double round_trip : round_trips) {
           line.round_trip = round_trip;
@@ -153,7 +153,7 @@ Report bench_haptics(const HapticsBenchOptions& options) {
         test.line = bad;
         test.line.round_trip = round_trip;
         test.stiffness = stiffness;  // pressed too briefly to heat the motors
-        ReportRow row = settings_of(scheme, hands[1], test.line);
+        ReportRow row = settings_of(scheme, simulated_hands[1], test.line);
         row["stiffness"] = stiffness;
         add_felt(row, scheme, test, seeds);
         felt_table.print(row);

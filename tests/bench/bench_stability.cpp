@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "tests/bench/earlier_reports.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/stability_run.h"
@@ -47,9 +48,41 @@ ReportRow to_row(const StabilityRung& rung, const Extreme& extreme, const Stabil
   return row;
 }
 
-char letter(const StabilityResult& result) {
-  if (!result.verdict) return '.';
-  return "sdrF"[static_cast<std::size_t>(*result.verdict)];
+constexpr Verdict verdicts[] = {Verdict::survives, Verdict::degrades, Verdict::refuses, Verdict::fails};
+
+/// Returns a row's place in the map; none if the run has no verdict.
+std::optional<VerdictCell> cell_of(const ReportRow& row) {
+  for (const Verdict verdict : verdicts)
+    if (setting(row, "verdict") == verdict_name(verdict))
+      return VerdictCell{verdict, row.at("met_deadline").get<bool>()};
+  return std::nullopt;
+}
+
+char letter(const std::optional<VerdictCell>& cell) {
+  return cell ? "sdrF"[static_cast<std::size_t>(cell->verdict)] : '.';
+}
+
+ReportRow measured(const StabilityRung& rung, const Extreme& extreme, double limit_ms) {
+  StabilityResult result;
+  if (rung.rung.solver == "direct" && !extreme.for_direct)
+    result.reason = "not run: the factorisation takes minutes";
+  else
+    result = run_extreme(rung, extreme, limit_ms);
+  return to_row(rung, extreme, result);
+}
+
+/// Returns the row of earlier reports with this configuration and extreme; none: it was not run.
+std::optional<ReportRow> found(const std::vector<ReportRow>& earlier, const StabilityRung& rung,
+                               const Extreme& extreme) {
+  const ReportRow wanted = to_row(rung, extreme, {});
+  for (const ReportRow& report : earlier)
+    for (const ReportRow& row : report["rows"]) {
+      const auto same = [&](const char* key) { return setting(row, key) == setting(wanted, key); };
+      if (same("model") && same("element") && same("integrator") && same("solver") && same("effort") &&
+          same("extreme"))
+        return row;
+    }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -63,6 +96,8 @@ std::vector<std::string> extreme_names() {
 Report bench_stability(const StabilityBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("stability");
+  const std::vector<ReportRow> earlier = read_reports("stability", options.from);
+  if (!earlier.empty()) report.note("measured", origins(earlier));
   VerdictMap map;
   map.title = "Verdicts of the extremes, by configuration";
   map.subtitle = fmt::format("{}, one thread, each configuration with a scene's default budget",
@@ -83,25 +118,22 @@ Report bench_stability(const StabilityBenchOptions& options) {
     map.cells.emplace_back();
     fmt::print("{:<60}", row_name(rung));
     for (const Extreme& extreme : chosen) {
-      StabilityResult result;
       if (!extreme.is_for(rung.mesh)) {
         fmt::print("   ");
         map.cells.back().emplace_back();
         continue;
       }
-      if (rung.rung.solver == "direct" && !extreme.for_direct) {
-        result.reason = "not run: the factorisation takes minutes";
-      } else {
-        result = run_extreme(rung, extreme, options.limit_ms);
-      }
-      report.add(to_row(rung, extreme, result));
-      fmt::print(" {}{}", letter(result), result.met_deadline ? ' ' : '\'');
+      const std::optional<ReportRow> row = earlier.empty()
+                                               ? std::optional(measured(rung, extreme, options.limit_ms))
+                                               : found(earlier, rung, extreme);
+      const std::optional<VerdictCell> cell = row ? cell_of(*row) : std::nullopt;
+      if (row) report.add(*row);
+      fmt::print(" {}{}", letter(cell), cell && !cell->met_deadline ? '\'' : ' ');
       std::fflush(stdout);
-      map.cells.back().push_back(
-          result.verdict ? std::optional(VerdictCell{*result.verdict, result.met_deadline}) : std::nullopt);
-      if (result.verdict != Verdict::survives)
+      map.cells.back().push_back(cell);
+      if (row && (!cell || cell->verdict != Verdict::survives))
         remarks += fmt::format("{}, {}: {}: {}\n", row_name(rung), extreme.name,
-                               result.verdict ? verdict_name(*result.verdict) : "open", result.reason);
+                               cell ? verdict_name(cell->verdict) : "open", setting(*row, "reason"));
     }
     fmt::print("\n");
   }

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "common/error.h"
 #include "tests/bench/bullet_specimen.h"
+#include "tests/bench/earlier_reports.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/pressed_case.h"
@@ -125,30 +125,9 @@ TradePlot plot_for(const TradeCase& which, const Report& report) {
   return plot;
 }
 
-using Json = nlohmann::ordered_json;
-
-std::vector<Json> read_reports(const std::vector<std::string>& files) {
-  std::vector<Json> reports;
-  for (const std::string& file : files) {
-    std::ifstream in(file);
-    const Json& report = reports.emplace_back(Json::parse(in, nullptr, false));
-    if (!report.is_object() || setting(report, "bench") != "trade" || !report.contains("rows"))
-      throw InputError(fmt::format("{}: not a report of `prosector-bench trade --json`", file));
-  }
-  return reports;
-}
-
-/// Returns machine, date and commit of the reports.
-Json origins(const std::vector<Json>& reports) {
-  Json all = Json::array();
-  for (const Json& report : reports)
-    all.push_back({{"machine", report["machine"]}, {"date", report["date"]}, {"commit", report["commit"]}});
-  return all;
-}
-
 /// Returns the rows of earlier reports that belong to this case.
-void take_rows(const TradeCase& which, const std::vector<Json>& earlier, Report& report) {
-  for (const Json& one : earlier)
+void take_rows(const TradeCase& which, const std::vector<ReportRow>& earlier, Report& report) {
+  for (const ReportRow& one : earlier)
     for (ReportRow row : one["rows"]) {
       if (setting(row, "case") != which.name) continue;
       if (which.judge) which.judge(row);
@@ -161,7 +140,7 @@ void take_rows(const TradeCase& which, const std::vector<Json>& earlier, Report&
 Report bench_trade(const TradeBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("trade");
-  const std::vector<Json> earlier = read_reports(options.from);
+  const std::vector<ReportRow> earlier = read_reports("trade", options.from);
   if (!earlier.empty()) report.note("measured", origins(earlier));
   std::map<std::string, double> stable_steps;  // s, per configuration
   const auto stable_step = [&](const auto& rung) {

@@ -169,6 +169,8 @@ int main(int argc, char** argv) try {
                               "Only fast extremes of each kind, about two minutes");
   stability_command->add_option("--svg", stability.picture_folder, "Folder for an SVG plot of the verdicts")
       ->check(CLI::ExistingDirectory);
+  stability_command->add_option("--from", stability.from, "Map these reports instead of measuring")
+      ->check(CLI::ExistingFile);
   stability_command
       ->add_option("--limit", stability.limit_ms, "CPU time limit of one configuration under one extreme, ms")
       ->check(CLI::Range(1., 1e9));

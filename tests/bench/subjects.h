@@ -127,9 +127,10 @@ struct TradeBenchOptions {
 Report bench_trade(const TradeBenchOptions& options);
 
 struct StabilityBenchOptions {
-  std::string model, extreme;  // filters; empty: all
-  std::string picture_folder;  // folder of stability.svg; empty: not written
-  bool quick = false;          // only fast extremes
+  std::string model, extreme;     // filters; empty: all
+  std::string picture_folder;     // folder of stability.svg; empty: not written
+  std::vector<std::string> from;  // reports that are mapped instead of runs; empty: measure
+  bool quick = false;             // only fast extremes
   double limit_ms =
       20000;  // limit of CPU time of one configuration under one extreme; longer runs have no verdict
 };

@@ -5,7 +5,7 @@
 namespace prosector::contact {
 namespace {
 
-constexpr double deep = 0.5;   // cells: contacts do not stay deeper than this
+constexpr double deep = 0.25;  // cells: contacts do not stay deeper than this
 constexpr double apart = 0.1;  // cells: depth below which separation ends
 // s: after this time with a vertex that came through, bodies are led as wholes.
 constexpr double through_seconds = 0.25;
