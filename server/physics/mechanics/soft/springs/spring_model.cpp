@@ -12,7 +12,7 @@
 namespace prosector::soft {
 namespace {
 
-constexpr std::size_t elements_per_chunk = 512;
+constexpr std::size_t spring_elements_per_chunk = 512;
 
 /// Returns the bend with its nodes in ascending order.
 Bend sorted(const Bend& bend) {
@@ -54,7 +54,7 @@ class SpringModel final : public ElasticModel {
   }
 
   double energy(const double* x) override {
-    parallel_chunks(connectivity_.size(), elements_per_chunk,
+    parallel_chunks(connectivity_.size(), spring_elements_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t chunk) {
                       double sum = 0;
                       for (std::size_t e = first; e < last; ++e) sum += energy_of(e, x);
@@ -64,7 +64,7 @@ class SpringModel final : public ElasticModel {
   }
 
   void add_gradient(const double* x, double* g) override {
-    parallel_chunks(connectivity_.size(), elements_per_chunk,
+    parallel_chunks(connectivity_.size(), spring_elements_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t) {
                       for (std::size_t e = first; e < last; ++e) force_of(e, x);
                     });
@@ -94,7 +94,7 @@ class SpringModel final : public ElasticModel {
       connectivity_.add(bends_.back().nodes());
     }
     incidence_.emplace(connectivity_);
-    sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
+    sums_.resize(chunk_count(connectivity_.size(), spring_elements_per_chunk));
     fit_scratch(forces_, connectivity_.corners());
     fit_scratch(blocks_, connectivity_.blocks());
   }
@@ -135,7 +135,7 @@ class SpringModel final : public ElasticModel {
   /// Without the second part, the stress stiffness, the matrix is the warped stiffness: linear, rotated with
   /// the spring.
   std::span<const Mat3> stiffness(const double* x, bool stress_part) {
-    parallel_chunks(connectivity_.size(), elements_per_chunk,
+    parallel_chunks(connectivity_.size(), spring_elements_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t) {
                       for (std::size_t e = first; e < last; ++e) stiffness_of(e, x, stress_part);
                     });
