@@ -11,5 +11,5 @@ session=observe-$scene-$$
 "$bin/prosector-server" "$root/deploy/scenes/$scene.toml" --session "$session" > "${picture%.*}.log" 2>&1 &
 server=$!
 trap 'kill -TERM "$server" 2>/dev/null || true; wait "$server" || true' EXIT
-LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --timeout 60 --display osmesa --quality high --fps 2 \
+LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --timeout 300 --display osmesa --quality high --fps 2 \
   --seconds "$((seconds + 1))" --screenshot "$picture@$seconds" "$@"
