@@ -49,8 +49,8 @@ def film(name, width, height, rate):
     """An animated picture of a film."""
 
     def make(folder, target):
-        words = [ROOT / "deploy/animated_picture.py", folder / name, target, width, height, rate]
-        subprocess.run([str(word) for word in words], check=True)
+        command = [ROOT / "deploy/animated_picture.py", folder / name, target, width, height, rate]
+        subprocess.run([str(part) for part in command], check=True)
 
     return make
 

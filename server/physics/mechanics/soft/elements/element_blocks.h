@@ -13,11 +13,11 @@ namespace prosector::soft {
 /// Connectivity::pair_index.
 inline constexpr std::size_t floats_per_tet4 = 9 * 6, floats_per_tet10 = 9 * 45;
 
-/// Computes the stiffness blocks (N/m) of the batch's first linear elements, of which each is one point.
+/// Computes the stiffness blocks (N/m) of the batch's first linear elements; each element is one point.
 /// `blocks`: floats_per_tet4 per element.
 void lane_tet4_blocks(const PointTangents& points, std::span<float> blocks);
 
-/// Computes the stiffness blocks (N/m) of the batch's first quadratic elements, of which each has four
+/// Computes the stiffness blocks (N/m) of the batch's first quadratic elements; each element has four
 /// consecutive points. `mean_share`: √(λ''/4μ) of each element, with the part λ'' of its bulk stiffness that
 /// acts on the mean dilatation (Pa); empty: none has one. `share`: of the tangent in the blocks, as in
 /// lane_point_tangents(). `blocks`: floats_per_tet10 per element.

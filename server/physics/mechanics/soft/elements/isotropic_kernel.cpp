@@ -30,6 +30,11 @@ HWY_INLINE Matrix operator*(const Matrix& A, const Matrix& B) {
 HWY_INLINE V trace(const Matrix& A) {
   return A.a.x + A.b.y + A.c.z;
 }
+/// Returns the energy density μ‖E‖² + λ/2 tr²E of a strain E.
+HWY_INLINE V quadratic_energy(V lambda, V mu, const Matrix& E) {
+  const V tr = trace(E);
+  return mu * double_dot(E, E) + number(0.5) * lambda * tr * tr;
+}
 HWY_INLINE Matrix cofactor(const Matrix& F) {
   return {cross(F.b, F.c), cross(F.c, F.a), cross(F.a, F.b)};
 }
@@ -62,11 +67,7 @@ struct LinearLanes {
     const Matrix I = identity();
     return number(0.5) * (F + transposed(F)) + number(-1) * I;
   }
-  V energy(const Matrix& F) const {
-    const Matrix E = strain(F);
-    const V tr = trace(E);
-    return mu * double_dot(E, E) + number(0.5) * lambda * tr * tr;
-  }
+  V energy(const Matrix& F) const { return quadratic_energy(lambda, mu, strain(F)); }
   Matrix stress(const Matrix& F, V pressure) const {
     const Matrix E = strain(F);
     return number(2) * mu * E + (lambda * trace(E) + pressure) * identity();
@@ -92,11 +93,7 @@ struct StVKLanes {
             {xy, half * (dot(F.b, F.b) - number(1)), yz},
             {xz, yz, half * (dot(F.c, F.c) - number(1))}};
   }
-  V energy(const Matrix& F) const {
-    const Matrix E = green(F);
-    const V tr = trace(E);
-    return mu * double_dot(E, E) + number(0.5) * lambda * tr * tr;
-  }
+  V energy(const Matrix& F) const { return quadratic_energy(lambda, mu, green(F)); }
   Matrix stress(const Matrix& F, V pressure) const {
     const Matrix E = green(F);
     return F * (number(2) * mu * E + (lambda * trace(E) + pressure) * identity());
