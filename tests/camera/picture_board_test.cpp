@@ -16,7 +16,7 @@
 namespace prosector {
 namespace {
 
-const std::string printed_picture = source_path("docs/pictures/parts-labelled.png");
+const std::string printed_picture = source_path("tests/camera/atlas.png");
 
 /// A page of an atlas, 200 mm wide.
 Board atlas_page() {
