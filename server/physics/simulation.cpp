@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "server/physics/stations/compile/compile.h"
 #include "server/physics/stations/compile/equilibrium.h"
+#include "server/physics/stations/compile/overlaps.h"
 #include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/dissecting/refining.h"
 #include "server/physics/stations/hands/touching.h"
@@ -36,6 +37,7 @@ void begin(State& state, StepBuffers& buffers, const CompileOptions& options) {
   make_refinable(state);
   for (BodyId body = 0; body < bodies.count(); ++body)
     if (bodies.is_part(body) && !state.panels) state.panels.emplace(bodies.model.h);
+  check_overlaps(state, options);
   settle(state, buffers.contacts, options);
   for (const Tissue& tissue : bodies.soft) state.dissection.uncut_equilibrium.push_back(tissue.equilibrium);
 }

@@ -3,13 +3,26 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "common/paths.h"
 #include "common/version.h"
 #include "server/physics/base/freed_memory.h"
+#include "server/physics/mechanics/soft/rungs.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/trade_case.h"
+
+namespace {
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> out;
+  for (const prosector::soft::ModelRow& row : prosector::soft::models()) out.emplace_back(row.name);
+  return out;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) try {
   prosector::retain_freed_memory();  // as the server does
@@ -138,7 +151,8 @@ int main(int argc, char** argv) try {
   cut_command->add_option("--stroke", cut.only, "Only this stroke")
       ->check(CLI::IsMember(prosector::cut_stroke_names()));
   cut_command->add_flag("--sheets", cut.sheets, "Only the sheets");
-  cut_command->add_option("--model", cut.model, "Model of the organ (default: a scene's default)");
+  cut_command->add_option("--model", cut.model, "Model of the organ (default: a scene's default)")
+      ->check(CLI::IsMember(model_names()));
   cut_command->add_option("--element", cut.element, "Element of the organ (default: a scene's default)");
   cut_command->add_option("--solver", cut.solver, "Solver of the organ (default: a scene's default)");
   cut_command->add_flag("--self-contact", cut.self_contact, "Enable self-contact of the organ");
@@ -162,7 +176,8 @@ int main(int argc, char** argv) try {
   CLI::App* stability_command = app.add_subcommand(
       "stability",
       "Extreme time steps, materials, meshes, initial states and inputs with every configuration");
-  stability_command->add_option("--model", stability.model, "Only this model");
+  stability_command->add_option("--model", stability.model, "Only this model")
+      ->check(CLI::IsMember(model_names()));
   stability_command->add_option("--extreme", stability.extreme, "Only this extreme")
       ->check(CLI::IsMember(prosector::extreme_names()));
   stability_command->add_flag("--quick", stability.quick,

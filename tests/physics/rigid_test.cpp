@@ -20,6 +20,24 @@ TEST(Rigid, FallsAndComesToRestOnTheTable) {
   EXPECT_TRUE(simulation.asleep(1));
 }
 
+TEST(Rigid, HeavyBoxesStandOnLightOnes) {
+  for (const double ratio : {3.0, 10.0, 100.0, 1e3, 1e5}) {  // smaller ones are left to Bullet
+    SceneDesc scene;
+    scene.rigid = {table(), part_body("light", "box", {0.1, 0.1, 0.1}, {0, 0.051, 0}),
+                   part_body("heavy", "box", {0.1, 0.1, 0.1}, {0, 0.152, 0})};
+    scene.rigid[1].material.mass = 1;
+    scene.rigid[2].material.mass = ratio;
+    Simulation simulation(scene, options());
+    run(simulation, 600);
+    for (const BodyId body : {1, 2}) {
+      const Vec3 at = simulation.rigid_state(body).pose.p;
+      EXPECT_NEAR(at.y(), 0.1 * body - 0.05, 1e-3) << ratio;
+      EXPECT_LT(std::hypot(at.x(), at.z()), 3e-3) << ratio;
+      EXPECT_TRUE(simulation.asleep(body)) << ratio;
+    }
+  }
+}
+
 TEST(Rigid, InclineSlidesBeyondTheFrictionAngleOnly) {
   for (const double degrees : {10.0, 30.0}) {
     SceneDesc scene;

@@ -45,21 +45,23 @@ using Unsure = std::span<const char>;
 /// marked in `of_to`.
 Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to);
 
-/// Returns whether a vertex of solid a in b, or of b in a, is deeper than ordinary contacts leave it: by half
-/// of `cell`. `cell`: m, the smaller of both surfaces' mean edge lengths.
+/// Returns whether a vertex of solid a in b, or of b in a, is deeper than ordinary contacts leave it: by a
+/// quarter of `cell`. `cell`: m, the smaller of both surfaces' mean edge lengths.
 bool is_deep(const Immersion& of_a, const Immersion& of_b, double cell);
 
 /// Returns whether `from` may be so deep inside `to` that find_immersion() is needed. `found`: the contacts
-/// of vertices of `from` with `to`. It is needed if a contact is deeper than half an edge length, or if there
-/// is no contact but the first vertex of `from` is inside `to`. Returns false unless both are solids.
+/// of vertices of `from` with `to`. It is needed if a contact is deeper than a quarter of an edge length, or
+/// if there is no contact but the first vertex of `from` is inside `to`. Returns false unless both are
+/// solids.
 bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const VertexMeeting> found);
 
 /// Returns the unit direction, from b to a, in which two overlapping solids a and b are separated.
 /// `between_middles`: vector from b's centre to a's, m, used where the surfaces inside define no direction.
 Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles);
 
-/// Returns whether a vertex inside the other solid is deep (by more than half of `cell`, m) and its shortest
-/// way out opposes the separation direction `along`. Such a vertex came through to another side of the solid.
+/// Returns whether a vertex inside the other solid is deep (by more than a quarter of `cell`, m) and its
+/// shortest way out opposes the separation direction `along`. Such a vertex came through to another side of
+/// the solid.
 bool came_through(const VertexMeeting& inside, const Vec3& along, double cell);
 
 /// Returns how two overlapping solids are to be separated in this tick of h s. Returns none where ordinary

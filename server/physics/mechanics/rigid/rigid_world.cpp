@@ -29,6 +29,9 @@ std::size_t slot_of(const btCollisionObject* object) {
 constexpr collision::CollisionMask room_mask{~0U,
                                              ~0U};  // the room collides with every body that collides at all
 
+// Bullet's sequential impulses converge slowly where a body bears one of many times its mass. Islands with
+// such contacts are solved by the coupled solver, whose factorisation is exact for any ratio.
+constexpr double most_mass_ratio = 2;
 constexpr double ccd_share = 0.5;  // of a body's least half extent: radius of the ball that Bullet sweeps
 
 /// Filter of broad-phase pairs. Bullet's groups and masks are those of the scene. In addition, hands don't
@@ -184,6 +187,19 @@ struct RigidWorld::Impl {
         p.m_combinedRollingFriction = static_cast<btScalar>(
             rolling_lever(a, b, from_bullet(p.getPositionWorldOnB()), from_bullet(p.m_normalWorldOnB)));
       }
+    }
+  }
+
+  /// Couples bodies that touch one of much smaller mass.
+  void couple_unequal() {
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+      const auto *a = btRigidBody::upcast(manifold.getBody0()), *b = btRigidBody::upcast(manifold.getBody1());
+      if (manifold.getNumContacts() == 0 || a->isStaticOrKinematicObject() || b->isStaticOrKinematicObject())
+        continue;
+      const auto [heavy, light] = std::minmax({a->getInvMass(), b->getInvMass()});
+      if (static_cast<double>(light) <= most_mass_ratio * static_cast<double>(heavy)) continue;
+      coupled[slot_of(a)] = coupled[slot_of(b)] = 1;
     }
   }
 
@@ -387,6 +403,7 @@ void RigidWorld::find_islands(std::span<const std::pair<std::size_t, std::size_t
   impl_->world.find_islands(bodies);
   impl_->coupled.assign(impl_->bodies.size(), 0);
   for (const std::size_t slot : coupled) impl_->coupled[slot] = 1;
+  impl_->couple_unequal();
 }
 
 const std::vector<MixedIsland>& RigidWorld::solve(double h) {

@@ -64,8 +64,8 @@ struct RigidImpulse {
   Vec3 point, impulse;  // m, N·s; world frame
 };
 
-/// Island (bodies connected by contacts or links) that also contains soft bodies or hands. Bullet does not
-/// solve it; the coupled solver does.
+/// Island (bodies connected by contacts or links) that also contains soft bodies or hands, or in which a body
+/// touches one of less than half of its mass. Bullet does not solve it; the coupled solver does.
 struct MixedIsland {
   std::vector<std::size_t> bodies;  // slots of dynamic bodies, ascending
   std::vector<RigidContact> contacts;
@@ -125,12 +125,12 @@ class RigidWorld {
   /// points. First phase of a step.
   void detect(double h);
   /// Groups the bodies into islands: bodies connected by contacts or by `links`, which are pairs of slots. An
-  /// island with a body in `coupled` (slots) is a mixed one, which Bullet does not solve. Second phase of a
-  /// step.
+  /// island with a body in `coupled` (slots), or with a contact of two bodies of very different mass, is a
+  /// mixed one, which Bullet does not solve. Second phase of a step.
   void find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
                     std::span<const std::size_t> coupled);
-  /// Solves the contacts of islands with rigid bodies only, for a step of `h` s. Returns the mixed islands
-  /// (with soft bodies or hands), which the caller must solve. Third phase of a step.
+  /// Solves the contacts of islands that are not mixed, for a step of `h` s. Returns the mixed islands, which
+  /// the caller must solve. Third phase of a step.
   const std::vector<MixedIsland>& solve(double h);
   /// Returns the linear (m/s) and the angular velocity (rad/s) that a body would have after a step of `h` s
   /// without contacts, from gravity and gyroscopic moment only. World frame.

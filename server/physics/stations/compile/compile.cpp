@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "common/error.h"
@@ -23,6 +24,8 @@ namespace {
 constexpr double reported_tension = 1e-3;  // m: smaller displacements by tension are not reported
 // Ratio of surface edge to element edge beyond which refinement has little effect.
 constexpr double coarse_surface = 1.5;
+// Largest pressure of an unattached body's weight at its base, over Young's modulus, without a warning.
+constexpr double most_weight = 3;
 // Smallest fraction of its hull's volume that a plausible closed mesh fills.
 constexpr double least_share_of_hull = 0.02;
 
@@ -202,6 +205,28 @@ void warn_of_coarse_surface(const soft::SoftBody& body, const std::function<void
                     desc.name, 1e3 * cell, 1e3 * edge));
 }
 
+/// Warns if an unattached body is so soft that its own weight flattens it. The pressure of its weight at its
+/// base is ρgH, with density ρ, gravity g and height H.
+void warn_of_weight(const soft::SoftBody& body, const Vec3& gravity,
+                    const std::function<void(const std::string&)>& say) {
+  const SoftDesc& desc = body.desc();
+  if (!desc.gravity || gravity.isZero() || body.attached()) return;
+  const Vec3 down = gravity.normalized();
+  double lowest = -std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& x : body.anatomy().surface.positions) {
+    lowest = std::max(lowest, x.dot(down));
+    highest = std::min(highest, x.dot(down));
+  }
+  const double pressure = desc.material.density * gravity.norm() * (lowest - highest);
+  const double least = pressure / most_weight;
+  if (desc.material.youngs_modulus >= least) return;
+  say(
+      fmt::format("{}: warning: youngs_modulus is {:.3g} Pa, but the body's weight presses on its base with "
+                  "{:.3g} Pa: it becomes flat, and may pass through what it lies on; set youngs_modulus to "
+                  "{:.3g} Pa or more, make the body smaller, or attach it ([[soft.attach]])",
+                  desc.name, desc.material.youngs_modulus, pressure, least));
+}
+
 CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
                             const collision::CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
@@ -222,6 +247,7 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                    model.scene.contact_stiffness};
   if (desc.contact.points == ContactPoints::surface) press_over_area(*out.solver, out.collision);
   warn_of_coarse_surface(*out.solver, say);
+  warn_of_weight(*out.solver, model.scene.gravity, say);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
                   out.solver->nodes(), surface.positions.size()));
   const bool solid = soft::mesh_kind(out.solver->anatomy()) == soft::MeshKind::tets;
