@@ -24,8 +24,9 @@ namespace {
 constexpr double reported_tension = 1e-3;  // m: smaller displacements by tension are not reported
 // Ratio of surface edge to element edge beyond which refinement has little effect.
 constexpr double coarse_surface = 1.5;
-// Largest pressure of an unattached body's weight at its base, over Young's modulus, without a warning.
-constexpr double most_weight = 3;
+// Largest pressure of an unattached body's weight at its base, over Young's modulus, without a warning. A
+// block of 10 cm by 6 cm that falls on a table rests up to 0.8, and sinks into the table from 1 on.
+constexpr double most_weight = 1;
 // Smallest fraction of its hull's volume that a plausible closed mesh fills.
 constexpr double least_share_of_hull = 0.02;
 

@@ -25,8 +25,7 @@ void refuse_rigid_inside(const Bodies& bodies, Tissue& tissue) {
     const auto nearest = skin.faces->nearest(centre);
     if (!nearest || skin.faces->winding_number(centre) < 0.5) continue;
     throw InputError(fmt::format(
-        "[[rigid]] \"{0}\" is placed inside [[soft]] \"{1}\": its centre is {2:.1f} mm below the surface, "
-        "and "
+        "[[rigid]] \"{}\" is placed inside [[soft]] \"{}\": its centre is {:.1f} mm below the surface, and "
         "nothing could separate them; move one of them, or name groups in `touches` so that they don't touch",
         bodies.model.rigid[slot].name, tissue.desc().name, 1e3 * nearest->distance));
   }
