@@ -121,6 +121,23 @@ std::size_t non_manifold_edges(const std::vector<Face>& triangles) {
   return bad;
 }
 
+DihedralRange dihedral_range(const std::array<Vec3, 4>& x) {
+  DihedralRange out;
+  std::array<Vec3, 4> normal;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto& n = face_nodes[f];
+    normal[f] = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).normalized();
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double angle =
+          std::acos(std::clamp(-normal[i].dot(normal[j]), -1.0, 1.0)) * 180 / std::numbers::pi;
+      out.least_deg = std::min(out.least_deg, angle);
+      out.most_deg = std::max(out.most_deg, angle);
+    }
+  return out;
+}
+
 TetQuality tet_quality(const TetMesh& mesh) {
   TetQuality q;
   q.nodes = mesh.positions.size();
@@ -129,18 +146,9 @@ TetQuality tet_quality(const TetMesh& mesh) {
     std::array<Vec3, 4> x;
     for (std::size_t k = 0; k < 4; ++k) x[k] = mesh.positions[tet[k]];
     q.volume += tet_volume(x[0], x[1], x[2], x[3]);
-    std::array<Vec3, 4> normal;
-    for (std::size_t f = 0; f < 4; ++f) {
-      const auto& n = face_nodes[f];
-      normal[f] = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).normalized();
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const double angle =
-            std::acos(std::clamp(-normal[i].dot(normal[j]), -1.0, 1.0)) * 180 / std::numbers::pi;
-        q.min_dihedral_deg = std::min(q.min_dihedral_deg, angle);
-        q.max_dihedral_deg = std::max(q.max_dihedral_deg, angle);
-      }
+    const DihedralRange angles = dihedral_range(x);
+    q.min_dihedral_deg = std::min(q.min_dihedral_deg, angles.least_deg);
+    q.max_dihedral_deg = std::max(q.max_dihedral_deg, angles.most_deg);
   }
   q.non_manifold_edges = non_manifold_edges(boundary_faces(mesh));
   for (const std::uint32_t c : tet_components(mesh))

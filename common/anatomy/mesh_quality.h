@@ -21,6 +21,14 @@ struct TetQuality {
 };
 
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Least and greatest dihedral angle, degrees.
+struct DihedralRange {
+  double least_deg = 180, most_deg = 0;
+};
+/// Returns the range of a tetrahedron's dihedral angles. `x`: its nodes, of positive volume.
+DihedralRange dihedral_range(const std::array<Vec3, 4>& x);
+
 TetQuality tet_quality(const TetMesh& mesh);
 
 /// Returns the mesh's boundary faces (those of only one tetrahedron), counter-clockwise seen from outside, as

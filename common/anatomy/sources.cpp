@@ -32,7 +32,7 @@
 namespace prosector {
 namespace {
 
-constexpr int recipe = 3;  // increase when a source gives a different mesh: invalidates the cache
+constexpr int recipe = 4;  // increase when a source gives a different mesh: invalidates the cache
 
 void say(const Progress& progress, const std::string& line) {
   if (progress) progress(line);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "common/anatomy/bcc_lattice.h"
+#include "common/anatomy/boundary_fit.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -300,6 +301,26 @@ void refuse_fine(const SolidField& field, double cell) {
       1000 * cell, extent[0], extent[1], extent[2], tets, max_tets, 1.01e3 * allowed));
 }
 
+/// Returns the best mesh of several lattice offsets and cells, before its boundary is fitted.
+TetMesh best_of_lattices(const SolidField& field, double cell) {
+  TetMesh best;
+  std::size_t best_bad = SIZE_MAX;
+  for (const double factor : shrink)
+    for (const Vec3& offset : offsets) {
+      TetMesh mesh = stuff(field, factor * cell, offset);
+      if (mesh.tets.empty()) continue;
+      mesh = largest_piece(mesh);
+      const std::size_t bad = non_manifold_edges(boundary_faces(mesh));
+      if (bad < best_bad) {
+        best_bad = bad;
+        best = std::move(mesh);
+      }
+      if (best_bad == 0) return best;
+    }
+  if (best.tets.empty()) refuse_coarse(field, cell);
+  return best;
+}
+
 }  // namespace
 
 TetMesh stuff(const SolidField& field, double cell, const Vec3& offset) {
@@ -314,26 +335,10 @@ double expected_tets(const SolidField& field, double cell) {
 
 TetMesh stuff_solid(const SolidField& field, double cell) {
   refuse_fine(field, cell);
-  TetMesh best;
-  std::size_t best_bad = SIZE_MAX;
-  for (const double factor : shrink)
-    for (const Vec3& offset : offsets) {
-      TetMesh mesh = stuff(field, factor * cell, offset);
-      if (mesh.tets.empty()) continue;
-      mesh = largest_piece(mesh);
-      const std::size_t bad = non_manifold_edges(boundary_faces(mesh));
-      if (bad < best_bad) {
-        best_bad = bad;
-        best = std::move(mesh);
-      }
-      if (best_bad == 0) {
-        split_touching_vertices(best);
-        return best;
-      }
-    }
-  if (best.tets.empty()) refuse_coarse(field, cell);
-  split_touching_vertices(best);
-  return best;
+  TetMesh mesh = best_of_lattices(field, cell);
+  split_touching_vertices(mesh);
+  fit_boundary(field, cell, mesh);
+  return mesh;
 }
 
 }  // namespace prosector

@@ -23,8 +23,9 @@ double expected_tets(const SolidField& field, double cell);
 
 /// Fills the solid with tetrahedra of about `cell` m, and returns the largest piece with a manifold boundary.
 /// Tries several lattice offsets, then slightly smaller cells, and keeps the best mesh. Vertices at which
-/// pieces only touch are then split. Throws InputError, with an allowed cell, if the cell is too coarse for
-/// the shape or needs more than `max_tets`. The latter is checked before meshing.
+/// pieces only touch are then split, and the boundary is fitted to the surface (fit_boundary). Throws
+/// InputError, with an allowed cell, if the cell is too coarse for the shape or needs more than `max_tets`.
+/// The latter is checked before meshing.
 TetMesh stuff_solid(const SolidField& field, double cell);
 
 }  // namespace prosector

@@ -123,7 +123,7 @@ struct RigidContactDesc {
   double restitution = 0;
   std::string group = default_group;
   std::vector<std::string> touches;  // groups; empty: all
-  bool continuous = false;           // true: continuous collision detection within a tick
+  bool continuous = true;            // false: no continuous collision detection within a tick
 };
 
 /// [[rigid]] of a scene file: a rigid body, in groups of keys.
@@ -179,8 +179,8 @@ struct RelaxationDesc {
 };
 
 /// Where a soft body makes contact with rigid bodies: at the vertices of its surface, or over the area of
-/// contact.
-enum class ContactPoints : std::uint8_t { vertices, surface };
+/// contact. `automatic`: over the area if the body supports that, else at vertices.
+enum class ContactPoints : std::uint8_t { vertices, surface, automatic };
 
 /// Where a solid soft body has smaller elements from the start of a session: nowhere, or at the rims of its
 /// attachments.
@@ -259,12 +259,12 @@ struct SoftConfiguration {
 /// with.
 struct SoftContact {
   Fidelity collision = Fidelity::mesh;
-  ContactPoints points = ContactPoints::vertices;
+  ContactPoints points = ContactPoints::automatic;
   double friction = 0.3;
   double rolling_resistance = 0.1;  // as in RigidContactDesc; for bodies that collide as a sphere or a hull
   std::string group = default_group;
   std::vector<std::string> touches;  // as in RigidContactDesc
-  bool continuous = false;           // as in RigidContactDesc
+  bool continuous = true;            // as in RigidContactDesc
   bool self_contact = false;         // true: self-collision is detected
 };
 

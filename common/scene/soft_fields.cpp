@@ -252,9 +252,10 @@ void add_contact(std::vector<Field>& fields) {
   fields.push_back(plain<S, &S::contact, &SoftContact::self_contact>(
       "self_contact", by_value, "true: the body collides with itself; collision must be mesh"));
   fields.push_back(words<S, &S::contact, &SoftContact::points>(
-      "contact", by_value, {"vertices", "surface"},
+      "contact", by_value, {"vertices", "surface", "auto"},
       "contact with rigid bodies; vertices: at the body's vertices; surface: over "
-      "the contact area, for solids that collide as mesh and have no substeps"));
+      "the contact area, for solids that collide as mesh and have no substeps; "
+      "auto: surface for those, vertices for others"));
   fields.push_back(words<S, &S::geometry, &SoftGeometry::grade>(
       "grade", compiled, {grading_names.begin(), grading_names.end()},
       "rims: smaller elements of a solid where attached and free surface meet, since "

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "common/anatomy/bcc_lattice.h"
+#include "common/anatomy/boundary_fit.h"
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
@@ -67,14 +68,58 @@ TEST(Stuffing, EveryShapeAtEveryCell) {
       }
 }
 
+// Without the fit, the boundary's nodes are on the surface, and faces cut convex parts off.
 TEST(Stuffing, BallVolumeConvergesAtSecondOrder) {
   const SolidField ball = implicit_shape("ball", Vec3::Constant(0.1));
   const double exact = 4.0 / 3 * std::numbers::pi * std::pow(0.05, 3);
-  const double coarse = 1 - tet_quality(stuff_solid(ball, 0.016)).volume / exact;
-  const double fine = 1 - tet_quality(stuff_solid(ball, 0.008)).volume / exact;
+  const double coarse = 1 - tet_quality(stuff(ball, 0.016, Vec3::Zero())).volume / exact;
+  const double fine = 1 - tet_quality(stuff(ball, 0.008, Vec3::Zero())).volume / exact;
   EXPECT_GT(coarse, 0);
   EXPECT_LT(coarse, 0.06);
   EXPECT_LT(fine, coarse / 3);
+}
+
+// Exact volumes, m³.
+TEST(BoundaryFit, KeepsVolumes) {
+  const double of_ball = 4.0 / 3 * std::numbers::pi * std::pow(0.05, 3);
+  for (const double cell : {0.016, 0.008}) {
+    EXPECT_NEAR(tet_quality(stuff_solid(implicit_shape("ball", Vec3::Constant(0.1)), cell)).volume / of_ball,
+                1, 1e-3);
+    EXPECT_NEAR(tet_quality(stuff_solid(implicit_shape("block", {0.1, 0.06, 0.08}), cell)).volume / 4.8e-4, 1,
+                2e-3);
+  }
+}
+
+/// Returns the mean squared distance (m²) of the boundary faces' centroids from the surface.
+double mean_squared_distance(const SolidField& field, const TetMesh& mesh) {
+  double sum = 0, area = 0;
+  for (const auto& f : boundary_faces(mesh)) {
+    const Vec3 &a = mesh.positions[f[0]], &b = mesh.positions[f[1]], &c = mesh.positions[f[2]];
+    const double of_face = (b - a).cross(c - a).norm();
+    sum += of_face * std::pow(field.value((a + b + c) / 3), 2);
+    area += of_face;
+  }
+  return sum / area;
+}
+
+TEST(BoundaryFit, BringsFacesNearerToTheSurface) {
+  const SolidField ball{[](const Vec3& x) { return x.norm() - 0.05; },
+                        {Vec3::Constant(-0.06), Vec3::Constant(0.06)}};
+  const TetMesh before = stuff(ball, 0.016, Vec3::Zero());
+  TetMesh after = before;
+  fit_boundary(ball, 0.016, after);
+  EXPECT_LT(mean_squared_distance(ball, after), mean_squared_distance(ball, before) / 4);
+  EXPECT_EQ(after.tets, before.tets);
+}
+
+// The unit of a field is free: the fit of a field in millimetres is that of the field in metres.
+TEST(BoundaryFit, DoesNotDependOnTheFieldsUnit) {
+  const SolidField metres = implicit_shape("kidney", Vec3::Constant(0.1));
+  const SolidField others{[&](const Vec3& x) { return 1e3 * metres.value(x); }, metres.box};
+  const TetMesh a = stuff_solid(metres, 0.015), b = stuff_solid(others, 0.015);
+  ASSERT_EQ(a.positions.size(), b.positions.size());
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    EXPECT_LT((a.positions[i] - b.positions[i]).norm(), 1e-9) << i;
 }
 
 TEST(Stuffing, RefusesWhatCannotBeMeshed) {

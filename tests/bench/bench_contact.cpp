@@ -14,7 +14,7 @@ const std::vector<ContactCase>& contact_cases() {
       {"ratio", ratio_case}, {"pour", pour_case},         {"squeeze", squeeze_case},
       {"probe", probe_case}, {"teleport", teleport_case}, {"boxes", falling_boxes_case},
       {"held", held_case},   {"thrown", thrown_case},     {"layer", layer_case},
-      {"organ", organ_case}};
+      {"usual", usual_case}, {"organ", organ_case}};
   return cases;
 }
 

@@ -85,6 +85,7 @@ constexpr double hertz_contact_stiffness = 200;
 // The cases, each defined in its own file.
 void hertz_case(ContactRows& rows, bool quick);
 void layer_case(ContactRows& rows, bool quick);
+void usual_case(ContactRows& rows, bool quick);
 void organ_case(ContactRows& rows, bool quick);
 void incline_case(ContactRows& rows, bool quick);
 void exchange_case(ContactRows& rows, bool quick);

@@ -30,7 +30,8 @@ double integral(contact::Division division, const F& f) {
 }
 
 TEST(AreaRule, IsExactForQuadraticFunctions) {
-  for (const contact::Division division : {contact::Division::whole, contact::Division::quarters}) {
+  for (const contact::Division division :
+       {contact::Division::whole, contact::Division::quarters, contact::Division::sixteenths}) {
     EXPECT_NEAR(integral(division, [](const Vec3&) { return 1; }), 1, 1e-14);
     EXPECT_NEAR(integral(division, [](const Vec3& w) { return w[0]; }), 1. / 3, 1e-14);
     EXPECT_NEAR(integral(division, [](const Vec3& w) { return w[1] * w[1]; }), 1. / 6, 1e-14);
@@ -44,19 +45,23 @@ TEST(AreaRule, CornersShareAnEvenPressure) {
 }
 
 TEST(AreaRule, NumbersOfPointsDiffer) {
-  const std::size_t whole = contact::face_points(contact::Division::whole).size(),
-                    quarters = contact::face_points(contact::Division::quarters).size();
-  EXPECT_LE(contact::first_face_point(contact::Division::whole) + whole,
-            contact::first_face_point(contact::Division::quarters));
-  EXPECT_EQ(contact::first_face_point(contact::Division::quarters) + quarters, contact::most_face_points);
-  EXPECT_EQ(contact::places_on_quarters().size(), quarters);
+  std::uint32_t next = 0;
+  for (const contact::Division division :
+       {contact::Division::whole, contact::Division::quarters, contact::Division::sixteenths}) {
+    EXPECT_EQ(contact::first_face_point(division), next);
+    next += static_cast<std::uint32_t>(contact::face_points(division).size());
+  }
+  EXPECT_EQ(next, contact::most_face_points);
+  EXPECT_EQ(contact::places_on_quarters().size(), contact::face_points(contact::Division::quarters).size());
+  EXPECT_LT((contact::places_on_quarters().back() - Vec3::Constant(1. / 3)).norm(), 1e-15);
 }
 
 TEST(AreaRule, IsAsFineAsWhatPressesIsRound) {
   EXPECT_EQ(contact::division_for(1e-4, 0, false), contact::Division::corners);
   EXPECT_EQ(contact::division_for(1e-4, 0, true), contact::Division::whole);
   EXPECT_EQ(contact::division_for(1e-6, 2 / 0.01, false), contact::Division::whole);
-  EXPECT_EQ(contact::division_for(1e-4, 2 / 0.01, false), contact::Division::quarters);
+  EXPECT_EQ(contact::division_for(4e-5, 2 / 0.01, false), contact::Division::quarters);
+  EXPECT_EQ(contact::division_for(1e-4, 2 / 0.01, false), contact::Division::sixteenths);
 }
 
 // Energy, slope and share are derivatives of each other, and the energy is the mean over the area.
@@ -102,7 +107,8 @@ TEST(SurfacePoint, EvenPressureLoadsNodesAsItMust) {
     const Tissue made = tissue_of(tissue(element));
     const TriangleMesh& surface = made.anatomy().surface;
     const auto nodes = static_cast<std::size_t>(made.solver->nodes());
-    for (const contact::Division division : {contact::Division::whole, contact::Division::quarters}) {
+    for (const contact::Division division :
+         {contact::Division::whole, contact::Division::quarters, contact::Division::sixteenths}) {
       std::vector<double> load(nodes, 0);
       const auto add = [&](const contact::ContactSide& side, double share) {
         double sum = 0;

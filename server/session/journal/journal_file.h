@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 15;
+inline constexpr std::uint64_t journal_version = 16;
 /// Keys of the journal's description (scene, session, choices and initial state), in the order in which the
 /// description's seal (hash) covers them.
 inline constexpr std::array journal_keys = {"format",  "scene_file", "scene_text", "session",  "content_hash",

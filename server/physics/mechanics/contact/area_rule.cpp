@@ -1,7 +1,9 @@
 #include "server/physics/mechanics/contact/area_rule.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace prosector::contact {
 namespace {
@@ -11,26 +13,34 @@ constexpr double at_corner = 1.0 / 12, at_middle = 3.0 / 4;
 // Largest spacing of points, in radii of a round body; triangles with larger spacing are quartered. A body
 // pressed in by a tenth of its radius touches over a third of it. The spacing is below two thirds of that.
 constexpr double most_spacing = 0.2;
+// The same for quarters, which are quartered again.
+constexpr double most_spacing_of_quarters = 0.3;
 // Point spacing of `whole`, as a multiple of the square root of the area.
 constexpr double spacing_of_whole = 0.8;
 
-const std::array<AreaPoint, 1> on_whole = {{{Vec3::Constant(1.0 / 3), at_middle}}};
-
-std::array<AreaPoint, 7> make_quarters() {
-  std::array<AreaPoint, 7> out;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    // The midpoint of the opposite edge is a corner of three quarters.
-    out[i] = {(Vec3::Ones() - Vec3::Unit(k)) / 2, 3 * at_corner / 4};
-    out[3 + i] = {Vec3::Constant(1.0 / 6) + Vec3::Unit(k) / 2, at_middle / 4};
-  }
-  out[6] = {Vec3::Constant(1.0 / 3), at_middle / 4};
-  return out;
+/// Returns the rule's points off the corners of a triangle whose edges are divided into `parts`: the other
+/// corners of its parts, with the sums of their shares, then the parts' centroids.
+std::vector<AreaPoint> points_of_parts(int parts) {
+  std::vector<AreaPoint> corners, middles;
+  const double each = 1.0 / (parts * parts), inside = 6;  // parts around an inner point
+  for (int i = 0; i <= parts; ++i)
+    for (int j = 0; i + j <= parts; ++j) {
+      const Vec3 at = Vec3(parts - i - j, i, j) / parts;
+      const auto on_edges = (at.array() == 0).count();
+      if (on_edges < 2) corners.push_back({at, (on_edges == 1 ? inside / 2 : inside) * at_corner * each});
+      for (const double third : {1.0 / 3, 2.0 / 3}) {
+        const Vec3 middle = Vec3(parts - i - j - 2 * third, i + third, j + third) / parts;
+        if (middle.minCoeff() > 0) middles.push_back({middle, at_middle * each});
+      }
+    }
+  corners.insert(corners.end(), middles.begin(), middles.end());
+  return corners;
 }
 
-const std::array<AreaPoint, 7>& on_quarters() {
-  static const std::array<AreaPoint, 7> points = make_quarters();
-  return points;
+const std::vector<AreaPoint>& points_under(Division division) {
+  static const std::array<std::vector<AreaPoint>, 4> points = {std::vector<AreaPoint>{}, points_of_parts(1),
+                                                               points_of_parts(2), points_of_parts(4)};
+  return points[static_cast<std::size_t>(division)];
 }
 
 }  // namespace
@@ -38,28 +48,34 @@ const std::array<AreaPoint, 7>& on_quarters() {
 Division division_for(double area, double curvature, bool quadratic) {
   if (curvature == 0 && !quadratic) return Division::corners;
   // A ball has twice the curvature of a rod of its radius, and a smaller contact area.
-  return spacing_of_whole * std::sqrt(area) * curvature / 2 > most_spacing ? Division::quarters
-                                                                           : Division::whole;
+  const double spacing = spacing_of_whole * std::sqrt(area) * curvature / 2;
+  if (spacing <= most_spacing) return Division::whole;
+  return spacing / 2 <= most_spacing_of_quarters ? Division::quarters : Division::sixteenths;
 }
 
 double corner_share(Division division) {
   if (division == Division::corners) return 1.0 / 3;
-  return division == Division::whole ? at_corner : at_corner / 4;
+  const double parts = division == Division::whole ? 1 : division == Division::quarters ? 4 : 16;
+  return at_corner / parts;
 }
 
 std::span<const AreaPoint> face_points(Division division) {
-  if (division == Division::corners) return {};
-  return division == Division::whole ? std::span<const AreaPoint>(on_whole) : on_quarters();
+  return points_under(division);
 }
 
 std::uint32_t first_face_point(Division division) {
-  return division == Division::quarters ? 1 : 0;
+  std::size_t before = 0;
+  for (const Division coarser : {Division::whole, Division::quarters})
+    if (coarser < division) before += points_under(coarser).size();
+  return static_cast<std::uint32_t>(before);
 }
 
 std::span<const Vec3> places_on_quarters() {
-  static const std::array<Vec3, 7> places = [] {
-    std::array<Vec3, 7> out;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = on_quarters()[i].weights;
+  static const std::vector<Vec3> places = [] {
+    std::vector<Vec3> out;
+    for (const AreaPoint& point : face_points(Division::quarters)) out.push_back(point.weights);
+    std::stable_partition(out.begin(), out.end(),
+                          [](const Vec3& w) { return !w.isApproxToConstant(1.0 / 3); });
     return out;
   }();
   return places;

@@ -12,6 +12,7 @@ struct Distance {
   double value = 0;             // m, < 0 inside
   Vec3 normal = Vec3::UnitY();  // unit, outwards
   double curvature = 0;         // 1/m: sum of the principal curvatures of a round surface; 0: flat
+  std::uint32_t part = 0;       // index of the nearest part of the body
 };
 
 class SignedDistance {

@@ -310,7 +310,8 @@ void take_nearer(const Collider& collider, std::size_t i, const Vec3& local, dou
   const double reach = part.half.x() + part.half.y() + part.half.z() + margin;
   if (primitive && (local - pose.p).squaredNorm() > reach * reach) return;
   const Distance d = (*collider.distances)[i]->at(pose.q.conjugate() * (local - pose.p));
-  if (d.value < best.value) best = {d.value, collider.pose.q * (pose.q * d.normal), d.curvature};
+  if (d.value < best.value)
+    best = {d.value, collider.pose.q * (pose.q * d.normal), d.curvature, static_cast<std::uint32_t>(i)};
 }
 
 }  // namespace

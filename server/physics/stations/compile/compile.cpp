@@ -180,17 +180,18 @@ std::vector<std::optional<collision::RigidOutline>> compile_outlines(const Model
   return out;
 }
 
-/// Enables contact over areas for the body. Throws InputError for bodies without such areas, or with
-/// substeps.
-void press_over_area(const soft::SoftBody& body, contact::SoftCollision& collision) {
+/// Returns whether rigid bodies press the body over areas. Throws InputError if the scene demands that for a
+/// body without such areas, or with substeps.
+bool presses_over_area(const soft::SoftBody& body) {
   const SoftDesc& desc = body.desc();
-  if (soft::mesh_kind(body.anatomy()) != soft::MeshKind::tets || collision.fidelity != Fidelity::mesh ||
-      body.substepper())
+  const bool can = soft::mesh_kind(body.anatomy()) == soft::MeshKind::tets &&
+                   desc.contact.collision == Fidelity::mesh && !body.substepper();
+  if (!can && desc.contact.points == ContactPoints::surface)
     throw InputError(
         fmt::format("[[soft]] \"{}\": contact is \"surface\", which is allowed only for a solid with "
                     "collision = \"mesh\" and without substeps; set contact = \"vertices\"",
                     desc.name));
-  collision.over_area = true;
+  return can && desc.contact.points != ContactPoints::vertices;
 }
 
 /// Warns if surface triangles are too large for refined elements to have an effect.
@@ -245,8 +246,8 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                    desc.contact.continuous,
                    desc.contact.self_contact,
                    cell,
-                   model.scene.contact_stiffness};
-  if (desc.contact.points == ContactPoints::surface) press_over_area(*out.solver, out.collision);
+                   model.scene.contact_stiffness,
+                   presses_over_area(*out.solver)};
   warn_of_coarse_surface(*out.solver, say);
   warn_of_weight(*out.solver, model.scene.gravity, say);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),

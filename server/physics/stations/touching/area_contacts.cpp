@@ -4,58 +4,52 @@
 #include <cmath>
 
 #include "server/physics/mechanics/contact/area_rule.h"
+#include "server/physics/mechanics/contact/dent.h"
 #include "server/physics/mechanics/contact/vertex_gap.h"
+#include "server/physics/stations/touching/pressed_patch.h"
 #include "server/physics/stations/touching/rigid_soft_contacts.h"
 #include "server/physics/stations/touching/surface_point.h"
 
 namespace prosector {
 namespace {
 
-// Under a round body, a surface yields more than its elements resolve, because they spread the load over a
-// cell. So the pressure models the dent within a cell: depth over cell size, times E/(1 − ν²), times this
-// factor. Quadratic elements resolve more of the dent the less compressible they are, so their factor is
-// divided by 1 − ν. Measured, see docs/understand/contact.md.
-constexpr double dent_of_linear = 2.1, dent_of_quadratic = 5.8;
-
-// Contact stiffness with which the factors were measured.
-const double usual_stiffness = SceneDesc().contact_stiffness;
+// Under a round body, quadratic elements yield less than the continuum. Their pressure is depth over element
+// size, times E/(1 − ν²), times this factor over 1 − ν. Measured, see docs/look-up/contact-figures.md.
+constexpr double dent_of_quadratic = 5.8;
 
 constexpr double least_round = 0.1;  // 1/m: smaller curvature counts as flat
 
-// Deeper than this fraction of its radius of curvature, a round body no longer makes a dent: the excess depth
-// presses like a flat body.
-constexpr double most_dent = 1.0 / 3;
+// The deepest dent of a ball is half of the larger of: this fraction of its radius; its radius without this
+// fraction of a surface cell. Excess depth presses like a flat body, so that the ball stays outside.
+constexpr double dent_of_radius = 1.0 / 3, part_of_cell = 0.4;
 
-/// Ratio of pressure to depth, Pa/m, or of force to depth for an area, N/m.
-struct Stiffness {
-  double at_first = 0;  // up to the depth of a dent within a cell
-  double beyond = 0;    // additional, beyond that depth
-};
+constexpr double least_facing = 0.5;  // cosine: steeper points count as this steep
 
 /// A point of the surface near a collider.
 struct Met {
   contact::ContactSide side;
-  contact::Distance nearest;  // to the collider, from there
-  std::uint32_t feature = 0;  // as Contact::feature
-  double area = 0;            // m²
-  Stiffness stiffness;
+  contact::Distance nearest;    // to the collider, from there
+  std::uint32_t feature = 0;    // as Contact::feature
+  double area = 0;              // m²
+  double size = 0;              // m: of the elements there; 0 under a flat body
   Vec3 outward = Vec3::Zero();  // normal of the tissue, unit
   double aslant = 0;  // sine between the surface and the collider; 0 if the surface does not face it
+  const contact::ContactMemory *memory = nullptr, *beyond = nullptr;  // of the last tick; null: none
 };
 
-/// Returns the stiffness of a triangle's area against a body of that curvature (1/m).
-Stiffness stiffness_of(const Tissue& tissue, std::uint32_t triangle, double area, double curvature) {
-  const SoftDesc& desc = tissue.desc();
-  const double flat =
-      area * desc.material.youngs_modulus * tissue.collision.stiffness_factor / desc.geometry.surface_cell;
-  if (curvature < least_round) return {flat, 0};
-  const double nu = desc.material.poisson_ratio;
-  const double dent =
-      (desc.configuration.is_quadratic() ? dent_of_quadratic / (1 - nu) : dent_of_linear) / (1 - nu * nu);
-  const double wanted = tissue.collision.stiffness_factor / usual_stiffness;
-  const double round =
-      std::min(flat, area * desc.material.youngs_modulus * wanted * dent / element_size(tissue, triangle));
-  return {round, flat - round};
+/// Ratio of force to depth, N/m.
+struct Stiffness {
+  double at_first = 0;  // up to the depth of a dent
+  double beyond = 0;    // additional, beyond that depth
+};
+
+bool is_round(const contact::Distance& d) {
+  return d.curvature >= least_round;
+}
+
+/// Returns the radius (m) of a ball of the same curvature.
+double ball_radius(const contact::Distance& d) {
+  return 2 / d.curvature;
 }
 
 /// Returns the sine between a face and a collider's surface, from their outward unit normals; 0 if the face
@@ -81,11 +75,12 @@ class AreaContacts {
         held_(held),
         out_(out),
         surface_(tissue.anatomy().surface),
-        still_(collider.fixed && !collider.driven_to) {
+        still_(collider.fixed && !collider.driven_to),
+        patches_(collider.parts->size()) {
     other_.body = collider.slot;
   }
 
-  void add_vertices() {
+  void meet_vertices() {
     const contact::SurfaceDetector& places = tissue_.surface.vertices();
     places.near(collider_, margin_, [&](std::uint32_t vertex, const contact::Distance& d) {
       if (!still_ && places.stretch_at(vertex) >= most_stretch) return;
@@ -94,21 +89,21 @@ class AreaContacts {
       met.nearest = d;
       met.feature = vertex;
       met.outward = places.outward_at(vertex);
-      met.aslant = 1;  // of the most parallel triangle; the others' load is carried by their own points
+      met.aslant = 1;   // of the most parallel triangle; the others' load is carried by their own points
+      double size = 0;  // m³: times area
       for (const std::uint32_t triangle : places.around(vertex)) {
         const double whole = area_of(triangle),
                      area = whole * contact::corner_share(division(whole, d.curvature));
         met.area += area;
         met.aslant = std::min(met.aslant, aslant(places.outward(triangle), d.normal));
-        const Stiffness of_part = stiffness_of(tissue_, triangle, area, d.curvature);
-        met.stiffness.at_first += of_part.at_first;
-        met.stiffness.beyond += of_part.beyond;
+        if (is_round(d)) size += area * element_size(tissue_, triangle);
       }
-      add(met);
+      met.size = size / met.area;
+      meet(met);
     });
   }
 
-  void add_faces() {
+  void meet_faces() {
     const contact::SurfaceDetector& places = tissue_.surface.vertices();
     places.near_triangles(collider_, margin_, [&](std::uint32_t triangle) {
       const auto x = places.corners(triangle);
@@ -119,8 +114,12 @@ class AreaContacts {
       if (d.value > reach + margin_) return;
       if (division(area_of(triangle), d.curvature) == contact::Division::corners) return;
       if (!still_ && places.stretch(triangle) >= most_stretch) return;
-      add_points(triangle, d.curvature);
+      meet_points(triangle, d.curvature);
     });
+  }
+
+  void add_contacts() const {
+    for (const Met& met : met_) add(met);
   }
 
  private:
@@ -134,54 +133,87 @@ class AreaContacts {
     return contact::division_for(area, curvature, tissue_.desc().configuration.is_quadratic());
   }
 
-  void add_points(std::uint32_t triangle, double curvature) {
+  void meet_points(std::uint32_t triangle, double curvature) {
     const double area = area_of(triangle);
     const contact::Division parts = division(area, curvature);
     const auto first = static_cast<std::uint32_t>(surface_.positions.size()) +
                        contact::most_face_points * triangle + contact::first_face_point(parts);
     const Vec3 outward = tissue_.surface.vertices().outward(triangle);
-    const Stiffness whole = stiffness_of(tissue_, triangle, area, curvature);
+    const double size = curvature >= least_round ? element_size(tissue_, triangle) : 0;
     const auto points = contact::face_points(parts);
     for (std::uint32_t p = 0; p < points.size(); ++p) {
       const contact::ContactSide side = surface_side(tissue_, triangle, points[p].weights);
       const contact::Distance d = contact::distance_to(collider_, place_of(side, tissue_), margin_);
-      const double share = points[p].share;
       if (d.value > margin_) continue;
-      const Stiffness stiffness = {whole.at_first * share, whole.beyond * share};
-      add({side, d, first + p, area * share, stiffness, outward, aslant(outward, d.normal)});
+      meet({side, d, first + p, area * points[p].share, size, outward, aslant(outward, d.normal)});
     }
   }
 
-  void add(const Met& met) {
-    const contact::ContactMemory* memory = contact::find(held_, other_, met.feature);
+  /// Stores the point, and adds its last force to the patch that this part of the collider presses.
+  void meet(Met met) {
+    met.memory = contact::find(held_, other_, met.feature);
+    met.beyond = contact::find(held_, other_, met.feature + points_of(surface_));
+    for (const contact::ContactMemory* memory : {met.memory, met.beyond})
+      if (memory) patches_[met.nearest.part].add(met.side, memory->force);
+    met_.push_back(met);
+  }
+
+  Stiffness stiffness_of(const Met& met) const {
+    const SoftDesc& desc = tissue_.desc();
+    const double scale = is_round(met.nearest)
+                             ? std::min(desc.geometry.surface_cell, ball_radius(met.nearest))
+                             : desc.geometry.surface_cell;
+    const double flat = met.area * desc.material.youngs_modulus * tissue_.collision.stiffness_factor / scale;
+    if (!(met.size > 0)) return {flat, 0};
+    const double round = std::min(flat, met.area * dent_pressure(met));
+    return {round, flat - round};
+  }
+
+  /// Returns the ratio (Pa/m) of pressure to depth under a round body. Depth is measured along the collider's
+  /// normal, so that a slope of angle θ divides the ratio by cos²θ.
+  double dent_pressure(const Met& met) const {
+    const SoftDesc& desc = tissue_.desc();
+    const double nu = desc.material.poisson_ratio, modulus = desc.material.youngs_modulus / (1 - nu * nu);
+    if (desc.configuration.is_quadratic()) return modulus * dent_of_quadratic / ((1 - nu) * met.size);
+    const PressedPatch& patch = patches_[met.nearest.part];
+    const double length = contact::dent_length(met.size, patch.spread(), nu),
+                 radius = contact::contact_radius(patch.force(), ball_radius(met.nearest), modulus),
+                 facing = std::max(-met.outward.dot(met.nearest.normal), least_facing);
+    return modulus * contact::dent_stiffness(radius, length) / (facing * facing);
+  }
+
+  void add(const Met& met) const {
     contact::Approach approach{place_of(met.side, tissue_), met.nearest};
-    if (memory) {
-      approach.before = &memory->normal;
-      approach.depth = memory->force / met.stiffness.at_first;
+    if (met.memory) {
+      approach.before = &met.memory->normal;
+      approach.depth = met.memory->force / met.memory->stiffness;
     }
     approach.outward = met.outward;
     approach.lip = lip * tissue_.desc().geometry.surface_cell;
     const std::optional<contact::Distance> side = contact::side_of(collider_, approach);
-    if (!side || !(met.stiffness.at_first > 0)) return;
+    const Stiffness stiffness = stiffness_of(met);
+    if (!side || !(stiffness.at_first > 0)) return;
     contact::Contact& c = out_.emplace_back(rigid_contact(tissue_, approach.at, *side, collider_));
     c.a = met.side;
-    c.stiffness = met.stiffness.at_first;
+    c.stiffness = stiffness.at_first;
     c.feature = met.feature;
     soften(met, c);
-    contact::recall(memory, c);
-    if (met.stiffness.beyond > 0) add_beyond(met, c);
+    contact::recall(met.memory, c);
+    if (stiffness.beyond > 0) add_beyond(met, stiffness.beyond, c);
   }
 
   /// Adds the contact beyond the depth of a dent, if the point may get so deep in this tick.
-  void add_beyond(const Met& met, contact::Contact first) {
-    first.rest = -most_dent / met.nearest.curvature;
+  void add_beyond(const Met& met, double stiffness, contact::Contact first) const {
+    const double radius = ball_radius(met.nearest),
+                 without = radius - part_of_cell * tissue_.desc().geometry.surface_cell;
+    first.rest = -std::max(dent_of_radius * radius, without) / 2;
     first.gap -= first.rest;
     if (first.gap > margin_) return;
-    first.stiffness = met.stiffness.beyond;
+    first.stiffness = stiffness;
     first.feature += points_of(surface_);
     first.grip.setZero();
     first.gripped = 0;
-    contact::recall(contact::find(held_, other_, first.feature), first);
+    contact::recall(met.beyond, first);
     out_.push_back(first);
   }
 
@@ -204,6 +236,8 @@ class AreaContacts {
   const TriangleMesh& surface_;
   bool still_;
   contact::ContactSide other_;
+  std::vector<Met> met_;
+  std::vector<PressedPatch> patches_;  // by part of the collider
 };
 
 }  // namespace
@@ -215,8 +249,9 @@ std::uint32_t area_features(const TriangleMesh& surface) {
 void add_area_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
                        const contact::ContactMemories& held, std::vector<contact::Contact>& out) {
   AreaContacts contacts(tissue, collider, margin, held, out);
-  contacts.add_vertices();
-  contacts.add_faces();
+  contacts.meet_vertices();
+  contacts.meet_faces();
+  contacts.add_contacts();
 }
 
 }  // namespace prosector

@@ -20,8 +20,9 @@ std::uint32_t area_features(const TriangleMesh& surface);
 /// Appends contacts at the points of the body's surface within `margin` (m) of the collider to `out`. A
 /// contact that existed in the last tick continues with its force and friction from `held`. A vertex' feature
 /// (contact index) is its index. A face point's feature is the number of vertices plus most_face_points times
-/// its triangle plus its own index. A point that may get deeper in a round collider than a third of its
-/// radius of curvature has a second contact, which adds pressure beyond that depth. Its feature is the last.
+/// its triangle plus its own index. A point that may get deeper in a round collider than a dent
+/// has a second contact, which adds pressure beyond that depth; its feature is larger by the number of
+/// points.
 void add_area_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
                        const contact::ContactMemories& held, std::vector<contact::Contact>& out);
 
