@@ -16,7 +16,7 @@ constexpr int parts = 4;               // per edge of a face, in whose parts dis
 constexpr double step = 1e-3;          // of a cell, for derivatives
 constexpr double most_distance = 0.5;  // cells: farther, the surface counts as this far
 constexpr double steady = 1e-2;        // weight of a node's own motion, relative to that of the distance
-constexpr double least_angle = 10.7, most_angle = 160;  // degrees
+constexpr double least_angle = 17, most_angle = 147;  // degrees
 constexpr int halvings = 5;                             // of motions that would spoil angles
 
 using Face = std::array<std::uint32_t, 3>;
@@ -43,7 +43,7 @@ void for_parts(const F& f) {
       }
 }
 
-/// Boundary of a mesh, with a normal for each boundary node.
+/// Boundary of a mesh.
 class Boundary {
  public:
   explicit Boundary(const TetMesh& mesh)
@@ -58,59 +58,55 @@ class Boundary {
 
   const std::vector<std::uint32_t>& nodes() const { return nodes_; }
 
-  /// Returns the motion (m) of each boundary node that fits the faces to the surface.
+  /// Returns the motion (m) of each boundary node that fits the faces to the surface. A face's distance
+  /// counts along its normal. So nodes beside a sharp edge move along the flat faces towards it.
   std::vector<Vec3> motions(const SolidField& field, double cell, const TetMesh& mesh) const {
-    const std::vector<Vec3> normals = node_normals(mesh);
-    const auto n = static_cast<Eigen::Index>(nodes_.size());
+    const auto size = static_cast<Eigen::Index>(3 * nodes_.size());
     std::vector<Eigen::Triplet<double>> entries;
-    VecX load = VecX::Zero(n);
+    VecX load = VecX::Zero(size);
     for (const Face& face : faces_) {
       const Vec3 &a = mesh.positions[face[0]], &b = mesh.positions[face[1]], &c = mesh.positions[face[2]];
-      const Vec3 twice = (b - a).cross(c - a);
-      const Vec3 normal = twice.normalized();
-      const double area = twice.norm() / (2 * parts * parts);
-      Vec3 facing;  // motion of the face along its normal, per motion of each corner
-      for (std::size_t k = 0; k < 3; ++k)
-        facing[static_cast<Eigen::Index>(k)] = normals[number_[face[k]]].dot(normal);
-      Mat3 product = area * parts * parts * steady / 3 * Mat3::Identity();
-      Vec3 pull = Vec3::Zero();
+      const Vec3 twice = (b - a).cross(c - a), normal = twice.normalized();
+      const double area = twice.norm() / 2;
+      Mat3 product = Mat3::Zero();  // of weights, mean over the face
+      Vec3 pull = Vec3::Zero();     // m
       for_parts([&](const Vec3& w) {
         const std::optional<double> d = distance_along(field, w[0] * a + w[1] * b + w[2] * c, normal, cell);
         if (!d) return;
-        const Vec3 moves = w.cwiseProduct(facing);
-        product += area * moves * moves.transpose();
-        pull += area * *d * moves;
+        product += w * w.transpose() / (parts * parts);
+        pull += w * *d / (parts * parts);
       });
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto row = static_cast<Eigen::Index>(number_[face[i]]);
-        load[row] += pull[static_cast<Eigen::Index>(i)];
-        for (std::size_t j = 0; j < 3; ++j)
-          entries.emplace_back(row, static_cast<Eigen::Index>(number_[face[j]]),
-                               product(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      const Mat3 along = area * normal * normal.transpose(), any = area * steady / 3 * Mat3::Identity();
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        const Eigen::Index row = first_row(face, i);
+        load.segment<3>(row) += area * pull[i] * normal;
+        for (Eigen::Index j = 0; j < 3; ++j)
+          add_block(product(i, j) * along + (i == j ? any : Mat3(Mat3::Zero())), row, first_row(face, j),
+                    entries);
       }
     }
-    Sparse matrix(n, n);
+    Sparse matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const VecX along = Eigen::SimplicialLDLT<Sparse>(matrix).solve(load);
+    const VecX solved = Eigen::SimplicialLDLT<Sparse>(matrix).solve(load);
     std::vector<Vec3> out(nodes_.size());
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = std::clamp(along[static_cast<Eigen::Index>(i)], -most_distance * cell, most_distance * cell) *
-               normals[i];
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = solved.segment<3>(static_cast<Eigen::Index>(3 * i));
+      out[i] *= std::min(1.0, most_distance * cell / std::max(out[i].norm(), most_distance * cell));
+    }
     return out;
   }
 
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  /// Returns the mean of the adjacent faces' normals, weighted by area, unit.
-  std::vector<Vec3> node_normals(const TetMesh& mesh) const {
-    std::vector<Vec3> out(nodes_.size(), Vec3::Zero());
-    for (const Face& face : faces_) {
-      const Vec3 &a = mesh.positions[face[0]], &b = mesh.positions[face[1]], &c = mesh.positions[face[2]];
-      for (const std::uint32_t node : face) out[number_[node]] += (b - a).cross(c - a);
-    }
-    for (Vec3& normal : out) normal.normalize();
-    return out;
+  Eigen::Index first_row(const Face& face, Eigen::Index corner) const {
+    return 3 * static_cast<Eigen::Index>(number_[face[static_cast<std::size_t>(corner)]]);
+  }
+
+  static void add_block(const Mat3& block, Eigen::Index row, Eigen::Index column,
+                        std::vector<Eigen::Triplet<double>>& entries) {
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j) entries.emplace_back(row + i, column + j, block(i, j));
   }
 
   std::vector<Face> faces_;

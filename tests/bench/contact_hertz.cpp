@@ -84,7 +84,9 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
     if (desc.configuration.element == "tet10") test::halve_surface(made);
     return made;
   };
-  ContactRun run(scene_of(press, mesh, cell, stiffness), options);
+  SceneDesc scene = scene_of(press, mesh, cell, stiffness);
+  scene.soft[0].contact.points = ContactPoints::vertices;  // a stiff contact leaves the mesh's error alone
+  ContactRun run(scene, options);
   const Settled found = settle(run, press, 0, 0);
   rows.add(run, setting, {"force over tabulated force", "1", found.force / press.force, 1, tolerance},
            {{"element", mesh.element},
