@@ -160,6 +160,22 @@ TEST(SurfacePoint, ElementSizeIsNotTheSurfaces) {
   for (std::uint32_t t = 0; t < 4; ++t) EXPECT_NEAR(element_size(b, t), 0.05, 1e-12);
 }
 
+// A surface triangle across the edge between two faces of elements has four corners, as one element has.
+TEST(SurfacePoint, ElementSizeIsNotOfTwoFaces) {
+  const Anatomy own = make_block({0.1, 0.1, 0.1}, {2, 2, 2});
+  TriangleMesh across;  // a small triangle over each edge between cells of the top
+  for (const double z : {-0.025, 0.025}) {
+    const auto first = static_cast<std::uint32_t>(across.positions.size());
+    for (const Vec3& at :
+         {Vec3(-0.004, 0.05, z - 0.003), Vec3(-0.004, 0.05, z + 0.003), Vec3(0.004, 0.05, z)})
+      across.positions.push_back(at);
+    across.triangles.push_back({first, first + 1, first + 2});
+  }
+  const Tissue made(0, std::make_unique<soft::SoftBody>(tissue("tet4"), embed(own.tets, across).anatomy), {});
+  for (std::uint32_t t = 0; t < across.triangles.size(); ++t)
+    EXPECT_NEAR(element_size(made, t), 0.05, 1e-12) << t;
+}
+
 // Embedding leaves weights of rounding's size at nodes off the face.
 TEST(SurfacePoint, ElementSizeIsNotToldByRounding) {
   SoftDesc desc = tissue("tet4");

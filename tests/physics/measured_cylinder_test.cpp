@@ -19,19 +19,21 @@
 namespace prosector::test {
 namespace {
 
-constexpr double radius = 0.019, length = 0.178, mass = 0.216, cell = 0.008;  // m, kg
-const double volume = std::numbers::pi * radius * radius * length;
+constexpr double cylinder_radius = 0.019, cylinder_length = 0.178, cylinder_mass = 0.216,
+                 cylinder_cell = 0.008;  // m, kg
+const double cylinder_volume = std::numbers::pi * cylinder_radius * cylinder_radius * cylinder_length;
 const Vec3 measured(0, -0.119383, 0.126842);
 
 SolidField cylinder() {
   const Vec3 margin = Vec3::Constant(0.002);
   return {[](const Vec3& x) {
-            const double sideways = std::hypot(x.x(), x.y()) - radius,
-                         along = std::abs(x.z() - length / 2) - length / 2;
+            const double sideways = std::hypot(x.x(), x.y()) - cylinder_radius,
+                         along = std::abs(x.z() - cylinder_length / 2) - cylinder_length / 2;
             const double outside = std::hypot(std::max(sideways, 0.0), std::max(along, 0.0));
             return outside > 0 ? outside : std::max(sideways, along);
           },
-          {Vec3(-radius, -radius, 0) - margin, Vec3(radius, radius, length) + margin}};
+          {Vec3(-cylinder_radius, -cylinder_radius, 0) - margin,
+           Vec3(cylinder_radius, cylinder_radius, cylinder_length) + margin}};
 }
 
 /// Returns the mean position of the nodes at the free end, m.
@@ -41,7 +43,7 @@ Vec3 free_end(const Simulation& simulation) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (rest[i].z() < length - end) continue;
+    if (rest[i].z() < cylinder_length - end) continue;
     sum += simulation.soft_state(0).motion.x.segment<3>(static_cast<Eigen::Index>(3 * i));
     ++count;
   }
@@ -49,8 +51,8 @@ Vec3 free_end(const Simulation& simulation) {
 }
 
 TEST(MeasuredCylinder, HangsAsMeasured) {
-  const TetMesh mesh = stuff_solid(cylinder(), cell);
-  EXPECT_NEAR(tet_quality(mesh).volume / volume, 1, 1e-3);
+  const TetMesh mesh = stuff_solid(cylinder(), cylinder_cell);
+  EXPECT_NEAR(tet_quality(mesh).volume / cylinder_volume, 1, 1e-3);
   SceneDesc scene;
   SoftDesc& desc = scene.soft.emplace_back();
   desc.name = "cylinder";
@@ -61,15 +63,15 @@ TEST(MeasuredCylinder, HangsAsMeasured) {
   desc.configuration.solver_tolerance = 1e-4;
   desc.material.youngs_modulus = 75e3;
   desc.material.poisson_ratio = 0.49;
-  desc.material.density = mass / volume;
+  desc.material.density = cylinder_mass / cylinder_volume;
   desc.material.damping_mass = 5;
   desc.contact.collision = Fidelity::none;
-  desc.geometry.cell = cell;
+  desc.geometry.cell = cylinder_cell;
   constexpr double flat = 1000, clamped = 1e-4;  // m: a ball so large that its surface is flat
   desc.attach = {{{0, 0, clamped - flat}, flat, 1e13}};
   CompileOptions compiled = options();
   compiled.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
-    return embed(mesh, isosurface(cylinder(), cell / 2)).anatomy;
+    return embed(mesh, isosurface(cylinder(), cylinder_cell / 2)).anatomy;
   };
   Simulation simulation(scene, compiled);
   run(simulation, 60);

@@ -137,6 +137,7 @@ double element_size(const Tissue& tissue, std::uint32_t triangle) {
   Corners all;
   double of_hanging = 0;  // m, sum
   int hanging = 0;        // number of vertices that are not nodes
+  std::size_t most = 0;   // corners of one vertex
   for (const std::uint32_t vertex : anatomy.surface.triangles[triangle]) {
     const Corners own = corners_of(anatomy.embedding.rows[vertex], edges);
     if (own.count() > 1) {
@@ -144,8 +145,11 @@ double element_size(const Tissue& tissue, std::uint32_t triangle) {
       ++hanging;
     }
     all.add(own);
+    most = std::max(most, own.count());
   }
-  const bool within_one = all.count() <= corners_of_tet;
+  // Four corners are those of one element, or of two faces with a common edge.
+  const bool within_one =
+      all.count() < corners_of_tet || (all.count() == corners_of_tet && most == corners_of_tet);
   return within_one ? all.size(anatomy.tets.positions) : of_hanging / hanging;
 }
 
