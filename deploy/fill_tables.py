@@ -480,6 +480,36 @@ def contact(reports, before):
     lines = [line for same in cases.values() for line in same]
     return table(["case", "figure", "setting nearest to its tolerance", "settings", "measured", "reference", "tolerance", "CPU ms per tick", "verdict"], lines)
 
+def pressed(reports, case, **settings):
+    """Figures of each press of a contact case, by the name of the press."""
+    presses = {}
+    for row in reports.rows("contact", case=case, **settings):
+        presses.setdefault(row["setting"], {})[row["figure"]] = row["measured"]
+    if not presses:
+        raise Missing(f"contact, case {case}")
+    return presses
+
+def usual(reports):
+    lines = []
+    for setting, of in pressed(reports, "usual").items():
+        layer, depth, nu = (part.strip() for part in setting.split(","))
+        lines.append([nu.removeprefix("nu "), f"{layer.removeprefix('layer ')}, {depth.removesuffix(' deep')}",
+                      f"{of['force over tabulated force']:.3f}",
+                      f"{of['sliding: least force']:.3f} to {of['sliding: greatest force']:.3f}",
+                      percent(of["sliding: largest change per tick"]), f"{100 * of['contact compression over depth']:.0f} %",
+                      number(of["median CPU time per tick"]), number(of["median wall time per tick"])])
+    return table(["ν", "Layer, depth", "Force relative to the table", "while sliding", "Largest change per tick",
+                  "The contact gives", "CPU ms per tick", "wall ms"], sorted(lines))
+
+def organ(reports):
+    lines = []
+    for setting, of in pressed(reports, "organ").items():
+        lines.append(["quadratic" if "tet10" in setting else "linear", number(of["force over reference force"]),
+                      number(of["indentation over reference indentation"]), percent(of["stroking: largest force error"]),
+                      percent(of["stroking: largest change per tick"]), number(of["median CPU time per tick"])])
+    return table(["Elements", "Force relative to the reference", "Dent relative to the reference", "Stroking: largest error",
+                  "Stroking: largest change per tick", "CPU ms per tick"], lines)
+
 USUAL = "2 cores", "avx512", "24 GiB", "g++ 12.2.0", "Release"  # named above the table
 
 def machine(reports, before):
@@ -539,7 +569,7 @@ TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bul
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
-          "hands": hands, "hand-gestures": hand_gestures,
+          "usual": usual, "organ": organ, "hands": hands, "hand-gestures": hand_gestures,
           **{f"trade-{case}": trade_case(case) for case in ERROR_KEYS},
           **{f"refine-{body}": refine(body) for body in ("layer", "organ", "liver")}, "references": references}
 

@@ -17,7 +17,7 @@ constexpr double step = 1e-3;          // of a cell, for derivatives
 constexpr double most_distance = 0.5;  // cells: farther, the surface counts as this far
 constexpr double steady = 1e-2;        // weight of a node's own motion, relative to that of the distance
 constexpr double least_angle = 17, most_angle = 147;  // degrees
-constexpr int halvings = 5;                             // of motions that would spoil angles
+constexpr int halvings = 5;                           // of motions that would spoil angles
 
 using Face = std::array<std::uint32_t, 3>;
 using Sparse = Eigen::SparseMatrix<double>;
@@ -59,7 +59,7 @@ class Boundary {
   const std::vector<std::uint32_t>& nodes() const { return nodes_; }
 
   /// Returns the motion (m) of each boundary node that fits the faces to the surface. A face's distance
-  /// counts along its normal. So nodes beside a sharp edge move along the flat faces towards it.
+  /// counts along its normal. So nodes near a sharp edge move along the flat faces towards it.
   std::vector<Vec3> motions(const SolidField& field, double cell, const TetMesh& mesh) const {
     const auto size = static_cast<Eigen::Index>(3 * nodes_.size());
     std::vector<Eigen::Triplet<double>> entries;

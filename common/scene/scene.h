@@ -123,7 +123,7 @@ struct RigidContactDesc {
   double restitution = 0;
   std::string group = default_group;
   std::vector<std::string> touches;  // groups; empty: all
-  bool continuous = true;            // false: no continuous collision detection within a tick
+  bool continuous = false;           // true: continuous collision detection within a tick
 };
 
 /// [[rigid]] of a scene file: a rigid body, in groups of keys.
@@ -264,7 +264,7 @@ struct SoftContact {
   double rolling_resistance = 0.1;  // as in RigidContactDesc; for bodies that collide as a sphere or a hull
   std::string group = default_group;
   std::vector<std::string> touches;  // as in RigidContactDesc
-  bool continuous = true;            // as in RigidContactDesc
+  bool continuous = false;           // as in RigidContactDesc
   bool self_contact = false;         // true: self-collision is detected
 };
 

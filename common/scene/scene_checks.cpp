@@ -129,6 +129,12 @@ class Checker {
                fmt::format("touches \"{}\": no body is in this group{}", name, suggest(name, groups)));
   }
 
+  /// Refuses `continuous` if the body has no collision shape.
+  void check_fidelity(Fidelity collision, bool continuous, const Entry& body) const {
+    if (collision == Fidelity::none && continuous)
+      fail(body, "continuous", "continuous needs a collision shape: collision is \"none\"");
+  }
+
   void check_label(int label, const std::string& volume, const Entry& body) const {
     if (label == 0)
       fail(body, "label", "label = 0 is the background; allowed: 1 to 65535, or -1: voxels above threshold");
@@ -168,6 +174,7 @@ class Checker {
       if ((rigid.edges[i].to - rigid.edges[i].from).norm() < least_edge)
         refuse("to", "is shorter than 0.1 mm");
     }
+    check_fidelity(rigid.contact.collision, rigid.contact.continuous, body);
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {
@@ -180,6 +187,7 @@ class Checker {
       fail(body, "fallback", "fallback replaces a missing volume or mesh file, but only a shape is given");
     check_label(soft.geometry.label, soft.geometry.volume, body);
     if (soft.material.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
+    check_fidelity(soft.contact.collision, soft.contact.continuous, body);
     if (soft.contact.self_contact && soft.contact.collision != Fidelity::mesh)
       fail(body, "self_contact",
            fmt::format("self_contact needs collision = \"mesh\": collision is \"{}\"",

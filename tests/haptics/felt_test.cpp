@@ -197,8 +197,8 @@ TEST(FeltLiver, IsWhereAStaticSolutionUnderTheTouchesHasIt) {
   c.step(moved_to(at(-0.03), 40, true));
   for (int k = 0; k < 60; ++k) c.step(moved_to(at(-0.03), 40));
   const VecX before = c.simulation.soft_state(liver).motion.x;
-  for (int k = 0; k <= 60; ++k) c.step(moved_to(at(-0.03 + 0.048 * k / 60), 40));
-  c.settle(moved_to(at(0.018), 40));
+  for (int k = 0; k <= 60; ++k) c.step(moved_to(at(-0.03 + 0.056 * k / 60), 40));
+  c.settle(moved_to(at(0.026), 40));
 
   const soft::SoftBody& body = c.simulation.soft(liver);
   const VecX load = load_of_touches(c.simulation, liver);

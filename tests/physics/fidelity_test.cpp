@@ -146,24 +146,6 @@ TEST(Continuous, FastBallIsStoppedByAPlate) {
   }
 }
 
-// Two balls on a rod, which is a compound for Bullet.
-TEST(Continuous, FastDumbbellIsStoppedByAPlate) {
-  for (const bool on : {false, true}) {
-    SceneDesc scene;
-    scene.gravity = {0, -600, 0};
-    scene.rigid = {part_body("dumbbell", "sphere", {0.02, 0, 0}, {0, 2.9, 0}),
-                   part_body("plate", "box", {0.3, 0.005, 0.3}, {0, 0, 0})};
-    scene.rigid[0].geometry.parts.push_back(scene.rigid[0].geometry.parts[0]);
-    scene.rigid[0].geometry.parts[0].pose.p.x() = -0.04;
-    scene.rigid[0].geometry.parts[1].pose.p.x() = 0.04;
-    scene.rigid[0].contact.continuous = on;
-    scene.rigid[1].fixed = true;
-    Simulation simulation(scene, options());
-    run(simulation, 12);
-    EXPECT_EQ(simulation.rigid_state(0).pose.p.y() > 0, on);
-  }
-}
-
 TEST(Continuous, FastTissueIsStoppedByAPlate) {
   for (const bool on : {false, true}) {
     SceneDesc scene;

@@ -48,11 +48,6 @@ struct PlainWorld::Impl {
     info.m_linearSleepingThreshold = 0.02F;
     info.m_angularSleepingThreshold = 0.1F;
     bodies.push_back(std::make_unique<btRigidBody>(info));
-    if (desc.contact.continuous) {
-      const auto least = static_cast<btScalar>(sphere ? r : size.minCoeff() / 2);
-      bodies.back()->setCcdMotionThreshold(least);
-      bodies.back()->setCcdSweptSphereRadius(least / 2);
-    }
     world.addRigidBody(bodies.back().get());
   }
 };

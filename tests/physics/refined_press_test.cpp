@@ -52,16 +52,17 @@ std::unique_ptr<Simulation> under_press(const SoftDesc& layer, const Anatomy& an
 
 class RefinedPress : public ::testing::TestWithParam<double> {};
 
-// The surface of the one was there before the elements and hangs on them, the other's is their boundary.
+// Both have the same surface, which hangs on the elements. Pressed through another surface, such as its own
+// boundary, the refined mesh differs by up to 12 %.
 TEST_P(RefinedPress, FeelsLikeTheSameMeshByItself) {
   const double cell = GetParam();
-  const Anatomy hanging =
-      embed(even_layer(width, height, coarse).tets, even_layer(width, height, cell).surface).anatomy;
+  const TriangleMesh surface = even_layer(width, height, cell).surface;
+  const Anatomy hanging = embed(even_layer(width, height, coarse).tets, surface).anatomy;
   const auto followed = under_press(described(cell), hanging);
-  const auto itself = under_press(described(0), with_boundary(followed->soft(1).anatomy().tets));
+  const auto itself = under_press(described(0), embed(followed->soft(1).anatomy().tets, surface).anatomy);
   ASSERT_GT(tet_count(*followed), hanging.tets.tets.size() + 300);
   EXPECT_EQ(tet_count(*followed), tet_count(*itself));
-  EXPECT_NEAR(pressing_force(*followed) / pressing_force(*itself), 1, 0.04);
+  EXPECT_NEAR(pressing_force(*followed) / pressing_force(*itself), 1, 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, RefinedPress, ::testing::Values(5 * mm, 10. / 3 * mm));

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AnyScene,
 /// A seed that random play found. A kidney that the liver pressed onto the table kept 0.47 of its volume,
 /// because that was taken for a press between rigid things.
 /// That seed was 920009. Since hands keep light tools in swift turns and islands are solved less tightly, its
-/// play goes another way, without a reset; this one comes to three.
+/// play goes another way, without a reset; this one comes to two.
 TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
   if (find_in_data("liver.inr.gz").empty())
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
@@ -64,7 +64,7 @@ TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
   CompileOptions compiled = alone();
   compiled.data_dirs = {default_data_dir()};
   Simulation simulation(scene, compiled);
-  const PlayFigures figures = play(simulation, {.seed = 920019, .bounds = {}});
+  const PlayFigures figures = play(simulation, {.seed = 920020, .bounds = {}});
   for (const std::string& found : figures.found) ADD_FAILURE() << found;
   EXPECT_GE(figures.resets, 1);
 }

@@ -136,6 +136,8 @@ TEST(SceneErrors, CollisionOfBodies) {
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",
        "test.toml:6: [[soft]] \"a\": touches \"organ\": no body is in this group; did you mean \"organs\"?"},
+      {"collision = \"none\"\ncontinuous = true\n",
+       "test.toml:7: [[soft]] \"a\": continuous needs a collision shape"},
   };
   for (const auto& [lines, says] : cases)
     EXPECT_NE(complaint(soft(lines)).find(says), std::string::npos) << complaint(soft(lines));

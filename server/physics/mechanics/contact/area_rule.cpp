@@ -18,8 +18,8 @@ constexpr double most_spacing_of_quarters = 0.3;
 // Point spacing of `whole`, as a multiple of the square root of the area.
 constexpr double spacing_of_whole = 0.8;
 
-/// Returns the rule's points off the corners of a triangle whose edges are divided into `parts`: the other
-/// corners of its parts, with the sums of their shares, then the parts' centroids.
+/// Returns the rule's points off the corners of a triangle whose edges are divided into `parts`. First come
+/// the other corners of its parts, with the sums of their shares, then the parts' centroids.
 std::vector<AreaPoint> points_of_parts(int parts) {
   std::vector<AreaPoint> corners, middles;
   const double each = 1.0 / (parts * parts), inside = 6;  // parts around an inner point

@@ -10,11 +10,11 @@ namespace prosector::contact {
 /// `force`: F, N. `radius`: R of the ball, m. `modulus`: E* = E/(1 − ν²), Pa.
 double contact_radius(double force, double radius, double modulus);
 
-/// Returns the length l (m) that relates a mesh's displacement to a half-space's: under a patch of radius a,
-/// the mesh yields a/l of what a half-space yields to the same force (Hertz). `element_size`: m, edge of a
-/// cube each of whose faces consists of two element faces. `spread`: Σw² of the fractions w of the force that
-/// nodes take, 1 if one node takes all. A mesh's mean displacement under a load is about
-/// 0.9·√spread·F/(E*·element_size), less where linear elements lock.
+/// Returns the length l (m) that relates a mesh's displacement to a half-space's. Under a patch of radius a,
+/// the mesh yields a/l of what a half-space yields to the same force (Hertz). A mesh's mean displacement
+/// under a load is about 0.9·√spread·F/(E*·element_size), less where linear elements lock.
+/// `element_size`: m, edge of a cube each of whose faces consists of two element faces.
+/// `spread`: Σw² of the fractions w of the force that nodes take, 1 if one node takes all.
 double dent_length(double element_size, double spread, double poisson_ratio);
 
 /// Returns the ratio (1/m) of pressure over E* to depth, in a contact with a ball, with which contact and

@@ -8,7 +8,6 @@
 
 #include "common/rotation.h"
 #include "server/physics/mechanics/rigid/bullet_shape.h"
-#include "server/physics/mechanics/rigid/bullet_sweep.h"
 #include "server/physics/mechanics/rigid/bullet_types.h"
 #include "server/physics/mechanics/rigid/rolling.h"
 #include "server/physics/mechanics/rigid/room_contacts.h"
@@ -33,6 +32,7 @@ constexpr collision::CollisionMask room_mask{~0U,
 // Bullet's sequential impulses converge slowly where a body bears one of many times its mass. Islands with
 // such contacts are solved by the coupled solver, whose factorisation is exact for any ratio.
 constexpr double most_mass_ratio = 2;
+constexpr double ccd_share = 0.5;  // of a body's least half extent: radius of the ball that Bullet sweeps
 
 /// Filter of broad-phase pairs. Bullet's groups and masks are those of the scene. In addition, hands don't
 /// collide with hands, and static objects don't collide with each other.
@@ -203,27 +203,6 @@ struct RigidWorld::Impl {
     }
   }
 
-  /// A body that moves on after the tick with these velocities.
-  struct Stopped {
-    btRigidBody* body;
-    btVector3 linear, angular;
-  };
-
-  /// Slows bodies of several parts that would pass another body within h s, for this tick, so that they end
-  /// where they meet it. Bullet does that for bodies of one convex part.
-  std::vector<Stopped> stop_at_impact(btScalar h) {
-    std::vector<Stopped> out;
-    for (Body& b : bodies) {
-      if (!b.body || !b.setup.continuous || b.driven_to || b.body->isStaticOrKinematicObject()) continue;
-      const btScalar fraction = free_motion(world, *b.body, h);
-      if (fraction >= 1) continue;
-      out.push_back({b.body.get(), b.body->getLinearVelocity(), b.body->getAngularVelocity()});
-      b.body->setLinearVelocity(fraction * out.back().linear);
-      b.body->setAngularVelocity(fraction * out.back().angular);
-    }
-    return out;
-  }
-
   /// Adds the body to the world with its current masks, gravity and activation state.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
@@ -266,7 +245,7 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
   if (setup.continuous && made.shape.root->isConvex()) {
     const double radius = collision::part_extent(setup.parts.front()).half.minCoeff();
     made.body->setCcdMotionThreshold(static_cast<btScalar>(radius));
-    made.body->setCcdSweptSphereRadius(static_cast<btScalar>(swept_share * radius));
+    made.body->setCcdSweptSphereRadius(static_cast<btScalar>(ccd_share * radius));
   }
   made.setup = setup;
   made.setup.parts.clear();
@@ -443,12 +422,7 @@ std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h)
 }
 
 void RigidWorld::integrate(double h) {
-  const std::vector<Impl::Stopped> stopped = impl_->stop_at_impact(static_cast<btScalar>(h));
   impl_->world.integrate(static_cast<btScalar>(h));
-  for (const Impl::Stopped& s : stopped) {
-    s.body->setLinearVelocity(s.linear);
-    s.body->setAngularVelocity(s.angular);
-  }
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!used(slot) || !driven_to(slot)) continue;
     btRigidBody& b = impl_->at(slot);

@@ -32,8 +32,9 @@ struct RigidSetup {
   bool balanced = false;  // no gravity, and strong damping
   collision::CollisionMask mask;
   RoomSides passes = 0;  // sides of the room that the body passes through
-  /// Whether fast motion of the body's convex parts is swept for collisions (continuous collision detection),
-  /// so that the body stops at the time of impact.
+  /// Whether fast motion of the body is swept for collisions (continuous collision detection), so that the
+  /// body stops at the time of impact. Applies only if its shape is one convex part centred on its centre of
+  /// mass.
   bool continuous = false;
 };
 

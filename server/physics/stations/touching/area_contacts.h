@@ -21,8 +21,8 @@ std::uint32_t area_features(const TriangleMesh& surface);
 /// contact that existed in the last tick continues with its force and friction from `held`. A vertex' feature
 /// (contact index) is its index. A face point's feature is the number of vertices plus most_face_points times
 /// its triangle plus its own index. A point that may get deeper in a round collider than a dent
-/// has a second contact, which adds pressure beyond that depth; its feature is larger by the number of
-/// points.
+/// has a second contact, which adds pressure beyond that depth. The second contact's feature is larger by the
+/// number of points.
 void add_area_contacts(const Tissue& tissue, const contact::Collider& collider, double margin,
                        const contact::ContactMemories& held, std::vector<contact::Contact>& out);
 

@@ -36,7 +36,7 @@ contact::Collider body_or_hand(const Bodies& bodies, std::size_t slot, const han
   c.fixed = !world.dynamic(slot);
   c.driven_to = world.driven_to(slot);
   c.mask = world.mask(slot);
-  c.continuous = hand || model.rigid[slot].setup.continuous;
+  c.continuous = !hand && model.rigid[slot].setup.continuous;
   c.outline = outline_at(model, hand ? model.rigid.size() + hand->side : slot);
   if (hand)
     c.pull =

@@ -134,23 +134,25 @@ contact::ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
 double element_size(const Tissue& tissue, std::uint32_t triangle) {
   const Anatomy& anatomy = tissue.anatomy();
   const soft::EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  std::array<Corners, 3> own;  // of each vertex
   Corners all;
-  double of_hanging = 0;  // m, sum
-  int hanging = 0;        // number of vertices that are not nodes
-  std::size_t most = 0;   // corners of one vertex
-  for (const std::uint32_t vertex : anatomy.surface.triangles[triangle]) {
-    const Corners own = corners_of(anatomy.embedding.rows[vertex], edges);
-    if (own.count() > 1) {
-      of_hanging += own.size(anatomy.tets.positions);
-      ++hanging;
-    }
-    all.add(own);
-    most = std::max(most, own.count());
+  std::size_t most = 0;  // corners of one vertex
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    own[k] = corners_of(anatomy.embedding.rows[anatomy.surface.triangles[triangle][k]], edges);
+    all.add(own[k]);
+    most = std::max(most, own[k].count());
   }
   // Four corners are those of one element, or of two faces with a common edge.
-  const bool within_one =
-      all.count() < corners_of_tet || (all.count() == corners_of_tet && most == corners_of_tet);
-  return within_one ? all.size(anatomy.tets.positions) : of_hanging / hanging;
+  if (all.count() < corners_of_tet || (all.count() == corners_of_tet && most == corners_of_tet))
+    return all.size(anatomy.tets.positions);
+  double sum = 0;  // m, of vertices in elements or faces; others lie on edges or are nodes
+  int count = 0;
+  for (const Corners& corners : own) {
+    if (corners.count() < most) continue;
+    sum += corners.size(anatomy.tets.positions);
+    ++count;
+  }
+  return sum / count;
 }
 
 Vec3 place_of(const contact::ContactSide& side, const Tissue& tissue) {

@@ -14,7 +14,8 @@ contact::ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, 
 contact::ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex);
 
 /// Returns the size (m, at rest) of the elements in which a surface triangle lies: the edge of a cube whose
-/// face is two such triangles. For a triangle in several elements, it is the mean over its corners' elements.
+/// face is two such triangles. For a triangle in several elements, it is the mean over those of its corners
+/// that lie inside of elements or faces.
 double element_size(const Tissue& tissue, std::uint32_t triangle);
 
 /// Returns the current position (m, world frame) of a contact's point on a soft body, from the body's node

@@ -35,8 +35,9 @@ contact::Collider after(const contact::Collider& collider, double t, const Vec3&
 
 bool is_swept(const Tissue& tissue, const contact::Collider& collider, double h) {
   if (rigid::is_room(collider.slot)) return false;  // nothing is behind a side of the room
-  return tissue.collision.continuous && collider.continuous &&
-         h * (total_speed(collider) + tissue.state.motion.v.lpNorm<Eigen::Infinity>()) > contact::most_reach;
+  return (tissue.collision.continuous || collider.continuous) &&
+         h * (total_speed(collider) + tissue.state.motion.v.lpNorm<Eigen::Infinity>()) >
+             contact::contact_margin;
 }
 
 bool add_swept_contacts(const Tissue& tissue, const contact::Collider& collider, double margin, double h,
