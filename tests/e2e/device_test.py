@@ -34,8 +34,8 @@ SILENCE, BABBLE, UNPLUG, WRONG = ([at + LATER for at in span] for span in ((3.5,
 # version.
 PUSHED_SILENCE = 12 + LATER, 13.8 + LATER
 BY_PUSHES = DRIVER == "spacemouse"
-# At the end the hand rises, and those of other devices press anew: a hand that comes back into a liver sticks there.
-RISE = (11 + LATER, 14 + LATER) if BY_PUSHES else (WRONG[1] + 3, WRONG[1] + 4) if LIVER else (60, 61)
+# At the end the hand rises, and those of other devices press anew: a hand that comes back into tissue sticks there.
+RISE = (11 + LATER, 14 + LATER) if BY_PUSHES else (WRONG[1] + 3, WRONG[1] + 4)
 
 # How silence, what is spoilt, and another version show. A WebSocket that is silent or spoilt is connected anew.
 SILENT, SPOILT, WRONGLY = ("absent", "absent", "babbling") if DRIVER == "leap" else ("silent", "babbling", "babbling")
@@ -96,7 +96,7 @@ try:
         check(f"it is {state} by {until} s", LOG.wait(lambda: is_now(state), max(started + until - time.monotonic(), 0.1)))
     for state in {state for state, _ in states} - {"streaming"}:
         check(f"words say what is {state}: {told(state)[-1:]}", told(state) and len(told(state)[-1]) > len(address) + 50)
-    if LIVER and not BY_PUSHES:
+    if not BY_PUSHES:
         sleep_until(RISE[0])
         check("the hand rises", touches_now() and LOG.wait(lambda: not touches_now(), 4))
     check("and the hand presses again", LOG.wait(lambda: touches_now() and pushes()[-1] > 0.15, 5))

@@ -24,6 +24,7 @@ constexpr double least_round = 0.1;  // 1/m: smaller curvature counts as flat
 constexpr double dent_of_radius = 1.0 / 3, part_of_cell = 0.4;
 
 constexpr double least_facing = 0.5;  // cosine: steeper points count as this steep
+constexpr double from_inside = 0.5;   // cosine between outward normals of tissue and collider
 
 /// A point of the surface near a collider.
 struct Met {
@@ -183,6 +184,8 @@ class AreaContacts {
   }
 
   void add(const Met& met) const {
+    // A collider that comes from inside the tissue, such as a hand that was placed there, is let out.
+    if (!met.memory && met.outward.dot(met.nearest.normal) > from_inside) return;
     contact::Approach approach{place_of(met.side, tissue_), met.nearest};
     if (met.memory) {
       approach.before = &met.memory->normal;
