@@ -34,7 +34,7 @@ SILENCE, BABBLE, UNPLUG, WRONG = ([at + LATER for at in span] for span in ((3.5,
 # version.
 PUSHED_SILENCE = 12 + LATER, 13.8 + LATER
 BY_PUSHES = DRIVER == "spacemouse"
-# At the end the hand rises, and those of other devices press anew: a hand that comes back into tissue sticks there.
+# At the end the hand rises, and those of other devices press again: a hand that comes back inside of tissue does not press it.
 RISE = (11 + LATER, 14 + LATER) if BY_PUSHES else (WRONG[1] + 3, WRONG[1] + 4)
 
 # How silence, what is spoilt, and another version show. A WebSocket that is silent or spoilt is connected anew.

@@ -119,7 +119,8 @@ class AreaContacts {
     });
   }
 
-  void add_contacts() const {
+  void add_contacts() {
+    for (const PressedPatch& patch : patches_) spreads_.push_back(patch.spread());
     for (const Met& met : met_) add(met);
   }
 
@@ -177,7 +178,7 @@ class AreaContacts {
     const double nu = desc.material.poisson_ratio, modulus = desc.material.youngs_modulus / (1 - nu * nu);
     if (desc.configuration.is_quadratic()) return modulus * dent_of_quadratic / ((1 - nu) * met.size);
     const PressedPatch& patch = patches_[met.nearest.part];
-    const double length = contact::dent_length(met.size, patch.spread(), nu),
+    const double length = contact::dent_length(met.size, spreads_[met.nearest.part], nu),
                  radius = contact::contact_radius(patch.force(), ball_radius(met.nearest), modulus),
                  facing = std::max(-met.outward.dot(met.nearest.normal), least_facing);
     return modulus * contact::dent_stiffness(radius, length) / (facing * facing);
@@ -241,6 +242,7 @@ class AreaContacts {
   contact::ContactSide other_;
   std::vector<Met> met_;
   std::vector<PressedPatch> patches_;  // by part of the collider
+  std::vector<double> spreads_;        // of the patches
 };
 
 }  // namespace
