@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "common/assert.h"
 #include "common/hand.h"
 #include "server/physics/base/parallel.h"
+#include "server/physics/mechanics/contact/margins.h"
 #include "server/physics/mechanics/contact/rigid_contact_stiffness.h"
 #include "server/physics/mechanics/hands/finger_drive.h"
 #include "server/physics/stations/touching/rigid_soft_contacts.h"
@@ -15,6 +18,7 @@ namespace {
 constexpr double probe = 1e-3;  // of flexion: step of finite differences
 constexpr double give = 0.5;  // of a contact's stiffness: series stiffness, as tissue yields within the tick
 constexpr double finger_margin = 0.02;  // m: more than the finger motion in a tick
+constexpr double farthest_way = 0.4;    // m per unit of flexion: more than any point of a finger moves
 // Positions along a segment, as fractions of its length.
 constexpr std::array<double, 5> along = {-0.5, -0.25, 0.0, 0.25, 0.5};
 
@@ -91,9 +95,10 @@ void add_rigid_obstacles(const Bodies& bodies, std::span<const contact::Collider
   }
 }
 
-/// Adds contacts with tissue, which yields.
+/// Adds contacts with tissue, which yields, at gaps up to `margin` (m).
 void add_soft_obstacles(const Bodies& bodies, std::span<const contact::Collider> colliders,
-                        const hands::Hand& hand, const FingerPoses& poses, FingerObstacles& out) {
+                        const hands::Hand& hand, const FingerPoses& poses, double margin,
+                        FingerObstacles& out) {
   const auto points =
       hands::feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   const contact::Collider& own = colliders[hand.slot];
@@ -101,7 +106,7 @@ void add_soft_obstacles(const Bodies& bodies, std::span<const contact::Collider>
   parallel_each(contacts.size(), [&](std::size_t i) {
     const Tissue& tissue = bodies.soft[i];
     if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) return;
-    add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts[i]);
+    add_contacts(tissue, own, margin, tissue.memories, bodies.model.h, contacts[i]);
   });
   for (const std::vector<contact::Contact>& of_tissue : contacts)
     for (const contact::Contact& c : of_tissue) {
@@ -109,26 +114,43 @@ void add_soft_obstacles(const Bodies& bodies, std::span<const contact::Collider>
       if (part == 0) continue;
       const std::size_t finger = hands::digit_of(part);
       const double way = c.normal.dot(poses.way(part, hand.flexion[finger], c.point));
+      PROSECTOR_ASSERT(std::abs(way) <= farthest_way);
       out[finger].push_back({c.gap, way, c.stiffness, give * c.stiffness});
     }
+}
+
+/// Returns the fingers' changes of flexion in this tick.
+std::array<double, fingers> steps(const hands::Hand& hand, const FingerObstacles& obstacles,
+                                  const HandDesc& desc, double h) {
+  const hands::FingerDrive drive{.max_force = desc.max_force / fingers};
+  std::array<double, fingers> out{};
+  for (std::size_t f = 0; f < fingers; ++f) {
+    const double tracked = std::clamp(hand.target_flexion[f], 0.0, 1.0);
+    out[f] =
+        hands::finger_step(tracked, hand.flexion[f], hands::max_finger_rate * h, obstacles[f], drive);
+  }
+  return out;
 }
 
 /// Returns the flexion of the fingers at the tick's end.
 std::array<double, fingers> bent(const Bodies& bodies, std::span<const contact::Collider> colliders,
                                  const hands::Hand& hand) {
-  FingerObstacles obstacles;
+  FingerObstacles rigid;
   const FingerPoses poses(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   // A haptic arm's stylus counts as a finger that rigid bodies don't bend, since the user's own fingers
   // yield.
-  if (!hand.reaction) add_rigid_obstacles(bodies, colliders, hand, poses, obstacles);
-  add_soft_obstacles(bodies, colliders, hand, poses, obstacles);
-  const hands::FingerDrive drive{.max_force = bodies.model.scene.hand.max_force / fingers};
+  if (!hand.reaction) add_rigid_obstacles(bodies, colliders, hand, poses, rigid);
+  // Tissue farther away than the fingers move does not resist, so the tissue nearby is tried first.
   std::array<double, fingers> flexion = hand.flexion;
-  for (std::size_t f = 0; f < fingers; ++f) {
-    const double tracked = std::clamp(hand.target_flexion[f], 0.0, 1.0);
-    const double step = hands::finger_step(tracked, hand.flexion[f], hands::max_finger_rate * bodies.model.h,
-                                           obstacles[f], drive);
-    if (step != 0) flexion[f] = std::clamp(hand.flexion[f] + step, 0.0, 1.0);
+  for (const double margin : {contact::contact_margin, finger_margin}) {
+    FingerObstacles obstacles = rigid;
+    add_soft_obstacles(bodies, colliders, hand, poses, margin, obstacles);
+    const auto by = steps(hand, obstacles, bodies.model.scene.hand, bodies.model.h);
+    const auto stays_near = [&](double step) { return std::abs(step) * farthest_way <= margin; };
+    if (margin < finger_margin && !std::all_of(by.begin(), by.end(), stays_near)) continue;
+    for (std::size_t f = 0; f < fingers; ++f)
+      if (by[f] != 0) flexion[f] = std::clamp(hand.flexion[f] + by[f], 0.0, 1.0);
+    break;
   }
   return flexion;
 }
