@@ -126,8 +126,7 @@ std::array<double, fingers> steps(const hands::Hand& hand, const FingerObstacles
   std::array<double, fingers> out{};
   for (std::size_t f = 0; f < fingers; ++f) {
     const double tracked = std::clamp(hand.target_flexion[f], 0.0, 1.0);
-    out[f] =
-        hands::finger_step(tracked, hand.flexion[f], hands::max_finger_rate * h, obstacles[f], drive);
+    out[f] = hands::finger_step(tracked, hand.flexion[f], hands::max_finger_rate * h, obstacles[f], drive);
   }
   return out;
 }
