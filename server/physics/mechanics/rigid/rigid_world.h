@@ -135,8 +135,8 @@ class RigidWorld {
   /// without contacts, from gravity and gyroscopic moment only. World frame.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
   /// Integrates the poses of all bodies from their velocities over `h` s. A free body that moves by more than
-  /// half of its thickness stops where it would enter another body, and keeps its velocity; bodies in mixed
-  /// islands don't. Bodies moved by drive() reach their target pose and stop. Last phase of a step.
+  /// half of its thickness stops where it would enter another body, and keeps its velocity; hands don't.
+  /// Bodies moved by drive() reach their target pose and stop. Last phase of a step.
   void integrate(double h);
 
   /// Returns the contact impulses, friction included, that the last solve() applied to the body. They are
