@@ -7,8 +7,6 @@
 namespace prosector::test {
 namespace {
 
-constexpr double units = 64;  // of length in Bullet, per metre; its unit of mass is 64 kg
-
 btVector3 bullet(const Vec3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
@@ -33,21 +31,21 @@ struct PlainWorld::Impl {
     const double r = size.x() / 2;
     const bool sphere = desc.geometry.parts[0].shape == "sphere";
     if (sphere)
-      shapes.push_back(std::make_unique<btSphereShape>(static_cast<btScalar>(units * r)));
+      shapes.push_back(std::make_unique<btSphereShape>(static_cast<btScalar>(r)));
     else
-      shapes.push_back(std::make_unique<btBoxShape>(bullet(units * size / 2)));
+      shapes.push_back(std::make_unique<btBoxShape>(bullet(size / 2)));
     const double volume = sphere ? 4 * std::numbers::pi / 3 * r * r * r : size.prod();
     const double mass = desc.fixed ? 0 : desc.material.density * volume;
     const Vec3 s = size.cwiseAbs2();
     const Vec3 inertia = sphere ? Vec3::Constant(0.4 * mass * r * r)
                                 : Vec3(mass / 12 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()));
-    btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass / units), nullptr,
-                                                  shapes.back().get(), bullet(units * inertia));
+    btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass), nullptr, shapes.back().get(),
+                                                  bullet(inertia));
     info.m_startWorldTransform.setIdentity();
-    info.m_startWorldTransform.setOrigin(bullet(units * desc.pose.p));
+    info.m_startWorldTransform.setOrigin(bullet(desc.pose.p));
     info.m_friction = static_cast<btScalar>(desc.contact.friction);
     info.m_restitution = static_cast<btScalar>(desc.contact.restitution);
-    info.m_linearSleepingThreshold = static_cast<btScalar>(units * 0.02);
+    info.m_linearSleepingThreshold = 0.02F;
     info.m_angularSleepingThreshold = 0.1F;
     bodies.push_back(std::make_unique<btRigidBody>(info));
     world.addRigidBody(bodies.back().get());
@@ -56,10 +54,7 @@ struct PlainWorld::Impl {
 
 PlainWorld::PlainWorld(const SceneDesc& scene) : impl_(std::make_unique<Impl>()) {
   impl_->h = static_cast<btScalar>(1 / scene.tick_rate);
-  impl_->world.setGravity(bullet(units * scene.gravity));
-  btContactSolverInfo& info = impl_->world.getSolverInfo();
-  info.m_splitImpulsePenetrationThreshold *= static_cast<btScalar>(units);
-  info.m_restitutionVelocityThreshold *= static_cast<btScalar>(units);
+  impl_->world.setGravity(bullet(scene.gravity));
   impl_->world.getDispatchInfo().m_deterministicOverlappingPairs = true;
   for (const RigidDesc& desc : scene.rigid) impl_->add(desc);
 }
@@ -76,10 +71,10 @@ RigidBodyState PlainWorld::state(std::size_t body) const {
   const btRigidBody& b = *impl_->bodies[body];
   const btQuaternion q = b.getWorldTransform().getRotation();
   RigidBodyState state;
-  state.pose = {ours(b.getWorldTransform().getOrigin()) / units,
+  state.pose = {ours(b.getWorldTransform().getOrigin()),
                 Quat(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
                      static_cast<double>(q.z()))};
-  state.linear_velocity = ours(b.getLinearVelocity()) / units;
+  state.linear_velocity = ours(b.getLinearVelocity());
   state.angular_velocity = ours(b.getAngularVelocity());
   state.asleep = b.getActivationState() == ISLAND_SLEEPING;
   return state;

@@ -11,9 +11,6 @@
 #include "server/physics/mechanics/rigid/bullet_types.h"
 
 namespace prosector::panel {
-
-using rigid::scaled, rigid::unscaled;
-
 namespace {
 
 constexpr double cap_mass = 0.02;   // kg
@@ -30,6 +27,10 @@ constexpr int most_substeps = 32;
 constexpr int iterations = 40;  // of the solver: the knob follows the finger's speed within 1 %
 // m/s; fraction of travel: below both, a free button is at rest.
 constexpr double rest_speed = 1e-3, rest_position = 1e-3;
+// Bullet's GJK treats support points less than 1 cm apart as equal, since
+// VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD is a squared distance. That loses contacts of fingers with buttons,
+// so one Bullet length unit is a centimetre here.
+constexpr double units = 100;  // Bullet length units per metre
 constexpr short caps_group = 1, fingers_group = 2;
 
 constexpr double board_reach = 0.04;  // m: distance in front of the board within which a segment may touch it
@@ -84,6 +85,19 @@ std::optional<Capsule> stopped(Capsule c, const ControlMotions& motions) {
 
 Capsule between(const Capsule& from, const Capsule& to, double share) {
   return {from.a + share * (to.a - from.a), from.b + share * (to.b - from.b), to.radius};
+}
+
+btVector3 scaled(const Vec3& v) {
+  return rigid::to_bullet(Vec3(units * v));
+}
+btScalar scaled(double length) {
+  return static_cast<btScalar>(units * length);
+}
+btTransform scaled(const Pose& pose) {
+  return rigid::to_bullet(Pose{units * pose.p, pose.q});
+}
+Vec3 unscaled(const btVector3& v) {
+  return rigid::from_bullet(v) / units;
 }
 
 Pose pose_of(const Capsule& c) {

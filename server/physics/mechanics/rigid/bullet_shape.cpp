@@ -7,7 +7,7 @@
 namespace prosector::rigid {
 namespace {
 
-constexpr double mesh_margin = 0.0005;  // m: Bullet enlarges hulls and triangle meshes by it
+constexpr btScalar mesh_margin = 0.0005F;  // m: Bullet enlarges hulls and triangle meshes by it
 
 /// Returns a hull of evenly distributed points on the ellipsoid (Fibonacci lattice), since Bullet has no
 /// ellipsoid.
@@ -17,27 +17,28 @@ std::unique_ptr<btConvexHullShape> ellipsoid(const Vec3& half) {
   auto hull = std::make_unique<btConvexHullShape>();
   for (int i = 0; i < count; ++i) {
     const double y = 1 - 2 * (i + 0.5) / count, r = std::sqrt(1 - y * y), angle = golden * i;
-    hull->addPoint(scaled(Vec3(half.cwiseProduct(Vec3(r * std::cos(angle), y, r * std::sin(angle))))), false);
+    hull->addPoint(to_bullet(half.cwiseProduct(Vec3(r * std::cos(angle), y, r * std::sin(angle)))), false);
   }
   hull->recalcLocalAabb();
-  hull->setMargin(scaled(mesh_margin));
+  hull->setMargin(mesh_margin);
   return hull;
 }
 
 std::unique_ptr<btTriangleMesh> triangle_mesh(const TriangleMesh& mesh) {
   auto out = std::make_unique<btTriangleMesh>();
   for (const auto& t : mesh.triangles)
-    out->addTriangle(scaled(mesh.positions[t[0]]), scaled(mesh.positions[t[1]]),
-                     scaled(mesh.positions[t[2]]));
+    out->addTriangle(to_bullet(mesh.positions[t[0]]), to_bullet(mesh.positions[t[1]]),
+                     to_bullet(mesh.positions[t[2]]));
   return out;
 }
 
 std::unique_ptr<btCollisionShape> make_part(const collision::ShapePart& part, bool dynamic,
                                             BulletShape& owner) {
-  const btScalar r = scaled(part.half.x()), y = scaled(part.half.y());
+  const auto r = static_cast<btScalar>(part.half.x());
+  const auto y = static_cast<btScalar>(part.half.y());
   switch (part.kind) {
     case collision::ShapeKind::box:
-      return std::make_unique<btBoxShape>(scaled(part.half));
+      return std::make_unique<btBoxShape>(to_bullet(part.half));
     case collision::ShapeKind::sphere:
       return std::make_unique<btSphereShape>(r);
     case collision::ShapeKind::capsule:
@@ -48,16 +49,16 @@ std::unique_ptr<btCollisionShape> make_part(const collision::ShapePart& part, bo
       return ellipsoid(part.half);
     case collision::ShapeKind::hull: {
       auto hull = std::make_unique<btConvexHullShape>();
-      for (const Vec3& p : part.mesh->positions) hull->addPoint(scaled(p), false);
+      for (const Vec3& p : part.mesh->positions) hull->addPoint(to_bullet(p), false);
       hull->recalcLocalAabb();
-      hull->setMargin(scaled(mesh_margin));
+      hull->setMargin(mesh_margin);
       return hull;
     }
     case collision::ShapeKind::triangles: {
       owner.meshes.push_back(triangle_mesh(*part.mesh));
       if (!dynamic) return std::make_unique<btBvhTriangleMeshShape>(owner.meshes.back().get(), true);
       auto moving = std::make_unique<btGImpactMeshShape>(owner.meshes.back().get());
-      moving->setMargin(scaled(mesh_margin));
+      moving->setMargin(mesh_margin);
       moving->updateBound();
       return moving;
     }
@@ -79,7 +80,7 @@ BulletShape make_bullet_shape(const std::vector<collision::ShapePart>& parts, bo
   } else if (!parts.empty()) {
     out.compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts.size()));
     for (std::size_t i = 0; i < parts.size(); ++i)
-      out.compound->addChildShape(scaled(parts[i].pose), out.parts[i].get());
+      out.compound->addChildShape(to_bullet(parts[i].pose), out.parts[i].get());
     out.root = out.compound.get();
   }
   return out;

@@ -4,7 +4,6 @@
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "common/rotation.h"
@@ -12,13 +11,12 @@
 #include "server/physics/mechanics/rigid/bullet_types.h"
 #include "server/physics/mechanics/rigid/rolling.h"
 #include "server/physics/mechanics/rigid/room_contacts.h"
-#include "server/physics/mechanics/rigid/sweep.h"
 
 namespace prosector::rigid {
 namespace {
 
 // Bullet's default of 0.8 m/s suits bodies of metre size; here they are instruments and bones.
-constexpr double sleep_linear = 0.02;     // m/s
+constexpr btScalar sleep_linear = 0.02F;  // m/s
 constexpr btScalar sleep_angular = 0.1F;  // rad/s
 // s, below the 2 s after which Bullet puts bodies to sleep.
 constexpr btScalar most_quiet_while_coupled = 1.5F;
@@ -34,14 +32,7 @@ constexpr collision::CollisionMask room_mask{~0U,
 // Bullet's sequential impulses converge slowly where a body bears one of many times its mass. Islands with
 // such contacts are solved by the coupled solver, whose factorisation is exact for any ratio.
 constexpr double most_mass_ratio = 2;
-
-/// Returns half of the least extent of the parts, m; 0: no parts.
-double half_thickness(std::span<const collision::ShapePart> parts) {
-  double least = parts.empty() ? 0 : std::numeric_limits<double>::max();
-  for (const collision::ShapePart& part : parts)
-    least = std::min(least, collision::part_extent(part).half.minCoeff());
-  return least;
-}
+constexpr double ccd_share = 0.5;  // of a body's least half extent: radius of the ball that Bullet sweeps
 
 /// Filter of broad-phase pairs. Bullet's groups and masks are those of the scene. In addition, hands don't
 /// collide with hands, and static objects don't collide with each other.
@@ -70,19 +61,6 @@ class PairFilter final : public btOverlapFilterCallback {
 class PhasedWorld final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
-
-  /// Enlarges bounding boxes by the distance at which contact points are looked for. Bullet's own distance is
-  /// a fixed number of units.
-  void updateAabbs() override {
-    btVector3 lo, hi;
-    const btScalar reach = scaled(near_contact);
-    for (int i = 0; i < getNumCollisionObjects(); ++i) {
-      btCollisionObject& object = *getCollisionObjectArray()[i];
-      object.getCollisionShape()->getAabb(object.getWorldTransform(), lo, hi);
-      getBroadphase()->setAabb(object.getBroadphaseHandle(), lo - btVector3(reach, reach, reach),
-                               hi + btVector3(reach, reach, reach), getDispatcher());
-    }
-  }
 
   void detect(btScalar h) {
     applyGravity();
@@ -118,10 +96,10 @@ RigidContact make_contact(const btPersistentManifold& manifold, int i) {
   const btManifoldPoint& p = manifold.getContactPoint(i);
   return {slot_of(manifold.getBody0()),
           slot_of(manifold.getBody1()),
-          unscaled(p.getPositionWorldOnA()),
-          unscaled(p.getPositionWorldOnB()),
+          from_bullet(p.getPositionWorldOnA()),
+          from_bullet(p.getPositionWorldOnB()),
           from_bullet(p.m_normalWorldOnB),
-          unscaled(p.getDistance()),
+          static_cast<double>(p.getDistance()),
           static_cast<double>(p.m_combinedFriction),
           static_cast<double>(p.m_combinedRestitution),
           p.m_index0,
@@ -163,7 +141,6 @@ struct RigidWorld::Impl {
     BulletShape shape;
     std::unique_ptr<btRigidBody> body;  // null: free slot
     RigidSetup setup;                   // without parts
-    double half_thickness = 0;          // m: half of the least extent of a part; 0: no parts
     BodyPresence presence = BodyPresence::free;
     std::optional<Pose> driven_to;
   };
@@ -182,10 +159,7 @@ struct RigidWorld::Impl {
   Impl(const Vec3& gravity, std::span<const RoomSide> sides) : room(dispatcher, sides) {
     configuration.setPlaneConvexMultipointIterations();
     btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
-    world.setGravity(scaled(gravity));
-    btContactSolverInfo& info = world.getSolverInfo();
-    info.m_splitImpulsePenetrationThreshold *= static_cast<btScalar>(units);
-    info.m_restitutionVelocityThreshold *= static_cast<btScalar>(units);
+    world.setGravity(to_bullet(gravity));
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     solver.setRandSeed(0);
@@ -199,7 +173,7 @@ struct RigidWorld::Impl {
   RollingSide rolling_side(const btCollisionObject& object) const {
     const std::size_t slot = slot_of(&object);
     if (slot >= bodies.size() || !bodies[slot].body) return {};  // the room
-    return {bodies[slot].setup.rolling_resistance, unscaled(object.getWorldTransform().getOrigin())};
+    return {bodies[slot].setup.rolling_resistance, from_bullet(object.getWorldTransform().getOrigin())};
   }
 
   /// Sets the rolling-resistance lever of this tick's contacts.
@@ -210,8 +184,8 @@ struct RigidWorld::Impl {
       if (a.resistance == 0 && b.resistance == 0) continue;
       for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint& p = manifold.getContactPoint(i);
-        p.m_combinedRollingFriction =
-            scaled(rolling_lever(a, b, unscaled(p.getPositionWorldOnB()), from_bullet(p.m_normalWorldOnB)));
+        p.m_combinedRollingFriction = static_cast<btScalar>(
+            rolling_lever(a, b, from_bullet(p.getPositionWorldOnB()), from_bullet(p.m_normalWorldOnB)));
       }
     }
   }
@@ -226,38 +200,6 @@ struct RigidWorld::Impl {
       const auto [heavy, light] = std::minmax({a->getInvMass(), b->getInvMass()});
       if (static_cast<double>(light) <= most_mass_ratio * static_cast<double>(heavy)) continue;
       coupled[slot_of(a)] = coupled[slot_of(b)] = 1;
-    }
-  }
-
-  /// Returns whether points of the body move freely, by more than half of its thickness in `h` s.
-  bool is_fast(const Body& b, double h) const {
-    if (!b.body || b.body->isStaticOrKinematicObject() || !b.body->isActive() || b.setup.hand) return false;
-    return b.half_thickness > 0 && fastest_point(*b.body) * h >= b.half_thickness;
-  }
-
-  /// Integrates all poses. Fast bodies stop where they meet others, and keep their velocity for the contact
-  /// that the next step finds there.
-  void integrate(double h) {
-    struct Stopped {
-      btRigidBody* body;
-      btVector3 linear, angular;
-      double share;
-    };
-    std::vector<Stopped> stopped;
-    for (const Body& b : bodies) {
-      if (!is_fast(b, h)) continue;
-      const double share = unobstructed_share(world, filter, *b.body, b.half_thickness, h);
-      if (share < 1)
-        stopped.push_back({b.body.get(), b.body->getLinearVelocity(), b.body->getAngularVelocity(), share});
-    }
-    for (const Stopped& s : stopped) {
-      s.body->setLinearVelocity(static_cast<btScalar>(s.share) * s.linear);
-      s.body->setAngularVelocity(static_cast<btScalar>(s.share) * s.angular);
-    }
-    world.integrate(static_cast<btScalar>(h));
-    for (const Stopped& s : stopped) {
-      s.body->setLinearVelocity(s.linear);
-      s.body->setAngularVelocity(s.angular);
     }
   }
 
@@ -289,18 +231,22 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
     made.shape.parts.push_back(std::make_unique<btEmptyShape>());
     made.shape.root = made.shape.parts.back().get();
   }
-  btRigidBody::btRigidBodyConstructionInfo info(scaled_mass(setup.mass), nullptr, made.shape.root,
-                                                scaled_inertia(setup.inertia));
-  info.m_startWorldTransform = scaled(motion.pose);
+  btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(setup.mass), nullptr, made.shape.root,
+                                                to_bullet(setup.inertia));
+  info.m_startWorldTransform = to_bullet(motion.pose);
   info.m_friction = static_cast<btScalar>(setup.friction);
   info.m_restitution = static_cast<btScalar>(setup.restitution);
-  info.m_linearSleepingThreshold = scaled(sleep_linear);
+  info.m_linearSleepingThreshold = sleep_linear;
   info.m_angularSleepingThreshold = sleep_angular;
   if (setup.balanced) info.m_linearDamping = info.m_angularDamping = lost_per_second;
   made.body = std::make_unique<btRigidBody>(info);
   made.body->setUserIndex(static_cast<int>(slot));
   if (setup.hand) PairFilter::mark_hand(*made.body);
-  made.half_thickness = half_thickness(setup.parts);
+  if (setup.continuous && made.shape.root->isConvex()) {
+    const double radius = collision::part_extent(setup.parts.front()).half.minCoeff();
+    made.body->setCcdMotionThreshold(static_cast<btScalar>(radius));
+    made.body->setCcdSweptSphereRadius(static_cast<btScalar>(ccd_share * radius));
+  }
   made.setup = setup;
   made.setup.parts.clear();
   made.presence = BodyPresence::free;
@@ -340,8 +286,8 @@ void RigidWorld::set_presence(std::size_t slot, BodyPresence presence) {
   impl_->room.forget(slot);
   impl_->world.removeRigidBody(b.body.get());
   const bool stays = presence != BodyPresence::free || !(b.setup.mass > 0);
-  b.body->setMassProps(stays ? 0 : scaled_mass(b.setup.mass),
-                       stays ? btVector3(0, 0, 0) : scaled_inertia(b.setup.inertia));
+  b.body->setMassProps(stays ? 0 : static_cast<btScalar>(b.setup.mass),
+                       stays ? btVector3(0, 0, 0) : to_bullet(b.setup.inertia));
   RigidMotion still = motion(slot);
   still.linear_velocity = still.angular_velocity = Vec3::Zero();
   still.asleep = false;
@@ -356,14 +302,14 @@ BodyPresence RigidWorld::presence(std::size_t slot) const {
 
 RigidMotion RigidWorld::motion(std::size_t slot) const {
   const btRigidBody& b = impl_->at(slot);
-  return {unscaled(b.getWorldTransform()), unscaled(b.getLinearVelocity()),
+  return {from_bullet(b.getWorldTransform()), from_bullet(b.getLinearVelocity()),
           from_bullet(b.getAngularVelocity()), b.getActivationState() == ISLAND_SLEEPING,
           static_cast<double>(b.getDeactivationTime())};
 }
 
 void RigidWorld::set_motion(std::size_t slot, const RigidMotion& motion) {
   btRigidBody& b = impl_->at(slot);
-  const btTransform pose = scaled(motion.pose);
+  const btTransform pose = to_bullet(motion.pose);
   b.setWorldTransform(pose);
   b.setInterpolationWorldTransform(pose);
   set_velocity(slot, motion.linear_velocity, motion.angular_velocity);
@@ -377,7 +323,7 @@ void RigidWorld::set_motion(std::size_t slot, const RigidMotion& motion) {
 
 void RigidWorld::set_velocity(std::size_t slot, const Vec3& linear, const Vec3& angular) {
   btRigidBody& b = impl_->at(slot);
-  b.setLinearVelocity(scaled(linear));
+  b.setLinearVelocity(to_bullet(linear));
   b.setAngularVelocity(to_bullet(angular));
 }
 
@@ -404,7 +350,7 @@ void RigidWorld::drive(std::size_t slot, const Pose& to, double h) {
   impl_->bodies[slot].driven_to = to;
   b.setCollisionFlags(b.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   b.forceActivationState(DISABLE_DEACTIVATION);
-  const Pose from = unscaled(b.getWorldTransform());
+  const Pose from = from_bullet(b.getWorldTransform());
   set_velocity(slot, (to.p - from.p) / h, turn(from.q, to.q) / h);
 }
 
@@ -414,7 +360,7 @@ const std::optional<Pose>& RigidWorld::driven_to(std::size_t slot) const {
 }
 
 void RigidWorld::set_part_pose(std::size_t slot, std::size_t part, const Pose& pose) {
-  impl_->bodies[slot].shape.compound->updateChildTransform(static_cast<int>(part), scaled(pose), true);
+  impl_->bodies[slot].shape.compound->updateChildTransform(static_cast<int>(part), to_bullet(pose), true);
   // Cached contact points at the part's old pose are invalid.
   for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m) {
     btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(m);
@@ -438,7 +384,7 @@ void RigidWorld::set_collides(std::size_t a, std::size_t b, bool collides) {
 std::pair<Vec3, Vec3> RigidWorld::bounds(std::size_t slot, double margin) const {
   btVector3 lo, hi;
   impl_->at(slot).getAabb(lo, hi);
-  return {unscaled(lo) - Vec3::Constant(margin), unscaled(hi) + Vec3::Constant(margin)};
+  return {from_bullet(lo) - Vec3::Constant(margin), from_bullet(hi) + Vec3::Constant(margin)};
 }
 
 void RigidWorld::detect(double h) {
@@ -472,11 +418,11 @@ std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h)
   const auto step = static_cast<btScalar>(h);
   const btVector3 linear = b.getLinearVelocity() + b.getTotalForce() * b.getInvMass() * step;
   const btVector3 angular = b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(step);
-  return {unscaled(linear), from_bullet(angular)};
+  return {from_bullet(linear), from_bullet(angular)};
 }
 
 void RigidWorld::integrate(double h) {
-  impl_->integrate(h);
+  impl_->world.integrate(static_cast<btScalar>(h));
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!used(slot) || !driven_to(slot)) continue;
     btRigidBody& b = impl_->at(slot);
@@ -498,7 +444,7 @@ std::vector<RigidImpulse> RigidWorld::impulses(std::size_t slot) const {
       const btVector3 impulse = p.m_appliedImpulse * p.m_normalWorldOnB +
                                 p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 +
                                 p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
-      out.push_back({unscaled(first ? p.getPositionWorldOnA() : p.getPositionWorldOnB()),
+      out.push_back({from_bullet(first ? p.getPositionWorldOnA() : p.getPositionWorldOnB()),
                      from_bullet(first ? impulse : -impulse)});
     }
   }

@@ -3,13 +3,14 @@
 #include <limits>
 
 namespace prosector::rigid {
+
 RoomContacts::RoomContacts(btCollisionDispatcher& dispatcher, std::span<const RoomSide> sides)
     : dispatcher_(dispatcher) {
   for (const RoomSide& plane : sides) {
     Side& side = sides_.emplace_back();
     side.plane = plane;
-    side.shape =
-        std::make_unique<btStaticPlaneShape>(to_bullet(plane.normal), scaled(plane.normal.dot(plane.point)));
+    side.shape = std::make_unique<btStaticPlaneShape>(to_bullet(plane.normal),
+                                                      static_cast<btScalar>(plane.normal.dot(plane.point)));
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, side.shape.get());
     info.m_friction = static_cast<btScalar>(room_friction);
     side.body = std::make_unique<btRigidBody>(info);
@@ -44,9 +45,10 @@ void RoomContacts::detect(std::size_t slot, btRigidBody& body, RoomSides passes,
   body.getAabb(lo, hi);
   for (std::size_t number = 0; number < sides_.size(); ++number) {
     Side& side = sides_[number];
-    const Vec3 &n = side.plane.normal,
-               nearest = n.cwiseMax(0).cwiseProduct(unscaled(lo)) + n.cwiseMin(0).cwiseProduct(unscaled(hi));
-    const bool apart = nearest.sum() - n.dot(side.plane.point) > near_contact;
+    const Vec3 &n = side.plane.normal, nearest = n.cwiseMax(0).cwiseProduct(from_bullet(lo)) +
+                                                 n.cwiseMin(0).cwiseProduct(from_bullet(hi));
+    const bool apart =
+        nearest.sum() - n.dot(side.plane.point) > static_cast<double>(gContactBreakingThreshold);
     const auto known = near_.find({slot, number});
     if (apart || has_side(passes, number)) {
       if (known == near_.end()) continue;
