@@ -531,7 +531,7 @@ def organ(reports):
 # Tissue under its weight, a recorded session, and estimates.
 
 def weight(reports):
-    """A line for each of the finest meshes at one Poisson's ratio: standing beside hanging."""
+    """A line for each of the finest meshes at one Poisson's ratio: when it stands and when it hangs."""
     lines = []
     for (body, element, grade, tets), acts in grouped(reports.rows("weight", poisson_ratio=0.49), "body", "element", "grade", "tets").items():
         by_act = {row["act"]: row for row in acts}
@@ -595,7 +595,9 @@ def cut_models(reports):
     lines = []
     for (model, element, solver, tets), rows in grouped(reports.rows("cut", tissue="liver"), "model", "element", "solver", "tets").items():
         by_stroke = {row["stroke"]: row for row in rows}
-        straight, fast = by_stroke["straight"], by_stroke["as fast as a hand"]
+        straight, fast = by_stroke.get("straight"), by_stroke.get("as fast as a hand")
+        if not straight or not fast:  # severing cuts only
+            continue
         whole = by_stroke.get("through at once")
         lines.append([f"`{model}`, {element}, {solver}", count(tets), *(f"{row[key]:.1f}" for row in (straight, fast)
                                                                       for key in ("ms_p50_other", "ms_p50_cutting")),
