@@ -416,16 +416,6 @@ def collision_shapes(reports):
     lines = per_fidelity(reports.rows("collision", case="pairs"), {**PAIR, "bytes_per_object": lambda n: count(round(n))})
     return table(["Fidelity", "CPU µs per pair", *ERRORS, "bytes"], lines)
 
-def collision_scale(reports):
-    """A line for each shape: what rigid bodies miss at fidelity hull, the larger they are."""
-    rows = reports.rows("collision", case="scaled_pairs", fidelity="hull")
-    scales = sorted({row["scale"] for row in rows})
-    lines = []
-    for life in reports.rows("collision", case="pairs", fidelity="hull"):
-        by_scale = {row["scale"]: row for row in rows if row["shape"] == life["shape"]}
-        lines.append([life["shape"], percent(life["missed_hits"]), *(percent(by_scale[scale]["missed_hits"]) for scale in scales)])
-    return table(["Shape", "missed hits at original size", *(f"{scale:g} times as large" for scale in scales)], lines)
-
 def collision_organs(reports):
     """A line for each fidelity of an organ."""
     rows = reports.rows("collision", case="organ_rigid") + reports.rows("collision", case="two_organs")
@@ -662,7 +652,7 @@ KEEPING = {"machine": machine, "goals": goals, "advice": advice, "contact": cont
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
-          "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
+          "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
           "usual": usual, "layer": layer, "organ": organ, "weight": weight, "felt": felt, "estimate": estimate,
           "cut-strokes": cut_strokes, "cut-severing": cut_severing, "cut-models": cut_models, "hands": hands, "hand-gestures": hand_gestures,

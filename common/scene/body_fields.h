@@ -35,8 +35,8 @@ void add_collision(std::vector<Field>& fields, std::string_view shape) {
       "touches", by_value, "collision groups that it touches, if they also touch its group; default: all"));
   fields.push_back(plain<Struct, Group..., &Inner<Struct, Group...>::continuous>(
       "continuous", by_value,
-      "true: continuous collision detection (rigid against soft bodies, "
-      "and between rigid bodies of one convex piece)"));
+      "true: continuous collision detection of rigid against soft bodies; fast rigid bodies never pass "
+      "through each other"));
 }
 
 /// Appends the scene keys that control how a body's mesh and volume files are read: origin and allowed volume

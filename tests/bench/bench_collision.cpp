@@ -17,7 +17,6 @@ namespace {
 using enum Column::Kind;
 
 constexpr int most_cells = 64;  // cells along a sheet: finer ones have too many cells within the margin
-constexpr std::array scales = {3., 10.};  // scales of rigid pairs, in addition to 1
 constexpr std::array fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
                                    Fidelity::mesh};
 
@@ -34,7 +33,6 @@ TextTable pair_table(std::vector<Column> first, const std::vector<Column>& last 
 void add_rigid_pairs(const CollisionBenchOptions& options, Report& report) {
   const TextTable table = pair_table({{text, "shape", "rigid pairs", 11},
                                       {text, "fidelity", "fidelity", 7},
-                                      {number, "scale", "scale", 5},
                                       {number, "us_per_pair", "us/pair", 8}},
                                      {{count, "bytes_per_object", "bytes", 9}});
   table.print_header();
@@ -42,10 +40,6 @@ void add_rigid_pairs(const CollisionBenchOptions& options, Report& report) {
     const RigidPairs pairs(shape, options.pairs);
     for (const Fidelity fidelity : fidelities) {
       report.add(pairs.measure(fidelity));
-      table.print(report.rows().back());
-    }
-    for (const double scale : scales) {
-      report.add(pairs.measure(Fidelity::hull, scale));
       table.print(report.rows().back());
     }
   }

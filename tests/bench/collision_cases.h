@@ -13,9 +13,8 @@ class RigidPairs {
   /// Creates the pairs and computes the reference result of each.
   RigidPairs(const test::NamedParts& shape, int pairs);
   /// Measures pairs in a rigid world with both bodies at `fidelity`: `us_per_pair` of RigidWorld::detect(),
-  /// the errors of PairErrors, `bytes_per_object`. `scale` multiplies all lengths, and gaps are divided by it
-  /// again, so that only rounding and Bullet's fixed tolerances and margins change the result.
-  ReportRow measure(Fidelity fidelity, double scale = 1) const;
+  /// the errors of PairErrors, `bytes_per_object`.
+  ReportRow measure(Fidelity fidelity) const;
 
  private:
   struct Placed {

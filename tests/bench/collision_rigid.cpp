@@ -34,20 +34,6 @@ std::vector<collision::ShapePart> compiled(std::vector<collision::ShapePart> par
   return rigid::at_fidelity(std::move(parts), fidelity, {Vec3::Zero(), start});
 }
 
-/// Returns the parts scaled by `scale`.
-std::vector<collision::ShapePart> scaled(std::vector<collision::ShapePart> parts, double scale) {
-  if (scale == 1) return parts;
-  for (collision::ShapePart& part : parts) {
-    part.half *= scale;
-    part.pose.p *= scale;
-    if (!part.mesh) continue;
-    TriangleMesh mesh = *part.mesh;
-    for (Vec3& x : mesh.positions) x *= scale;
-    part.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
-  }
-  return parts;
-}
-
 rigid::RigidSetup setup_of(std::vector<collision::ShapePart> parts) {
   rigid::RigidSetup out;
   out.parts = std::move(parts);
@@ -102,13 +88,12 @@ RigidPairs::RigidPairs(const NamedParts& shape, int pairs)
   }
 }
 
-ReportRow RigidPairs::measure(Fidelity fidelity, double scale) const {
+ReportRow RigidPairs::measure(Fidelity fidelity) const {
   rigid::RigidWorld world(Vec3::Zero());
   PairErrors errors(size_);
   double us = 0;
   const auto add = [&](const std::vector<collision::ShapePart>& parts, const Quat& start, const Pose& pose) {
-    return world.add(setup_of(scaled(compiled(parts, fidelity, start), scale)),
-                     resting({scale * pose.p, pose.q}));
+    return world.add(setup_of(compiled(parts, fidelity, start)), resting(pose));
   };
   for (const Placed& pair : pairs_) {
     const std::size_t a = add(parts_, pair.start_a, pair.a);
@@ -118,16 +103,15 @@ ReportRow RigidPairs::measure(Fidelity fidelity, double scale) const {
     us += 1e3 * (cpu_ms() - start);
     std::optional<PairContact> deepest;
     for (const rigid::RigidContact& c : contacts_of(world))
-      keep_deepest(deepest, {c.gap / scale, c.a == a ? c.normal : Vec3(-c.normal)});
+      keep_deepest(deepest, {c.gap, c.a == a ? c.normal : Vec3(-c.normal)});
     errors.add(deepest, pair.truth);
     world.remove(b);
     world.remove(a);
   }
   ReportRow row;
-  row["case"] = scale == 1 ? "pairs" : "scaled_pairs";
+  row["case"] = "pairs";
   row["shape"] = name_;
   row["fidelity"] = fidelity_name(fidelity);
-  row["scale"] = scale;
   row["us_per_pair"] = us / static_cast<double>(pairs_.size());
   errors.tell(row);
   row["bytes_per_object"] = bytes_of(setup_of(compiled(parts_, fidelity, Quat::Identity())));

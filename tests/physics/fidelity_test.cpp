@@ -132,20 +132,6 @@ TEST(Continuous, FastProbeIsStoppedByTissue) {
   }
 }
 
-TEST(Continuous, FastBallIsStoppedByAPlate) {
-  for (const bool on : {false, true}) {
-    SceneDesc scene;
-    scene.gravity = {0, -600, 0};
-    scene.rigid = {part_body("ball", "sphere", {0.02, 0, 0}, {0, 2.9, 0}),
-                   part_body("plate", "box", {0.3, 0.005, 0.3}, {0, 0, 0})};
-    scene.rigid[0].contact.continuous = on;
-    scene.rigid[1].fixed = true;
-    Simulation simulation(scene, options());
-    run(simulation, 12);
-    EXPECT_EQ(simulation.rigid_state(0).pose.p.y() > 0, on);
-  }
-}
-
 TEST(Continuous, FastTissueIsStoppedByAPlate) {
   for (const bool on : {false, true}) {
     SceneDesc scene;

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "server/physics/mechanics/rigid/convex_pair.h"
+
 namespace prosector::test {
 namespace {
 
@@ -18,7 +20,7 @@ Vec3 ours(const btVector3& v) {
 
 struct PlainWorld::Impl {
   btScalar h;
-  btDefaultCollisionConfiguration configuration;
+  rigid::CollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;

@@ -1,16 +1,19 @@
 #include "server/physics/mechanics/rigid/rigid_world.h"
 
-#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "common/rotation.h"
 #include "server/physics/mechanics/rigid/bullet_shape.h"
 #include "server/physics/mechanics/rigid/bullet_types.h"
+#include "server/physics/mechanics/rigid/convex_pair.h"
+#include "server/physics/mechanics/rigid/phased_world.h"
 #include "server/physics/mechanics/rigid/rolling.h"
 #include "server/physics/mechanics/rigid/room_contacts.h"
+#include "server/physics/mechanics/rigid/sweep.h"
 
 namespace prosector::rigid {
 namespace {
@@ -32,65 +35,14 @@ constexpr collision::CollisionMask room_mask{~0U,
 // Bullet's sequential impulses converge slowly where a body bears one of many times its mass. Islands with
 // such contacts are solved by the coupled solver, whose factorisation is exact for any ratio.
 constexpr double most_mass_ratio = 2;
-constexpr double ccd_share = 0.5;  // of a body's least half extent: radius of the ball that Bullet sweeps
 
-/// Filter of broad-phase pairs. Bullet's groups and masks are those of the scene. In addition, hands don't
-/// collide with hands, and static objects don't collide with each other.
-class PairFilter final : public btOverlapFilterCallback {
- public:
-  static void mark_hand(btCollisionObject& object) { object.setUserIndex2(1); }
-
-  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-    const auto &first = object(a), &second = object(b);
-    return collision::may_touch(mask(a), mask(b)) && !(is_hand(first) && is_hand(second)) &&
-           !(first.isStaticObject() && second.isStaticObject());
-  }
-
- private:
-  static const btCollisionObject& object(const btBroadphaseProxy* proxy) {
-    return *static_cast<const btCollisionObject*>(proxy->m_clientObject);
-  }
-  static collision::CollisionMask mask(const btBroadphaseProxy* proxy) {
-    return {static_cast<std::uint32_t>(proxy->m_collisionFilterGroup),
-            static_cast<std::uint32_t>(proxy->m_collisionFilterMask)};
-  }
-  static bool is_hand(const btCollisionObject& object) { return object.getUserIndex2() == 1; }
-};
-
-/// Bullet's world with its step split at the constraint stage.
-class PhasedWorld final : public btDiscreteDynamicsWorld {
- public:
-  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
-
-  void detect(btScalar h) {
-    applyGravity();
-    predictUnconstraintMotion(h);
-    btDispatcherInfo& info = getDispatchInfo();
-    info.m_timeStep = h;
-    info.m_stepCount = 0;
-    createPredictiveContacts(h);
-    performDiscreteCollisionDetection();
-  }
-
-  void find_islands(std::span<const std::pair<btRigidBody*, btRigidBody*>> links) {
-    btSimulationIslandManager& islands = *getSimulationIslandManager();
-    islands.updateActivationState(this, getDispatcher());
-    for (const auto& [a, b] : links) islands.getUnionFind().unite(a->getIslandTag(), b->getIslandTag());
-    islands.storeIslandActivationState(this);
-  }
-
-  void solve(btScalar h, btSimulationIslandManager::IslandCallback& callback) {
-    getSolverInfo().m_timeStep = h;
-    getSimulationIslandManager()->buildAndProcessIslands(getDispatcher(), this, &callback);
-    getConstraintSolver()->allSolved(getSolverInfo(), nullptr);
-  }
-
-  void integrate(btScalar h) {
-    integrateTransforms(h);
-    updateActivationState(h);
-    clearForces();
-  }
-};
+/// Returns half of the least extent of the parts, m; 0: no parts.
+double half_thickness(std::span<const collision::ShapePart> parts) {
+  double least = parts.empty() ? 0 : std::numeric_limits<double>::max();
+  for (const collision::ShapePart& part : parts)
+    least = std::min(least, collision::part_extent(part).half.minCoeff());
+  return least;
+}
 
 RigidContact make_contact(const btPersistentManifold& manifold, int i) {
   const btManifoldPoint& p = manifold.getContactPoint(i);
@@ -141,11 +93,12 @@ struct RigidWorld::Impl {
     BulletShape shape;
     std::unique_ptr<btRigidBody> body;  // null: free slot
     RigidSetup setup;                   // without parts
+    double half_thickness = 0;          // m: half of the least extent of a part; 0: no parts
     BodyPresence presence = BodyPresence::free;
     std::optional<Pose> driven_to;
   };
 
-  btDefaultCollisionConfiguration configuration;
+  CollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
@@ -203,6 +156,37 @@ struct RigidWorld::Impl {
     }
   }
 
+  static bool may_be_swept(const Body& b) {
+    return b.body && !b.body->isStaticOrKinematicObject() && b.body->isActive() && !b.setup.hand &&
+           b.half_thickness > 0;
+  }
+
+  /// Returns a mark for each slot whose body is in a mixed island without a hand. Such bodies are not swept:
+  /// one that tissue bears would keep the velocity that gravity gives it while it is stopped.
+  std::vector<char> borne_by_tissue() const {
+    std::vector<char> out(bodies.size(), 0);
+    for (const MixedIsland& island : mixed) {
+      const bool held = std::any_of(island.bodies.begin(), island.bodies.end(),
+                                    [&](std::size_t slot) { return bodies[slot].setup.hand; });
+      if (held) continue;
+      for (const std::size_t slot : island.bodies) out[slot] = 1;
+    }
+    return out;
+  }
+
+  /// Integrates all poses. Fast bodies stop where they meet others, and keep their velocity for the contact
+  /// that the next step finds there.
+  void integrate(double h) {
+    const std::vector<char> unswept = borne_by_tissue();
+    StoppedBodies stopped(world, filter, h);
+    for (std::size_t slot = 0; slot < bodies.size(); ++slot)
+      if (unswept[slot] == 0 && may_be_swept(bodies[slot]))
+        stopped.sweep(*bodies[slot].body, bodies[slot].half_thickness);
+    stopped.slow_down();
+    world.integrate(static_cast<btScalar>(h));
+    stopped.give_velocities_back();
+  }
+
   /// Adds the body to the world with its current masks, gravity and activation state.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
@@ -242,11 +226,7 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
   made.body = std::make_unique<btRigidBody>(info);
   made.body->setUserIndex(static_cast<int>(slot));
   if (setup.hand) PairFilter::mark_hand(*made.body);
-  if (setup.continuous && made.shape.root->isConvex()) {
-    const double radius = collision::part_extent(setup.parts.front()).half.minCoeff();
-    made.body->setCcdMotionThreshold(static_cast<btScalar>(radius));
-    made.body->setCcdSweptSphereRadius(static_cast<btScalar>(ccd_share * radius));
-  }
+  made.half_thickness = half_thickness(setup.parts);
   made.setup = setup;
   made.setup.parts.clear();
   made.presence = BodyPresence::free;
@@ -422,7 +402,7 @@ std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h)
 }
 
 void RigidWorld::integrate(double h) {
-  impl_->world.integrate(static_cast<btScalar>(h));
+  impl_->integrate(h);
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!used(slot) || !driven_to(slot)) continue;
     btRigidBody& b = impl_->at(slot);

@@ -32,9 +32,8 @@ struct RigidSetup {
   bool balanced = false;  // no gravity, and strong damping
   collision::CollisionMask mask;
   RoomSides passes = 0;  // sides of the room that the body passes through
-  /// Whether fast motion of the body is swept for collisions (continuous collision detection), so that the
-  /// body stops at the time of impact. Applies only if its shape is one convex part centred on its centre of
-  /// mass.
+  /// Whether motion of the body is swept for contacts with tissue (continuous collision detection). Motion
+  /// towards rigid bodies is swept whenever it is fast.
   bool continuous = false;
 };
 
@@ -135,8 +134,9 @@ class RigidWorld {
   /// Returns the linear (m/s) and the angular velocity (rad/s) that a body would have after a step of `h` s
   /// without contacts, from gravity and gyroscopic moment only. World frame.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
-  /// Integrates the poses of all bodies from their velocities over `h` s. Bodies moved by drive() reach their
-  /// target pose and stop. Last phase of a step.
+  /// Integrates the poses of all bodies from their velocities over `h` s. A free body that moves by more than
+  /// half of its thickness stops where it would enter another body, and keeps its velocity; hands don't.
+  /// Bodies moved by drive() reach their target pose and stop. Last phase of a step.
   void integrate(double h);
 
   /// Returns the contact impulses, friction included, that the last solve() applied to the body. They are

@@ -9,7 +9,9 @@ namespace prosector {
 namespace {
 
 constexpr int projections = 4;         // alternating projections to find a pad's nearest point
+constexpr int from_ends = 16;          // the same, from the ends of a segment
 constexpr double places_apart = 2e-3;  // m: least distance of a segment's contacts
+constexpr double line_gap = 2e-4;      // m: difference of gaps within which a segment touches along a line
 
 /// The side of a contact that is a pad of a hand.
 struct PadSide {
@@ -39,16 +41,25 @@ rigid::RigidContact touch_of(const HandSegment& segment, const Pose& pose, const
   return out;
 }
 
-/// Returns the segment's point nearest to the body, m along its axis, searched from `place`.
+/// Returns the segment's point nearest to the body, m along its axis, searched from `place`. If the segment
+/// lies along the body, all points between two places are nearly as near. Then it returns a point between
+/// them, closer to the one that is nearer to the body.
 double nearest_along(const HandSegment& segment, const Pose& pose, const contact::Collider& body,
                      const Vec3& place) {
   const Pose to_segment = pose.inverse();
-  const auto project = [&](const Vec3& x) {
-    return std::clamp((to_segment * x).y(), -segment.length / 2, segment.length / 2);
+  const double end = segment.length / 2;
+  const auto project = [&](const Vec3& x) { return std::clamp((to_segment * x).y(), -end, end); };
+  const auto search = [&](double along, int times) {
+    for (int i = 0; i < times; ++i) along = project(touch_of(segment, pose, body, along).point_b);
+    return along;
   };
-  double along = project(place);
-  for (int i = 0; i < projections; ++i) along = project(touch_of(segment, pose, body, along).point_b);
-  return along;
+  const auto gap = [&](double along) { return touch_of(segment, pose, body, along).gap; };
+  const double nearest = search(project(place), projections), low = search(-end, from_ends),
+               high = search(end, from_ends);
+  const double below = gap(low), above = gap(high);
+  if (std::max(below, above) > gap(nearest) + line_gap) return nearest;
+  const double share = std::clamp(0.5 + (below - above) / (2 * line_gap), 0.0, 1.0);
+  return low + share * (high - low);
 }
 
 }  // namespace
