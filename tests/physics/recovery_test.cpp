@@ -128,5 +128,25 @@ TEST(Recovery, TissueUnderLooseTissueGetsItsVolumeBack) {
   EXPECT_NEAR(now, 1, 0.1);
 }
 
+// 50 kg pressed a pad flat. The pad was put into its rest shape around the weight, and stayed so.
+TEST(Recovery, WeightThatTissueCannotBearIsMovedAboveItAndReported) {
+  SceneDesc scene;
+  scene.rigid = {table(), part_body("weight", "box", {0.1, 0.1, 0.1}, {0, 0.12, 0})};
+  scene.rigid[1].material.mass = 50;
+  scene.soft = {block("pad")};
+  scene.soft[0].geometry.size = {0.16, 0.06, 0.16};
+  scene.soft[0].material.youngs_modulus = 5400;
+  Simulation simulation(scene, options());
+  int moved = 0;
+  for (int tick = 0; tick < 180; ++tick)
+    for (const BodyReport& body : simulation.step({}).bodies)
+      if (body.body == "weight" && body.reset) {
+        ++moved;
+        EXPECT_NE(body.note.find("inside pad"), std::string::npos) << body.note;
+        EXPECT_GT(simulation.rigid_state(1).pose.p.y(), 0.06);
+      }
+  EXPECT_GE(moved, 1);
+}
+
 }  // namespace
 }  // namespace prosector::test

@@ -34,11 +34,15 @@ const Hand* hand_at(std::span<const Hand> hands, std::size_t slot) {
   return nullptr;
 }
 
+bool is_held(std::span<const Hand> hands, BodyId body) {
+  return std::any_of(hands.begin(), hands.end(),
+                     [&](const Hand& hand) { return hand.hold && hand.hold->body == body; });
+}
+
 bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const contact::Contact> touches) {
   return std::any_of(touches.begin(), touches.end(),
                      [&](const contact::Contact& c) { return hand_at(hands, c.b.body) != nullptr; }) ||
-         std::any_of(hands.begin(), hands.end(),
-                     [&](const Hand& hand) { return hand.hold && hand.hold->body == body; });
+         is_held(hands, body);
 }
 
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h) {

@@ -47,6 +47,9 @@ struct Hand {
 /// hand's.
 const Hand* hand_at(std::span<const Hand> hands, std::size_t slot);
 
+/// Returns whether any hand holds the body.
+bool is_held(std::span<const Hand> hands, BodyId body);
+
 /// Returns whether any hand holds or touches the soft body `body`. `touches`: the soft body's contacts with
 /// rigid bodies, hands included.
 bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const contact::Contact> touches);

@@ -95,6 +95,8 @@ struct RigidWorld::Impl {
     RigidSetup setup;                   // without parts
     double half_thickness = 0;          // m: half of the least extent of a part; 0: no parts
     BodyPresence presence = BodyPresence::free;
+    Pose given;              // of the last set_motion()
+    btTransform as_given{};  // the same as Bullet stores it
     std::optional<Pose> driven_to;
   };
 
@@ -268,7 +270,7 @@ void RigidWorld::set_presence(std::size_t slot, BodyPresence presence) {
   const bool stays = presence != BodyPresence::free || !(b.setup.mass > 0);
   b.body->setMassProps(stays ? 0 : static_cast<btScalar>(b.setup.mass),
                        stays ? btVector3(0, 0, 0) : to_bullet(b.setup.inertia));
-  RigidMotion still = motion(slot);
+  RigidMotion still = motion(slot, Rounding::none);
   still.linear_velocity = still.angular_velocity = Vec3::Zero();
   still.asleep = false;
   still.quiet_seconds = 0;
@@ -280,9 +282,11 @@ BodyPresence RigidWorld::presence(std::size_t slot) const {
   return impl_->bodies[slot].presence;
 }
 
-RigidMotion RigidWorld::motion(std::size_t slot) const {
-  const btRigidBody& b = impl_->at(slot);
-  return {from_bullet(b.getWorldTransform()), from_bullet(b.getLinearVelocity()),
+RigidMotion RigidWorld::motion(std::size_t slot, Rounding rounding) const {
+  const Impl::Body& body = impl_->bodies[slot];
+  const btRigidBody& b = *body.body;
+  const bool given = rounding == Rounding::none && b.getWorldTransform() == body.as_given;
+  return {given ? body.given : from_bullet(b.getWorldTransform()), from_bullet(b.getLinearVelocity()),
           from_bullet(b.getAngularVelocity()), b.getActivationState() == ISLAND_SLEEPING,
           static_cast<double>(b.getDeactivationTime())};
 }
@@ -290,6 +294,8 @@ RigidMotion RigidWorld::motion(std::size_t slot) const {
 void RigidWorld::set_motion(std::size_t slot, const RigidMotion& motion) {
   btRigidBody& b = impl_->at(slot);
   const btTransform pose = to_bullet(motion.pose);
+  impl_->bodies[slot].given = motion.pose;
+  impl_->bodies[slot].as_given = pose;
   b.setWorldTransform(pose);
   b.setInterpolationWorldTransform(pose);
   set_velocity(slot, motion.linear_velocity, motion.angular_velocity);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "server/physics/mechanics/contact/margins.h"
 #include "server/physics/mechanics/contact/parting.h"
 #include "server/physics/mechanics/coupled/recovery.h"
 #include "server/physics/mechanics/soft/unfold.h"
@@ -105,6 +106,7 @@ void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
 void make_room_for(State& state, const contact::SoftContacts& touching, std::size_t body,
                    std::vector<std::size_t>& unfolded, StepReport& report);
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report);
+void lift_out_rigid_bodies(State& state, std::size_t body, StepReport& report);
 
 }  // namespace
 
@@ -125,6 +127,7 @@ void recover_tangled_bodies(State& state, std::vector<coupled::Island>& islands,
     }
   for (std::size_t k = 0; k < unfolded.size(); ++k)
     make_room_for(state, touching, unfolded[k], unfolded, report);
+  for (const std::size_t body : unfolded) lift_out_rigid_bodies(state, body, report);
   for (const auto& [pair, how] : state.entangled)
     if (how.seconds > entangled_seconds && !is_in_a_hand(state, touching, pair.first) &&
         !is_in_a_hand(state, touching, pair.second))
@@ -220,6 +223,51 @@ bool reset_to_rest(Bodies& bodies, std::size_t body, std::size_t other, StepRepo
                            bodies.soft[other].desc().name),
                report);
   return true;
+}
+
+/// Returns the highest point of a box along `up`, m.
+double top_of(const Vec3& lo, const Vec3& hi, const Vec3& up) {
+  return up.dot(lo + hi) / 2 + up.cwiseAbs().dot(hi - lo) / 2;
+}
+
+/// Returns whether the rigid body's centre, or a point between it and the lowest point below it, is inside
+/// the closed surface. `lo`, `hi`: the rigid body's bounds.
+bool reaches_into(const contact::SoftSkin& skin, const Vec3& centre, const Vec3& lo, const Vec3& hi,
+                  const Vec3& up) {
+  const double down = up.dot(centre) + top_of(lo, hi, -up);
+  for (const double share : {0.0, 0.5, 0.9}) {
+    const Vec3 point = centre - share * down * up;
+    if (skin.faces->nearest(point) && skin.faces->winding_number(point) >= 0.5) return true;
+  }
+  return false;
+}
+
+/// Moves free rigid bodies that reach into the unfolded body above it. A body that was crushed unfolds around
+/// the weight that crushed it, and contacts can't separate them.
+void lift_out_rigid_bodies(State& state, std::size_t body, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  Tissue& tissue = bodies.soft[body];
+  const contact::SoftSkin skin = tissue.skin();
+  if (!skin.faces || skin.skin > 0 || bodies.model.scene.gravity.isZero()) return;
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  const collision::Aabb box = tissue.outer_box();
+  for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot) {
+    if (!bodies.rigid.dynamic(slot) || hands::is_held(state.hands, static_cast<BodyId>(slot)) ||
+        !collision::may_touch(bodies.rigid.mask(slot), tissue.collision.mask))
+      continue;
+    rigid::RigidMotion motion = bodies.rigid.motion(slot);
+    const auto [lo, hi] = bodies.rigid.bounds(slot, contact::contact_margin);
+    if (!reaches_into(skin, motion.pose.p, lo, hi, up)) continue;
+    motion.pose.p += (top_of(box.lo, box.hi, up) + top_of(lo, hi, -up)) * up;
+    motion.linear_velocity = motion.angular_velocity = Vec3::Zero();
+    motion.asleep = false;
+    bodies.rigid.set_motion(slot, motion);
+    BodyReport& row = report.bodies.emplace_back();
+    row.body = bodies.name_of(static_cast<BodyId>(slot));
+    row.reset = true;
+    row.note =
+        fmt::format("the body was inside {}, which can't bear it: it was moved above it", tissue.desc().name);
+  }
 }
 
 /// Returns how two closed solids overlap; nullopt for other bodies, and for overlaps that contacts alone

@@ -34,7 +34,7 @@ void save(const State& state, const coupled::Lingerers::Map& watched, RecordWrit
   save_refined(state, io);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) {
     const auto in = io.scope(model.rigid[slot].name);
-    const rigid::RigidMotion motion = bodies.rigid.motion(slot);
+    const rigid::RigidMotion motion = bodies.rigid.motion(slot, rigid::RigidWorld::Rounding::none);
     entry(io, motion);
   }
   for (const Tissue& tissue : bodies.soft) {
@@ -44,7 +44,7 @@ void save(const State& state, const coupled::Lingerers::Map& watched, RecordWrit
   }
   io.list(state.hands, most_hands, "hand", [&](const hands::Hand& hand) {
     entry(io, hand, graspable);
-    const rigid::RigidMotion motion = bodies.rigid.motion(hand.slot);
+    const rigid::RigidMotion motion = bodies.rigid.motion(hand.slot, rigid::RigidWorld::Rounding::none);
     entry(io, motion);
   });
   if (state.panels) state.panels->save(io);

@@ -149,7 +149,8 @@ Refusal take_over(const State& from, State& to) {
   to.time = from.time;
   rigid::RigidWorld world(bodies.model.scene.gravity, rigid::room_sides(bodies.model.scene.room));
   for (std::size_t slot = 0; slot < bodies.model.rigid.size(); ++slot)
-    world.add(bodies.model.rigid[slot].setup, from.bodies.rigid.motion(slot));
+    world.add(bodies.model.rigid[slot].setup,
+              from.bodies.rigid.motion(slot, rigid::RigidWorld::Rounding::none));
   bodies.rigid = std::move(world);
   for (std::size_t i = 0; i < bodies.soft.size(); ++i) {
     const Tissue& old = from.bodies.soft[i];

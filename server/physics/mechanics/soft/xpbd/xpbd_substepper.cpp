@@ -26,6 +26,9 @@ namespace {
 constexpr std::size_t constraints_per_chunk = 256;
 // Factor per tick by which the number of substeps beyond the described one decreases.
 constexpr double relaxed = 0.97;
+// Factor on the maximum number of substeps after that number was not sufficient: with `relaxed`, the next try
+// is 90 ticks later. Each try takes as long as that many substeps.
+constexpr int given_up = 16;
 // Ratio of needed to taken substeps below which no additional substeps are needed any more.
 constexpr double settled = 0.5;
 
@@ -80,7 +83,7 @@ class XpbdSubstepper final : public Substepper {
   /// `relaxed` has reduced the need to that maximum.
   bool refine(double h, int taken, SoftBodyState& state) const override {
     const bool more = taken < allowed();
-    state.omega = (more ? std::min(2 * taken, allowed()) : 2 * taken) / h;
+    state.omega = (more ? std::min(2 * taken, allowed()) : given_up * taken) / h;
     return more;
   }
 
