@@ -20,38 +20,12 @@
 #include "client/view/wireframe.h"
 #include "common/error_map.h"
 #include "common/index_tip.h"
+#include "tests/client/gallery_stage.h"
 #include "tests/client/many_scripts.h"
 #include "tests/client/picture.h"
 
 namespace prosector::test {
 namespace {
-
-constexpr int width = 256, height = 192;
-
-DrawList stage(const Vec3& eye, const Vec3& target, double fov = 0.6) {
-  DrawList list;
-  list.cameras = {mono_camera(look_at(eye, target), fov, width, height)};
-  LightInfo fill = directional({0.4, -0.5, -0.6});
-  fill.intensity = 0.25;
-  list.lights = {lamp(target + Vec3(-0.35, 0.9, 0.5), target), fill};
-  list.items = room_items(1000);
-  return list;
-}
-
-DrawItem rigid(const PartDesc& part, std::uint64_t id, const Appearance& appearance) {
-  DrawItem item;
-  item.mesh = rigid_mesh(mesh_of(part), id);
-  item.appearance = appearance;
-  return item;
-}
-
-DrawItem table() {
-  PartDesc top;
-  top.size = {0.9, 0.04, 0.6};
-  top.pose.p = {0, 0.98, 0};
-  top.rounding = 0.01;
-  return rigid(top, 10, {{0.60, 0.62, 0.64}, 0.38, 0, Surface::metal});
-}
 
 DrawItem hand(std::size_t side, const HandPose& pose, std::uint64_t id) {
   const HandSkin skin(side);
@@ -325,55 +299,6 @@ GalleryPicture labels(bool stereo) {
   const double width = list.cameras[0].width;
   PartLabels().add(list, named, {Eigen::Vector2d(8, 8), Eigen::Vector2d(width - 8, high - 8)});
   return {stereo ? "labels_stereo" : "labels", wide, high, list};
-}
-
-/// Returns a map in which the error falls off from a place: 15 % there, 0.3 % far from it.
-ErrorMap map_around(const Vec3& worst, const Eigen::AlignedBox3d& box) {
-  ErrorMap map{.corner = box.min(), .cell = 0.02};
-  for (int axis = 0; axis < 3; ++axis)
-    map.size[static_cast<std::size_t>(axis)] =
-        static_cast<std::uint8_t>(2 + static_cast<int>(box.sizes()[axis] / map.cell));
-  for (int z = 0; z < map.size[2]; ++z)
-    for (int y = 0; y < map.size[1]; ++y)
-      for (int x = 0; x < map.size[0]; ++x) {
-        const double off = (map.corner + map.cell * Vec3(x, y, z) - worst).norm() / 0.035;
-        map.levels.push_back(level_of(0.003 + 0.147 * std::exp(-off * off)));
-      }
-  return map;
-}
-
-/// Three bodies in the colours of their estimated error: one that something presses, whose error is mapped;
-/// one that tells its mean alone; and one that tells none.
-GalleryPicture error() {
-  constexpr int wide = 480, high = 320;
-  DrawList list = stage({0.14, 1.44, 0.74}, {0.11, 1.02, 0}, 0.6);
-  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
-  list.items.push_back(table());
-  const ValueScale& scale = scale_of(Shown::error);
-  const Vec3 pressed(-0.15, 1.105, 0.02);
-  for (int k = 0; k < 3; ++k) {
-    PartDesc ball;
-    ball.shape = "ellipsoid";
-    ball.size = {0.16, 0.11, 0.14};
-    ball.pose.p = {-0.16 + 0.17 * k, 1.055, 0};
-    DrawItem item = rigid(ball, 90 + static_cast<std::uint64_t>(k), {});
-    DrawMesh mesh = *item.mesh;
-    mesh.rest_positions = mesh.positions;
-    Eigen::AlignedBox3d box;
-    for (Eigen::Vector3f& at : mesh.positions) {
-      box.extend(at.cast<double>());
-      const double off = (at.cast<double>() - pressed).norm() / 0.03;
-      if (k == 0) at.y() -= static_cast<float>(0.025 * std::exp(-off * off));
-    }
-    smooth_normals(mesh.positions, mesh.triangles, mesh.normals);
-    const ErrorMap map = k == 0 ? map_around(pressed, box) : ErrorMap();
-    item.mesh =
-        PaintedMesh(93 + static_cast<std::uint64_t>(k)).of(mesh, scale, k == 2 ? not_known : 0.06, &map);
-    item.painted = true;
-    list.items.push_back(item);
-  }
-  add_legend(list, scale);
-  return {"error", wide, high, list};
 }
 
 /// Parts named in many scripts: one is hidden, one faint, one red and held, one held by two.

@@ -95,8 +95,8 @@ struct RigidWorld::Impl {
     RigidSetup setup;                   // without parts
     double half_thickness = 0;          // m: half of the least extent of a part; 0: no parts
     BodyPresence presence = BodyPresence::free;
-    Pose given;              // of the last set_motion()
-    btTransform as_given{};  // the same as Bullet stores it
+    Quat given = Quat::Identity();  // rotation of the last set_motion()
+    btTransform as_given{};         // that motion's pose, as Bullet stores it
     std::optional<Pose> driven_to;
   };
 
@@ -285,16 +285,16 @@ BodyPresence RigidWorld::presence(std::size_t slot) const {
 RigidMotion RigidWorld::motion(std::size_t slot, Rounding rounding) const {
   const Impl::Body& body = impl_->bodies[slot];
   const btRigidBody& b = *body.body;
-  const bool given = rounding == Rounding::none && b.getWorldTransform() == body.as_given;
-  return {given ? body.given : from_bullet(b.getWorldTransform()), from_bullet(b.getLinearVelocity()),
-          from_bullet(b.getAngularVelocity()), b.getActivationState() == ISLAND_SLEEPING,
-          static_cast<double>(b.getDeactivationTime())};
+  Pose pose = from_bullet(b.getWorldTransform());
+  if (rounding == Rounding::none && b.getWorldTransform() == body.as_given) pose.q = body.given;
+  return {pose, from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity()),
+          b.getActivationState() == ISLAND_SLEEPING, static_cast<double>(b.getDeactivationTime())};
 }
 
 void RigidWorld::set_motion(std::size_t slot, const RigidMotion& motion) {
   btRigidBody& b = impl_->at(slot);
   const btTransform pose = to_bullet(motion.pose);
-  impl_->bodies[slot].given = motion.pose;
+  impl_->bodies[slot].given = motion.pose.q;
   impl_->bodies[slot].as_given = pose;
   b.setWorldTransform(pose);
   b.setInterpolationWorldTransform(pose);

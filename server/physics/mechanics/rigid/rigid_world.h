@@ -94,8 +94,8 @@ class RigidWorld {
   BodyPresence presence(std::size_t slot) const;
   const collision::CollisionMask& mask(std::size_t slot) const;
 
-  /// Rounding of a pose that Bullet stores as a matrix of floats. `none`: set_motion() with this pose gives a
-  /// body the same matrix again. A state that is saved, loaded and saved again is then the same.
+  /// Rounding of a rotation that Bullet stores as a matrix of floats. `none`: set_motion() with this rotation
+  /// gives a body the same matrix again, so that a state that is saved, loaded and saved again is the same.
   enum class Rounding : std::uint8_t { to_floats, none };
   RigidMotion motion(std::size_t slot, Rounding rounding = Rounding::to_floats) const;
   void set_motion(std::size_t slot, const RigidMotion& motion);
