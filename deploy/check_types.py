@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""check_types.py [ROOT] [--list]: no type of the product is large, and no function long.
+"""check_types.py [ROOT] [--list]: no type of the product is large, no function long, and no file long.
 
 A class or struct may have 30 member functions (constructors, private and static ones among them) and 20 data members (static
 ones not). A function may have 60 lines, from the line of its opening brace to that of its closing one. Types that a type
-encloses count separately. --list prints the largest types and the longest functions and checks nothing.
+encloses count separately. A source file, also of tests and scripts, may have 500 lines; tables (*_table.cpp) may have more. --list prints the largest types and the longest functions and checks nothing.
 The C++ is read by its braces, not compiled: macros that hide braces would mislead this.
 """
 
@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-MOST_FUNCTIONS, MOST_FIELDS, MOST_LINES = 30, 20, 60
+MOST_FUNCTIONS, MOST_FIELDS, MOST_LINES, MOST_IN_FILE = 30, 20, 60, 500
 FOLDERS = "client", "common", "drivers", "idl", "server", "twins"
 IDLE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"(\w*)\(.*?\)\1\"|\"(?:\\.|[^\"\\\n])*\"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'", re.S)
 PREPROCESSOR = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.M)
@@ -155,10 +155,18 @@ def read_all(root):
     return types, functions
 
 
-def faults(types, functions):
+def file_lengths(root):
+    """Lines of each source file but tables, by its path."""
+    paths = [path for folder in (*FOLDERS, "tests", "deploy") for path in (root / folder).rglob("*")
+             if path.suffix in (".h", ".cpp", ".py", ".sh") and not path.stem.endswith("_table")]
+    return {path.relative_to(root): path.read_text(encoding="utf-8").count("\n") for path in paths}
+
+
+def faults(types, functions, lengths):
     found = [f'{t["where"]}: {t["name"]} has {t["functions"]} member functions and {t["fields"]} data members' for t in types
              if t["functions"] > MOST_FUNCTIONS or t["fields"] > MOST_FIELDS]
-    return found + [f'{f["where"]}: {f["name"]} has {f["lines"]} lines' for f in functions if f["lines"] > MOST_LINES]
+    found += [f'{f["where"]}: {f["name"]} has {f["lines"]} lines' for f in functions if f["lines"] > MOST_LINES]
+    return found + [f"{path}: the file has {lines} lines" for path, lines in sorted(lengths.items()) if lines > MOST_IN_FILE]
 
 
 def main():
@@ -173,12 +181,15 @@ def main():
         return
     if not types or not functions:
         sys.exit(f"types: nothing found below {root}")
-    found = faults(types, functions)
+    lengths = file_lengths(root)
+    found = faults(types, functions, lengths)
     for fault in found:
         print(fault)
     if found:
-        sys.exit(f"types: at most {MOST_FUNCTIONS} member functions, {MOST_FIELDS} data members, {MOST_LINES} lines; split what is larger")
-    print(f"types: good, {len(types)} types and {len(functions)} functions")
+        sys.exit(f"types: at most {MOST_FUNCTIONS} member functions, {MOST_FIELDS} data members, {MOST_LINES} lines "
+                 f"per function, {MOST_IN_FILE} per file; split what is larger")
+    print(f"types: good, {len(types)} types and {len(functions)} functions; longest file but tables: {max(lengths.values())} lines "
+          f"({MOST_IN_FILE} allowed)")
 
 
 if __name__ == "__main__":

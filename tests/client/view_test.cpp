@@ -9,7 +9,6 @@
 #include <random>
 #include <set>
 
-#include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
@@ -17,7 +16,6 @@
 #include "client/view/force_arrow.h"
 #include "client/view/hand_cues.h"
 #include "client/view/near_fade.h"
-#include "client/view/normals.h"
 #include "client/view/panel_view.h"
 #include "client/view/pick.h"
 #include "client/view/room.h"
@@ -25,7 +23,6 @@
 #include "client/view/set_text.h"
 #include "client/view/still_scene.h"
 #include "client/view/surface_tree.h"
-#include "client/view/tube.h"
 #include "client/view/wireframe.h"
 #include "common/scene/primitives.h"
 #include "tests/client/many_scripts.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""check_types_test.py CHECKER WORK: what deploy/check_types.py says of types and functions at its limits and above them."""
+"""check_types_test.py CHECKER WORK: what deploy/check_types.py says of types, functions and files at its limits and above them."""
 
 import pathlib
 import shutil
@@ -42,6 +42,11 @@ def tree(functions=0, fields=0, lines=1):
     return f"namespace x {{\nclass Wide : public Base {{{MEMBERS}{more}}};\nint Wide::long_one(int a) {{\n{body}}}\n}}\n"
 
 
+def of_lines(count):
+    """A file with so many lines."""
+    return tree() + "\n" * (count - tree().count("\n"))
+
+
 def check(text):
     shutil.rmtree(work, ignore_errors=True)
     (work / "server/physics").mkdir(parents=True)
@@ -55,6 +60,8 @@ CASES = [
     (tree(21, 0), 1, "Wide has 31 member functions and 6 data members"),
     (tree(0, 15), 1, "Wide has 10 member functions and 21 data members"),
     (tree(0, 0, 61), 1, "Wide::long_one has 61 lines"),
+    (of_lines(500), 0, "longest file but tables: 500 lines"),
+    (of_lines(501), 1, "wide.h: the file has 501 lines"),
     ("", 1, "nothing found"),
 ]
 for text, status, words in CASES:

@@ -22,7 +22,7 @@ btScalar radius_of(const btConvexShape& shape) {
 /// Returns the number of units per metre: a power of two, so that scaling does not round.
 btScalar units_per_metre(const btConvexShape& a, const btConvexShape& b) {
   const btScalar smaller = std::min(radius_of(a), radius_of(b));
-  return smaller > 0 ? std::exp2(btScalar(2) - std::floor(std::log2(smaller))) : 1;
+  return smaller > 0 ? std::ldexp(btScalar(1), 2 - std::ilogb(smaller)) : 1;
 }
 
 btTransform scaled(const btTransform& pose, const btVector3& origin, btScalar scale) {

@@ -163,23 +163,19 @@ struct RigidWorld::Impl {
            b.half_thickness > 0;
   }
 
-  /// Returns a mark for each slot whose body is in a mixed island without a hand. Such bodies are not swept:
-  /// one that tissue bears would keep the velocity that gravity gives it while it is stopped.
-  std::vector<char> borne_by_tissue() const {
+  /// Returns a mark for each slot whose body is in a mixed island. Such bodies are not swept: one that tissue
+  /// bears would keep the velocity that gravity gives it while it is stopped, and a hand would tear away.
+  std::vector<char> coupled_bodies() const {
     std::vector<char> out(bodies.size(), 0);
-    for (const MixedIsland& island : mixed) {
-      const bool held = std::any_of(island.bodies.begin(), island.bodies.end(),
-                                    [&](std::size_t slot) { return bodies[slot].setup.hand; });
-      if (held) continue;
+    for (const MixedIsland& island : mixed)
       for (const std::size_t slot : island.bodies) out[slot] = 1;
-    }
     return out;
   }
 
   /// Integrates all poses. Fast bodies stop where they meet others, and keep their velocity for the contact
   /// that the next step finds there.
   void integrate(double h) {
-    const std::vector<char> unswept = borne_by_tissue();
+    const std::vector<char> unswept = coupled_bodies();
     StoppedBodies stopped(world, filter, h);
     for (std::size_t slot = 0; slot < bodies.size(); ++slot)
       if (unswept[slot] == 0 && may_be_swept(bodies[slot]))
