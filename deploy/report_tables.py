@@ -58,7 +58,7 @@ def count(value):
     return f"{value:,}"
 
 def rung(row):
-    """Model to effort, in words."""
+    """Returns the configuration from model to effort, as text."""
     effort = row.get("effort")
     if not effort and row.get("newton_iterations"):
         effort = f"{row['newton_iterations']} × {row['solver_iterations']} to {row['solver_tolerance']:.0e}"

@@ -161,7 +161,7 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   EXPECT_EQ(desk.panel().look().first_line, 2u);
   session.own_panel->body = 4;
   update();
-  EXPECT_EQ(desk.panel().look().first_line, 0u) << "another one begins anew";
+  EXPECT_EQ(desk.panel().look().first_line, 0u) << "another panel starts at its first line";
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(SceneView, ThroughACameraOnlyTrackedHandsAreReal) {
   while (real_items() == 0)  // the skin is on its way
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(real_items(), 2) << "skin and nails";
-  // What is uncovered has the fingers bent as they are told.
+  // An uncovered hand has its fingers bent as the tracker reports.
   const auto length = [&] {
     float least = 0;
     for (const DrawItem& item : client.list(1, settings, self).items)

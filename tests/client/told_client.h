@@ -1,5 +1,5 @@
 #pragma once
-// A client that a test tells messages, and what it sees.
+// A client that receives messages from a test, and its pictures.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ inline PartDesc solid(const std::string& shape, const Vec3& size) {
   return part;
 }
 
-/// A client: what it was told, and what it sees.
+/// A client with the messages that it received, and the pictures that it draws of them.
 class Client {
  public:
   Client() {
