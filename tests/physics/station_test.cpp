@@ -165,10 +165,10 @@ TEST_F(Stations, TheIslandBuilderJoinsWhatTouchesAndLeavesSleepersOut) {
   state.bodies.rigid.detect(h);
   SoftContactFinder finder(state.bodies.soft.size());
   const contact::SoftContacts& touching = finder.find(state, colliders, h);
-  const auto& mixed = find_islands(state.bodies, state.hands, touching, {}, h);
+  const auto& mixed = find_islands(state.bodies, state.hands, {}, touching, {}, h);
   std::vector<coupled::Island> islands;
   std::vector<Pad> pads;
-  IslandBuilder(state.bodies, state.hands, touching, colliders, {}, h).build(mixed, islands, pads);
+  IslandBuilder(state.bodies, state.hands, {}, touching, colliders, {}, h).build(mixed, islands, pads);
   ASSERT_EQ(islands.size(), 1U);
   ASSERT_EQ(islands[0].soft.size(), 1U);
   EXPECT_EQ(islands[0].soft[0].index, 0U);

@@ -7,6 +7,7 @@
 #include "server/physics/stations/dissecting/cut_by_blades.h"
 #include "server/physics/stations/dissecting/refining.h"
 #include "server/physics/stations/hands/holding.h"
+#include "server/physics/stations/hands/reaching.h"
 #include "server/physics/stations/islands/island_builder.h"
 #include "server/physics/stations/islands/recover_tangled.h"
 #include "server/physics/stations/islands/sleep.h"
@@ -37,9 +38,12 @@ void advance_part(State& s, StepBuffers& b, PhaseClock& clock, StepReport& repor
   refresh(b.colliders, s.bodies, s.hands, s.dissection.blades);
   const contact::SoftContacts& touching = b.contacts.find(s, b.colliders, b.h);  // wakes touched bodies
   clock.end(Phase::narrow);
-  const std::vector<rigid::MixedIsland>& mixed = find_islands(s.bodies, s.hands, touching, b.grips, b.h);
+  const std::vector<rigid::RigidContact> reached = reached_bodies(s.bodies, b.colliders, s.hands, b.h);
+  const std::vector<rigid::MixedIsland>& mixed =
+      find_islands(s.bodies, s.hands, reached, touching, b.grips, b.h);
   clock.end(Phase::rigid);  // includes the islands that Bullet solves inside find_islands()
-  IslandBuilder(s.bodies, s.hands, touching, b.colliders, b.grips, b.h).build(mixed, b.islands, b.pads);
+  IslandBuilder(s.bodies, s.hands, reached, touching, b.colliders, b.grips, b.h)
+      .build(mixed, b.islands, b.pads);
   clock.end(Phase::islands);
   b.last_good = motions(world);
   solve_islands(b.islands, b.stepper, s.bodies, touching, b.h, report);

@@ -4,14 +4,12 @@
 
 #include "common/hand.h"
 #include "server/physics/mechanics/contact/margins.h"
+#include "server/physics/stations/hands/capsule_touch.h"
 
 namespace prosector {
 namespace {
 
-constexpr int projections = 4;         // alternating projections to find a pad's nearest point
-constexpr int from_ends = 16;          // the same, from the ends of a segment
 constexpr double places_apart = 2e-3;  // m: least distance of a segment's contacts
-constexpr double line_gap = 2e-4;      // m: difference of gaps within which a segment touches along a line
 
 /// The side of a contact that is a pad of a hand.
 struct PadSide {
@@ -25,41 +23,6 @@ std::optional<PadSide> pad_of(const rigid::RigidContact& touch, std::size_t hand
   const int part = is_b ? touch.part_b : touch.part_a;
   if ((!is_b && touch.a != hand) || part < 1 || part > static_cast<int>(hand_joints)) return std::nullopt;
   return PadSide{is_b, static_cast<std::uint32_t>(part), is_b ? touch.a : touch.b};
-}
-
-/// Returns the contact of a finger segment, with its centre at `pose`, with the body. `along`: position on
-/// the segment's axis, m from its centre. The hand is side a; world frame.
-rigid::RigidContact touch_of(const HandSegment& segment, const Pose& pose, const contact::Collider& body,
-                             double along) {
-  const Vec3 at = pose * Vec3(0, along, 0);
-  const contact::Distance d = contact::distance_to(body, at, contact::contact_margin + segment.radius);
-  rigid::RigidContact out{};
-  out.point_a = at - segment.radius * d.normal;
-  out.point_b = at - d.value * d.normal;
-  out.normal = d.normal;
-  out.gap = d.value - segment.radius;
-  return out;
-}
-
-/// Returns the segment's point nearest to the body, m along its axis, searched from `place`. If the segment
-/// lies along the body, all points between two places are nearly as near. Then it returns a point between
-/// them, closer to the one that is nearer to the body.
-double nearest_along(const HandSegment& segment, const Pose& pose, const contact::Collider& body,
-                     const Vec3& place) {
-  const Pose to_segment = pose.inverse();
-  const double end = segment.length / 2;
-  const auto project = [&](const Vec3& x) { return std::clamp((to_segment * x).y(), -end, end); };
-  const auto search = [&](double along, int times) {
-    for (int i = 0; i < times; ++i) along = project(touch_of(segment, pose, body, along).point_b);
-    return along;
-  };
-  const auto gap = [&](double along) { return touch_of(segment, pose, body, along).gap; };
-  const double nearest = search(project(place), projections), low = search(-end, from_ends),
-               high = search(end, from_ends);
-  const double below = gap(low), above = gap(high);
-  if (std::max(below, above) > gap(nearest) + line_gap) return nearest;
-  const double share = std::clamp(0.5 + (below - above) / (2 * line_gap), 0.0, 1.0);
-  return low + share * (high - low);
 }
 
 }  // namespace
@@ -97,11 +60,13 @@ void place_pads(const Bodies& bodies, std::span<const contact::Collider> collide
   for (const rigid::RigidContact& pad : found) {
     const auto part = static_cast<std::size_t>(pad.part_a);
     const HandSegment& segment = hand_segments(hand.side)[part - 1];
+    const Capsule capsule = {segment.length, segment.radius};
     const Pose pose = centre * poses[part];
-    const double nearest = nearest_along(segment, pose, colliders[pad.b], pad.point_a);
+    const double nearest =
+        middle_along(capsule, pose, colliders[pad.b], pad.point_a, contact::contact_margin);
     for (const double along : {nearest, -segment.length / 2, segment.length / 2}) {
       if (along != nearest && std::abs(along - nearest) < places_apart) continue;
-      rigid::RigidContact touch = touch_of(segment, pose, colliders[pad.b], along);
+      rigid::RigidContact touch = touch_of(capsule, pose, colliders[pad.b], along, contact::contact_margin);
       if (!(touch.gap < contact::contact_margin)) continue;
       touch.a = pad.a;
       touch.b = pad.b;

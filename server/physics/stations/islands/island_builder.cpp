@@ -88,6 +88,7 @@ void join_what_a_hand_touches(const hands::Hand& hand, const Bodies& bodies, Lin
 }  // namespace
 
 const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<const hands::Hand> hands,
+                                                    std::span<const rigid::RigidContact> reached,
                                                     const contact::SoftContacts& touching,
                                                     std::span<const organs::BladeGrip> grips, double h) {
   Links links(touching);
@@ -96,16 +97,20 @@ const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<co
       if (c.b.kind == contact::ContactSide::Kind::rigid) links.join_soft(i, c.b.body);
   for (const organs::BladeGrip& grip : grips) links.join_soft(grip.body, grip.slot);
   for (const hands::Hand& hand : hands) join_what_a_hand_touches(hand, bodies, links);
+  for (const rigid::RigidContact& later : reached)
+    if (bodies.rigid.dynamic(later.b)) links.join(later.a, later.b);
   bodies.rigid.find_islands(links.links, links.coupled);
   return bodies.rigid.solve(h);
 }
 
 IslandBuilder::IslandBuilder(Bodies& bodies, std::span<const hands::Hand> hands,
+                             std::span<const rigid::RigidContact> reached,
                              const contact::SoftContacts& touching,
                              std::span<const contact::Collider> colliders,
                              std::span<const organs::BladeGrip> grips, double h)
     : bodies_(bodies),
       hands_(hands),
+      reached_(reached),
       touching_(touching),
       colliders_(colliders),
       grips_(grips),
@@ -156,6 +161,8 @@ void IslandBuilder::add_rigid_contacts(const rigid::MixedIsland& mixed, std::siz
   for (const std::size_t slot : mixed.bodies)
     if (const hands::Hand* hand = hands::hand_at(hands_, slot))
       place_pads(bodies_, colliders_, *hand, touches);
+  for (const rigid::RigidContact& later : reached_)
+    if (std::binary_search(mixed.bodies.begin(), mixed.bodies.end(), later.a)) touches.push_back(later);
   for (const rigid::RigidContact& rc : touches) {
     island.contacts.push_back(contact_of(bodies_.rigid, rc, h_));
     spread_over_pad(bodies_, hands_, rc, index, island.contacts, pads);

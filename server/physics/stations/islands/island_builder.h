@@ -15,8 +15,10 @@
 namespace prosector {
 
 /// Finds the islands of the rigid world: sets of bodies connected by contacts, holds and blades in tissue.
-/// The rigid world immediately solves those without tissue and hands for h s. Returns the other islands.
+/// `reached`: contacts that hands and held bodies make within the tick. The rigid world immediately solves
+/// islands without tissue and hands for h s. Returns the other islands.
 const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<const hands::Hand> hands,
+                                                    std::span<const rigid::RigidContact> reached,
                                                     const contact::SoftContacts& touching,
                                                     std::span<const organs::BladeGrip> grips, double h);
 
@@ -24,9 +26,10 @@ const std::vector<rigid::MixedIsland>& find_islands(Bodies& bodies, std::span<co
 /// from contacts and holds.
 class IslandBuilder {
  public:
-  /// Stores references to the inputs of a tick of h s: bodies, hands, contacts, colliders and ties of blades.
-  /// They must outlive the builder.
-  IslandBuilder(Bodies& bodies, std::span<const hands::Hand> hands, const contact::SoftContacts& touching,
+  /// Stores references to the inputs of a tick of h s: bodies, hands and the contacts that they make within
+  /// the tick, contacts with tissue, colliders and ties of blades. They must outlive the builder.
+  IslandBuilder(Bodies& bodies, std::span<const hands::Hand> hands,
+                std::span<const rigid::RigidContact> reached, const contact::SoftContacts& touching,
                 std::span<const contact::Collider> colliders, std::span<const organs::BladeGrip> grips,
                 double h);
 
@@ -47,6 +50,7 @@ class IslandBuilder {
 
   Bodies& bodies_;
   std::span<const hands::Hand> hands_;
+  std::span<const rigid::RigidContact> reached_;
   const contact::SoftContacts& touching_;
   std::span<const contact::Collider> colliders_;
   std::span<const organs::BladeGrip> grips_;
