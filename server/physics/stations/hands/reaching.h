@@ -11,11 +11,11 @@
 
 namespace prosector {
 
-/// Returns the contacts that parts of hands and of held rigid bodies make within the tick's h s on their way
-/// to the hands' targets, without those that they have at its start. Parts slide along what they already
-/// touch, and bodies are taken to stand still. Each contact has the normal of the first touch and the gap (m)
-/// along that normal at the tick's start. The hand or held body is side a; world frame. Of held bodies, the
-/// long edges of boxes, spheres, capsules and cylinders count.
+/// Returns the contacts that hands and held rigid bodies make within the tick's h s on their way to the
+/// hands' targets. Contacts that they have at the tick's start are not included. Parts of them slide along
+/// what they already touch, and bodies are taken to stand still. Each contact has the normal of the first
+/// touch and the gap (m) along that normal at the tick's start. The hand or held body is side a; world frame.
+/// Of held bodies, the long edges of boxes, spheres, capsules and cylinders count.
 std::vector<rigid::RigidContact> reached_bodies(const Bodies& bodies,
                                                 std::span<const contact::Collider> colliders,
                                                 std::span<const hands::Hand> hands, double h);
