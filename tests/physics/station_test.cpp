@@ -178,6 +178,21 @@ TEST_F(Stations, TheIslandBuilderJoinsWhatTouchesAndLeavesSleepersOut) {
   EXPECT_TRUE(islands[0].ties.empty());
 }
 
+TEST_F(Stations, WhatIsAboutToFallAsleepIsSolvedWithTheTissueThatTouchesIt) {
+  State& state = begin(two_blocks_and_a_ball());
+  put(top_of_first_block() + Vec3(0, 0.0105, 0), Vec3::Zero());
+  state.bodies.rigid.sleep(0, rigid::RigidWorld::Sleep::with_neighbours);
+  state.bodies.soft[0].wake();
+  const Colliders& colliders = look();
+  state.bodies.rigid.detect(h);
+  SoftContactFinder finder(state.bodies.soft.size());
+  const contact::SoftContacts& touching = finder.find(state, colliders, h);
+  ASSERT_FALSE(touching.with_rigid[0].empty());
+  const auto& mixed = find_islands(state.bodies, state.hands, {}, touching, {}, h);
+  ASSERT_EQ(mixed.size(), 1U);
+  EXPECT_EQ(mixed[0].bodies, std::vector<std::size_t>{0});
+}
+
 TEST_F(Stations, AHoldPullsByItsSpringUpToItsBound) {
   State& state = begin(two_blocks_and_a_ball());
   appear(state, 1, right_hand);

@@ -384,7 +384,12 @@ void RigidWorld::find_islands(std::span<const std::pair<std::size_t, std::size_t
   for (const auto& [a, b] : links) bodies.emplace_back(&impl_->at(a), &impl_->at(b));
   impl_->world.find_islands(bodies);
   impl_->coupled.assign(impl_->bodies.size(), 0);
-  for (const std::size_t slot : coupled) impl_->coupled[slot] = 1;
+  for (const std::size_t slot : coupled) {
+    impl_->coupled[slot] = 1;
+    // Otherwise Bullet would put the body to sleep in this step and pass over its island.
+    if (btRigidBody& b = impl_->at(slot); b.getActivationState() == WANTS_DEACTIVATION)
+      b.forceActivationState(ACTIVE_TAG);
+  }
   impl_->couple_unequal();
 }
 

@@ -128,7 +128,8 @@ class RigidWorld {
   void detect(double h);
   /// Groups the bodies into islands: bodies connected by contacts or by `links`, which are pairs of slots. An
   /// island with a body in `coupled` (slots), or with a contact of two bodies of very different mass, is a
-  /// mixed one, which Bullet does not solve. Second phase of a step.
+  /// mixed one, which Bullet does not solve. Bodies in `coupled` don't fall asleep in this step. Second
+  /// phase.
   void find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
                     std::span<const std::size_t> coupled);
   /// Solves the contacts of islands that are not mixed, for a step of `h` s. Returns the mixed islands, which

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
 #include "server/physics/mechanics/contact/flat_elements.h"
 #include "server/physics/mechanics/contact/rigid_contact_stiffness.h"
 #include "server/physics/mechanics/coupled/restitution.h"
@@ -190,6 +191,7 @@ void IslandBuilder::add_soft_members(std::vector<coupled::Island>& islands) {
       at = islands.size();
       islands.emplace_back();
     }
+    PROSECTOR_ASSERT(*at < islands.size());
     coupled::Island& island = islands[*at];
     island.soft.push_back({tissue.index, tissue.solver.get(), &tissue.state, &tissue.equilibrium});
     const std::vector<contact::Contact>& contacts = touching_.with_rigid[tissue.index];
