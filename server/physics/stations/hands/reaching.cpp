@@ -74,7 +74,7 @@ std::vector<std::pair<Vec3, Vec3>> long_edges(const Vec3& half) {
 /// Adds the parts of a held body.
 void add_held(const contact::Collider& body, const Pose& centre, std::vector<MovedPart>& out) {
   const auto add = [&](const Vec3& from, const Vec3& to, double radius) {
-    const Quat turned = rotation_between(Vec3::UnitY(), to - from);
+    const Quat turned = from == to ? Quat::Identity() : rotation_between(Vec3::UnitY(), to - from);
     out.push_back(
         {body.slot, {(to - from).norm(), radius}, centre.inverse() * Pose{(from + to) / 2, turned}});
   };
