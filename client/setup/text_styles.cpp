@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace prosector {
 namespace {
 
@@ -29,6 +31,14 @@ void quiet(const std::string& words) {
 
 void warning(const std::string& words) {
   coloured({1, 0.62f, 0.4f, 1}, words);
+}
+
+void keep_space_for(const std::string& other) {
+  const ImVec2 text = ImGui::GetItemRectMin(), next = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x - text.x;
+  const float height = ImGui::CalcTextSize(other.c_str(), nullptr, false, width).y;
+  const float bottom = text.y + height + ImGui::GetStyle().ItemSpacing.y;
+  ImGui::SetCursorScreenPos({next.x, std::max(next.y, bottom)});
 }
 
 }  // namespace prosector

@@ -16,4 +16,8 @@ void wrapped(const std::string& words);
 void quiet(const std::string& words);
 void warning(const std::string& words);
 
+/// Leaves below the text just drawn at least the space that `other` would need in its place, so that what
+/// follows does not move while such texts replace each other.
+void keep_space_for(const std::string& other);
+
 }  // namespace prosector

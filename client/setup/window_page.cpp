@@ -19,6 +19,7 @@ namespace {
 constexpr std::int64_t list_again_ns = 2'000'000'000, held_ns = 500'000'000;
 constexpr double mm = 1000;  // per metre
 constexpr const char* face_driver = "face:";
+const Vec3 far_eyes(-2, -2, 2);  // m, before the screen: the texts for them are long
 
 /// Lists cameras with their face-tracker addresses.
 std::vector<FoundDevice> face_cameras() {
@@ -188,19 +189,24 @@ void WindowPage::draw_seen(Interface& ui, const WindowSettings& window, std::int
   const std::optional<Vec3> at = eyes(now_ns);
   const std::string& problem = watch_->devices().front().status.message;
   const std::string distance = at ? distance_text(ui.words(), *at, screen) : ui.tr("No eyes detected.");
+  // Eyes are lost and found again many times: nothing below their texts moves.
   ImGui::SetWindowFontScale(1.35f);
   wrapped(distance);
+  keep_space_for(distance_text(ui.words(), far_eyes, screen));
   ImGui::SetWindowFontScale(1);
   if (at) ui.note("reported: eyes " + distance);
   wrapped(at ? direction_text(ui.words(), *at) : "");
+  keep_space_for(direction_text(ui.words(), far_eyes));
   if (ImGui::Button(ui.tr("Restart camera"))) is_old_ = true;
   ui.note("look anew");
   ImGui::SameLine();
-  // Next to the button, so that an intermittent message moves nothing below.
+  const char* const advice =
+      ui.tr("Check with a ruler: distance from the lens to the point between your eyes.");
   if (problem.empty())
-    quiet(ui.tr("Check with a ruler: distance from the lens to the point between your eyes."));
+    quiet(advice);
   else
     warning(problem);
+  keep_space_for(advice);
   ui.note("window trouble: " + problem);
   draw_eye_position(ui, at, screen);
 }

@@ -124,6 +124,25 @@ TEST_F(FacePage, TellsWhereTheEyesAreAndWritesWhatARulerSaid) {
   EXPECT_LT(room.reported("eyes "), 0.7 * from_camera);
 }
 
+// Who moves to the button while the camera loses their face must not miss it.
+TEST_F(FacePage, NothingMovesWhenEyesAreFound) {
+  const FaceFolder folder("moving");
+  write_file(folder.path / "void.toml",
+             "[[camera]]\nrate = 10\nrays = 1\nwidth = 320\nheight = 240\nfocal = 300\n");
+  const std::string with_a_face = folder.camera();
+  PagesRoom room("# my screen\n", 1);
+  room.click("Window");
+  room.type("window.address", "face:synthetic:" + (folder.path / "void.toml").string());
+  room.until([&] { return shown_problem(room).find("no face detected") != std::string::npos; });
+  ASSERT_FALSE(is_seen(room));
+  const PlacedControl without = room.control("save");
+  room.type("window.address", with_a_face);
+  room.until([&] { return is_seen(room); });
+  ASSERT_TRUE(is_seen(room));
+  EXPECT_EQ(room.control("save").top, without.top);
+  EXPECT_EQ(room.control("save").left, without.left);
+}
+
 TEST_F(FacePage, RefusesWhatNoScreenHasAndKeepsTheRest) {
   const FaceFolder folder("refused");
   PagesRoom room("[window]\naddress = \"" + folder.camera() + "\"\n", 1);
