@@ -68,6 +68,13 @@ struct Contact {
   /// bodies' momenta.
   Vec3 exchanged = Vec3::Zero();
   Vec3 grip_after = Vec3::Zero();  // as grip, at the tick's end
+
+  /// Sets the results to those of a contact that stays open.
+  void clear_results() {
+    force = 0;
+    exchanged.setZero();
+    grip_after.setZero();
+  }
 };
 
 /// Spring of bounded force between a point of side a and a point of side b. It models a hand's hold, or

@@ -17,13 +17,10 @@ constexpr double unsettled_normal = 0.1, unsettled_friction = 0.05, unsettled_sp
 constexpr double stick_speed = 5e-4;  // m/s: contacts without slip memory stick below this speed
 
 /// Returns a side's position at the tick's start by the linear map of the unknowns, minus its kinematic
-/// motion, m.
-Vec3 start_of(const Island& island, const IslandLayout& layout, const contact::ContactSide& side) {
+/// motion, m. `start`: positions of the soft nodes, m; `joined`: the same side.
+Vec3 start_of(const VecX& start, const contact::ContactSide& side, const JointSide& joined) {
   Vec3 x = -side.moved;
-  if (side.kind != contact::ContactSide::Kind::soft) return x;
-  const VecX& nodes = island.soft[layout.soft_members[side.body]].state->motion.x;
-  for (std::size_t k = 0; k < side.nodes; ++k)
-    x += side.weight[k] * nodes.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  for (std::size_t k = 0; k < joined.nodes; ++k) x += joined.weight[k] * start.segment<3>(joined.offset[k]);
   return x;
 }
 
@@ -43,34 +40,64 @@ void IslandJoints::begin(Island& island, const IslandLayout& layout, double h) {
   island_ = &island;
   layout_ = &layout;
   h_ = h;
-  contacts_.resize(island.contacts.size());
-  ties_.clear();
-  for_contacts(contacts_.size(), [&](std::size_t i) {
-    const contact::Contact& c = island.contacts[i];
-    contacts_[i] = join(c.a, c.b);
-    contacts_[i].threshold =
-        c.feature != contact::Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
-  });
-  for (const contact::Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  start_.resize(layout.rigid_begin);
+  for (std::size_t m = 0; m < island.soft.size(); ++m)
+    start_.segment(layout.soft[m], 3 * island.soft[m].body->nodes()) = island.soft[m].state->motion.x;
+  reach_.begin(island, layout, start_);
+  joined_ = reach_.listed();
+  contacts_.resize(joined_.size());
+  for_contacts(contacts_.size(), [&](std::size_t c) { contacts_[c] = join_contact(joined_[c]); });
   lagged_.assign(contacts_.size(), 0);
+  ties_.clear();
+  for (const contact::Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
   untaken_ = 1;
 }
 
 Joint IslandJoints::join(const contact::ContactSide& a, const contact::ContactSide& b) const {
-  return {layout_->resolve(a), layout_->resolve(b),
-          start_of(*island_, *layout_, a) - start_of(*island_, *layout_, b)};
+  Joint joint{layout_->resolve(a), layout_->resolve(b), Vec3::Zero()};
+  joint.at_start = start_of(start_, a, joint.a) - start_of(start_, b, joint.b);
+  return joint;
+}
+
+Joint IslandJoints::join_contact(std::uint32_t contact) const {
+  const contact::Contact& c = island_->contacts[contact];
+  Joint joint = join(c.a, c.b);
+  joint.threshold =
+      c.feature != contact::Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h_;
+  return joint;
+}
+
+/// Joins the contacts that may act at the unknowns q too. Until now they had no force.
+void IslandJoints::cover(const VecX& q) {
+  if (!reach_.cover(q)) return;
+  const std::vector<std::uint32_t>& listed = reach_.listed();
+  fewer_.swap(contacts_);
+  fewer_lagged_.swap(lagged_);
+  contacts_.resize(listed.size());
+  lagged_.assign(listed.size(), 0);
+  std::size_t known = 0;
+  for (std::size_t c = 0; c < listed.size(); ++c) {
+    if (known == joined_.size() || joined_[known] != listed[c]) {
+      contacts_[c] = join_contact(listed[c]);
+      continue;
+    }
+    contacts_[c] = fewer_[known];
+    lagged_[c] = fewer_lagged_[known++];
+  }
+  PROSECTOR_ASSERT(known == joined_.size());
+  joined_ = listed;
 }
 
 /// Returns the slip of friction at the tick's start, m. If the normal force grows, friction keeps its force;
 /// if it falls, friction keeps its elastic slip. A spring that stiffens while it is stretched would return
 /// more energy than it stored (Thornton and Randall 1988).
 Vec3 IslandJoints::held_slip(std::size_t c) const {
-  const contact::Contact& contact = island_->contacts[c];
-  if (contact.grip.isZero(0)) return contact.grip;
-  const double before = contact.friction * contact.gripped, stretch = std::min(1.0, contact.grip.norm());
+  const contact::Contact& held = contact(c);
+  if (held.grip.isZero(0)) return held.grip;
+  const double before = held.friction * held.gripped, stretch = std::min(1.0, held.grip.norm());
   const double share = lagged_[c] > before ? before / lagged_[c] : 1;
   const double now = 1 - std::sqrt(1 - share * stretch * (2 - stretch));
-  const Vec3 across = contact.grip - contact.normal.dot(contact.grip) * contact.normal;
+  const Vec3 across = held.grip - held.normal.dot(held.grip) * held.normal;
   return slip_threshold * now / stretch * across;
 }
 
@@ -80,8 +107,9 @@ Vec3 IslandJoints::tie_force(std::size_t t, const VecX& q) const {
   return contact::BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
 }
 
-void IslandJoints::add_energy(const VecX& q, double& sum) const {
+void IslandJoints::add_energy(const VecX& q, double& sum) {
   PROSECTOR_ASSERT(q.size() == layout_->size);
+  cover(q);
   energies_.resize(contacts_.size());
   for_contacts(contacts_.size(),
                [&](std::size_t c) { energies_[c] = contact_energy(c, displacement(contacts_[c], q)); });
@@ -93,7 +121,7 @@ void IslandJoints::add_energy(const VecX& q, double& sum) const {
   }
 }
 
-void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
+void IslandJoints::add_gradient(const VecX& q, VecX& g) {
   PROSECTOR_ASSERT(q.size() == layout_->size && g.size() == layout_->size);
   find_forces(q);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -108,7 +136,8 @@ void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
   }
 }
 
-void IslandJoints::find_forces(const VecX& q) const {
+void IslandJoints::find_forces(const VecX& q) {
+  cover(q);
   forces_.resize(contacts_.size());
   for_contacts(contacts_.size(),
                [&](std::size_t c) { forces_[c] = contact_force(c, displacement(contacts_[c], q), nullptr); });
@@ -116,6 +145,7 @@ void IslandJoints::find_forces(const VecX& q) const {
 
 void IslandJoints::linearise(const VecX& q) {
   PROSECTOR_ASSERT(q.size() == layout_->size);
+  cover(q);
   for_contacts(contacts_.size(), [&](std::size_t c) {
     contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
   });
@@ -126,12 +156,13 @@ void IslandJoints::linearise(const VecX& q) {
   }
 }
 
-void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& work) const {
+void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& work) {
   PROSECTOR_ASSERT(start.size() == layout_->size && q.size() == layout_->size &&
                    work.size() == island_->soft.size());
   const auto add = [&](const JointSide& side, const Vec3& force) {
     if (side.nodes > 0) work[side.member] += force.dot(moved_by(side, q) - moved_by(side, start));
   };
+  cover(q);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
     add(contacts_[c].a, -f);
@@ -145,20 +176,21 @@ void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& w
 }
 
 double IslandJoints::normal_force(std::size_t c, const VecX& q) const {
-  const contact::Contact& contact = island_->contacts[c];
-  const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
-  return std::max(0.0, -contact::EvenSpring{contact.stiffness, contact.spread}.slope(gap));
+  const contact::Contact& pressed = contact(c);
+  const double gap = pressed.gap + pressed.normal.dot(displacement(contacts_[c], q));
+  return std::max(0.0, -contact::EvenSpring{pressed.stiffness, pressed.spread}.slope(gap));
 }
 
 double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
-  const std::uint32_t bearer = island_->contacts[c].bearer;
-  PROSECTOR_ASSERT(bearer <= c);
+  const std::uint32_t bearer = contact(c).bearer;
+  PROSECTOR_ASSERT(bearer <= c && joined_[c - bearer] == joined_[c] - bearer);
   return bearer > 0 ? normal_force(c - bearer, q) / contact::patch_points : normal_force(c, q);
 }
 
 void IslandJoints::lag_friction(const VecX& q) {
+  cover(q);
   for_contacts(contacts_.size(), [&](std::size_t c) {
-    lagged_[c] = island_->contacts[c].friction * load_of_friction(c, q);
+    lagged_[c] = contact(c).friction * load_of_friction(c, q);
     contacts_[c].held = held_slip(c);
   });
 }
@@ -199,7 +231,7 @@ bool IslandJoints::unsettled(const VecX& q) {
     const Vec3& force = forces_[c];
     const Vec3 off = force - joint.foreseen;
     if (force.isZero(0) && off.isZero(0) && lagged_[c] == 0) continue;
-    const Vec3& n = island_->contacts[c].normal;
+    const Vec3& n = contact(c).normal;
     const double along = n.dot(off);
     const Load load = {-n.dot(force), std::abs(along), lagged_[c], (off - along * n).norm()};
     add_load(joint.a, load);
@@ -217,15 +249,15 @@ bool IslandJoints::unsettled(const VecX& q) {
   return false;
 }
 
-void IslandJoints::write_joint_forces(const VecX& q, bool all_held) const {
-  PROSECTOR_ASSERT(q.size() == layout_->size && island_->contacts.size() == contacts_.size() &&
-                   island_->ties.size() == ties_.size());
+void IslandJoints::write_joint_forces(const VecX& q, bool all_held) {
+  PROSECTOR_ASSERT(q.size() == layout_->size && island_->ties.size() == ties_.size());
+  cover(q);
   const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
+  for (contact::Contact& contact : island_->contacts) contact.clear_results();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    contact::Contact& contact = island_->contacts[c];
+    contact::Contact& contact = island_->contacts[joined_[c]];
     contact.force = normal_force(c, q);
     contact.exchanged = -contacts_[c].exchanged / taken;
-    contact.grip_after.setZero();
     if (!(lagged_[c] > 0)) continue;
     const Vec3 u = displacement(contacts_[c], q);
     const Vec3 slip = u - contact.normal.dot(u) * contact.normal + contacts_[c].held;
@@ -236,18 +268,18 @@ void IslandJoints::write_joint_forces(const VecX& q, bool all_held) const {
 }
 
 double IslandJoints::contact_energy(std::size_t c, const Vec3& u) const {
-  const contact::Contact& contact = island_->contacts[c];
-  const double along = contact.normal.dot(u);
-  const double slip = (u - along * contact.normal + contacts_[c].held).norm();
-  return contact::EvenSpring{contact.stiffness, contact.spread}.energy(contact.gap + along) +
+  const contact::Contact& pressed = contact(c);
+  const double along = pressed.normal.dot(u);
+  const double slip = (u - along * pressed.normal + contacts_[c].held).norm();
+  return contact::EvenSpring{pressed.stiffness, pressed.spread}.energy(pressed.gap + along) +
          lagged_[c] * contact::FrictionNorm{contacts_[c].threshold}.energy(slip);
 }
 
 Vec3 IslandJoints::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
-  const contact::Contact& contact = island_->contacts[c];
-  const Vec3& n = contact.normal;
-  const double along = n.dot(u), gap = contact.gap + along;
-  const contact::EvenSpring area{contact.stiffness, contact.spread};
+  const contact::Contact& pressed = contact(c);
+  const Vec3& n = pressed.normal;
+  const double along = n.dot(u), gap = pressed.gap + along;
+  const contact::EvenSpring area{pressed.stiffness, pressed.spread};
   const Vec3 slip = u - along * n + contacts_[c].held;
   const double drag =
       lagged_[c] > 0 ? lagged_[c] * contact::FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;

@@ -28,7 +28,6 @@ void IslandSystem::begin(Island& island, double h) {
   layout_.begin(island);
   joints_.begin(island, layout_, h);
   rigid_.begin(island, layout_, joints_, h);
-  stiff_.reserve(joints_.contacts().size() + joints_.ties().size());
   node_blocks_.resize(static_cast<std::size_t>(layout_.rigid_begin / 3));
   node_inverse_.resize(node_blocks_.size());
 }
@@ -68,14 +67,14 @@ double IslandSystem::stored_in_tissue(const VecX& q) const {
   return sum;
 }
 
-double IslandSystem::stored_in_joints(const VecX& q) const {
+double IslandSystem::stored_in_joints(const VecX& q) {
   double sum = energy_but_soft(q);
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     sum -= inertia_energy(island_->rigid[m], q.segment<6>(layout_.rigid(m)), h_);
   return sum;
 }
 
-double IslandSystem::energy_but_soft(const VecX& q) const {
+double IslandSystem::energy_but_soft(const VecX& q) {
   PROSECTOR_ASSERT(island_ != nullptr && q.size() == layout_.size);
   double sum = 0;
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)

@@ -22,7 +22,6 @@ class IslandSystem final : public soft::LinearOperator {
 
   const IslandLayout& layout() const { return layout_; }
   IslandJoints& joints() { return joints_; }
-  const IslandJoints& joints() const { return joints_; }
 
   /// Sets the unknowns q to the starting point of the Newton iteration: the soft bodies' own prediction, and
   /// motion at constant velocity for rigid bodies. With free fall instead, contacts would start deep, and
@@ -38,14 +37,14 @@ class IslandSystem final : public soft::LinearOperator {
   /// Returns the island's energy (J) after joints().lag_friction() changed the friction limits. `q` must be
   /// the same unknowns as in the last call of energy(), whose soft-body energy is reused instead of visiting
   /// the elements.
-  double energy_with_new_friction(const VecX& q) const { return soft_energy_ + energy_but_soft(q); }
+  double energy_with_new_friction(const VecX& q) { return soft_energy_ + energy_but_soft(q); }
   /// Returns the energy (J) stored in tissue and its attachments, including the tick's dissipation by
   /// stiffness-proportional damping, without inertia. `q` must be the same unknowns as in the last call of
   /// energy().
   double stored_in_tissue(const VecX& q) const;
   /// Returns the energy (J) stored in contacts, ties and hands' pulls on rigid bodies at the unknowns q, with
   /// the friction limits last set by joints().lag_friction().
-  double stored_in_joints(const VecX& q) const;
+  double stored_in_joints(const VecX& q);
 
   /// Computes the deformation data of the soft bodies' elements at the unknowns q, which the evaluation of
   /// energy, gradient and Hessian at q uses.
@@ -70,7 +69,7 @@ class IslandSystem final : public soft::LinearOperator {
   void multigrid(const VecX& r, VecX& z) const override;
 
  private:
-  double energy_but_soft(const VecX& q) const;
+  double energy_but_soft(const VecX& q);
   bool assemble_soft(const VecX& q, bool exact);
   void assemble_joints(const VecX& q);
   void add_block(const JointSide& side, const Mat3& D);

@@ -5,6 +5,7 @@
 
 #include "server/physics/mechanics/contact/area_rule.h"
 #include "server/physics/mechanics/contact/dent.h"
+#include "server/physics/mechanics/contact/part_boxes.h"
 #include "server/physics/mechanics/contact/vertex_gap.h"
 #include "server/physics/stations/touching/pressed_patch.h"
 #include "server/physics/stations/touching/rigid_soft_contacts.h"
@@ -25,6 +26,7 @@ constexpr double dent_of_radius = 1.0 / 3, part_of_cell = 0.4;
 
 constexpr double least_facing = 0.5;  // cosine: steeper points count as this steep
 constexpr double from_inside = 0.5;   // cosine between outward normals of tissue and collider
+constexpr double rounding = 1e-9;     // m
 
 /// A point of the surface near a collider.
 struct Met {
@@ -77,6 +79,8 @@ class AreaContacts {
         out_(out),
         surface_(tissue.anatomy().surface),
         still_(collider.fixed && !collider.driven_to),
+        flat_(!tissue.desc().configuration.is_quadratic()),
+        parts_(collider, margin + rounding),
         patches_(collider.parts->size()) {
     other_.body = collider.slot;
   }
@@ -108,6 +112,9 @@ class AreaContacts {
     const contact::SurfaceDetector& places = tissue_.surface.vertices();
     places.near_triangles(collider_, margin_, [&](std::uint32_t triangle) {
       const auto x = places.corners(triangle);
+      const std::vector<std::uint32_t>& parts =
+          parts_.meeting(x[0].cwiseMin(x[1]).cwiseMin(x[2]), x[0].cwiseMax(x[1]).cwiseMax(x[2]));
+      if (flat_ && parts.empty()) return;
       const Vec3 middle = (x[0] + x[1] + x[2]) / 3;
       double reach = 0;
       for (const Vec3& corner : x) reach = std::max(reach, (corner - middle).norm());
@@ -115,7 +122,7 @@ class AreaContacts {
       if (d.value > reach + margin_) return;
       if (division(area_of(triangle), d.curvature) == contact::Division::corners) return;
       if (!still_ && places.stretch(triangle) >= most_stretch) return;
-      meet_points(triangle, d.curvature);
+      meet_points(triangle, x, d.curvature, parts);
     });
   }
 
@@ -135,20 +142,31 @@ class AreaContacts {
     return contact::division_for(area, curvature, tissue_.desc().configuration.is_quadratic());
   }
 
-  void meet_points(std::uint32_t triangle, double curvature) {
+  /// Stores the points of the triangle that are near the collider. `x`: its corners; `parts`: indices of the
+  /// collider's parts that may be near it.
+  void meet_points(std::uint32_t triangle, const std::array<Vec3, 3>& x, double curvature,
+                   std::span<const std::uint32_t> parts) {
     const double area = area_of(triangle);
-    const contact::Division parts = division(area, curvature);
+    const contact::Division division = this->division(area, curvature);
     const auto first = static_cast<std::uint32_t>(surface_.positions.size()) +
-                       contact::most_face_points * triangle + contact::first_face_point(parts);
+                       contact::most_face_points * triangle + contact::first_face_point(division);
     const Vec3 outward = tissue_.surface.vertices().outward(triangle);
     const double size = curvature >= least_round ? element_size(tissue_, triangle) : 0;
-    const auto points = contact::face_points(parts);
+    const auto points = contact::face_points(division);
     for (std::uint32_t p = 0; p < points.size(); ++p) {
-      const contact::ContactSide side = surface_side(tissue_, triangle, points[p].weights);
-      const contact::Distance d = contact::distance_to(collider_, place_of(side, tissue_), margin_);
+      const Vec3& w = points[p].weights;
+      if (flat_ && distance(w[0] * x[0] + w[1] * x[1] + w[2] * x[2], parts).value > margin_ + rounding)
+        continue;
+      const contact::ContactSide side = surface_side(tissue_, triangle, w);
+      const contact::Distance d = distance(place_of(side, tissue_), parts);
       if (d.value > margin_) continue;
       meet({side, d, first + p, area * points[p].share, size, outward, aslant(outward, d.normal)});
     }
+  }
+
+  contact::Distance distance(const Vec3& x, std::span<const std::uint32_t> parts) const {
+    return flat_ ? contact::distance_to(collider_, x, margin_ + rounding, parts)
+                 : contact::distance_to(collider_, x, margin_);
   }
 
   /// Stores the point, and adds its last force to the patch that this part of the collider presses.
@@ -203,22 +221,25 @@ class AreaContacts {
     c.feature = met.feature;
     soften(met, c);
     contact::recall(met.memory, c);
-    if (stiffness.beyond > 0) add_beyond(met, stiffness.beyond, c);
+    if (stiffness.beyond > 0) add_beyond(met, stiffness.beyond);
   }
 
-  /// Adds the contact beyond the depth of a dent, if the point may get so deep in this tick.
-  void add_beyond(const Met& met, double stiffness, contact::Contact first) const {
+  /// Adds the contact beyond the depth of a dent, if the last one, which is up to that depth, may get so deep
+  /// in this tick.
+  void add_beyond(const Met& met, double stiffness) const {
     const double radius = ball_radius(met.nearest),
-                 without = radius - part_of_cell * tissue_.desc().geometry.surface_cell;
-    first.rest = -std::max(dent_of_radius * radius, without) / 2;
-    first.gap -= first.rest;
-    if (first.gap > margin_) return;
-    first.stiffness = stiffness;
-    first.feature += points_of(surface_);
-    first.grip.setZero();
-    first.gripped = 0;
-    contact::recall(met.beyond, first);
-    out_.push_back(first);
+                 without = radius - part_of_cell * tissue_.desc().geometry.surface_cell,
+                 rest = -std::max(dent_of_radius * radius, without) / 2;
+    if (out_.back().gap - rest > margin_) return;
+    contact::Contact c = out_.back();
+    c.rest = rest;
+    c.gap -= rest;
+    c.stiffness = stiffness;
+    c.feature += points_of(surface_);
+    c.grip.setZero();
+    c.gripped = 0;
+    contact::recall(met.beyond, c);
+    out_.push_back(c);
   }
 
   /// Makes the gap the mean over the point's area, with a spread by the angle between the surfaces.
@@ -239,6 +260,8 @@ class AreaContacts {
   std::vector<contact::Contact>& out_;
   const TriangleMesh& surface_;
   bool still_;
+  bool flat_;  // triangles are flat: the points of linear elements are those between the corners
+  contact::PartBoxes parts_;
   contact::ContactSide other_;
   std::vector<Met> met_;
   std::vector<PressedPatch> patches_;  // by part of the collider
