@@ -28,7 +28,7 @@ Vec3 start_of(const VecX& start, const contact::ContactSide& side, const JointSi
 template <class F>
 void for_contacts(std::size_t n, const F& f) {
   constexpr std::size_t at_once = 128;
-  parallel_chunks(n, at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_short_chunks(n, at_once, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t c = first; c < last; ++c) f(c);
   });
 }

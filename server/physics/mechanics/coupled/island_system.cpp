@@ -105,10 +105,11 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
   const bool kept = assemble_soft(q, exact);
   rigid_.assemble(q);
   assemble_joints(q);
-  parallel_chunks(node_blocks_.size(), nodes_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    for (std::size_t i = first; i < last; ++i) node_inverse_[i] = node_blocks_[i].inverse();
-                  });
+  parallel_short_chunks(node_blocks_.size(), nodes_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t i = first; i < last; ++i)
+                            node_inverse_[i] = node_blocks_[i].inverse();
+                        });
   product_.set(layout_, stiff_);
   rigid_.factor(stiff_, product_);
   return kept;
@@ -162,13 +163,13 @@ void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
 void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
   PROSECTOR_ASSERT(r.size() == layout_.size);
   z.resize(layout_.size);
-  parallel_chunks(node_inverse_.size(), nodes_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    for (std::size_t i = first; i < last; ++i) {
-                      const auto at = 3 * static_cast<Eigen::Index>(i);
-                      z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
-                    }
-                  });
+  parallel_short_chunks(node_inverse_.size(), nodes_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            const auto at = 3 * static_cast<Eigen::Index>(i);
+                            z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
+                          }
+                        });
   rigid_.precondition(r, z);
 }
 

@@ -94,7 +94,7 @@ void JointProduct::list_bodies(const IslandLayout& layout) {
 
 template <class F>
 void JointProduct::for_rows(const F& f) const {
-  parallel_chunks(rows_.size(), rows_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_short_chunks(rows_.size(), rows_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t r = first; r < last; ++r) force_[r] = f(rows_[r]);
   });
 }
@@ -106,27 +106,29 @@ Vec3 JointProduct::moved_nodes(std::uint32_t begin, std::uint32_t end, const Vec
 }
 
 void JointProduct::add_to_nodes(VecX& out) const {
-  parallel_chunks(nodes_.at.size(), nodes_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t n = first; n < last; ++n) {
-      auto sum = out.segment<3>(nodes_.at[n]);
-      for (std::uint32_t i = nodes_.begin[n]; i < nodes_.begin[n + 1]; ++i)
-        sum += shares_[i].weight * force_[shares_[i].row];
-    }
-  });
+  parallel_short_chunks(nodes_.at.size(), nodes_at_once,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t n = first; n < last; ++n) {
+                            auto sum = out.segment<3>(nodes_.at[n]);
+                            for (std::uint32_t i = nodes_.begin[n]; i < nodes_.begin[n + 1]; ++i)
+                              sum += shares_[i].weight * force_[shares_[i].row];
+                          }
+                        });
 }
 
 void JointProduct::add_to_bodies(VecX& out) const {
-  parallel_chunks(bodies_.at.size(), bodies_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t n = first; n < last; ++n) {
-      auto force = out.segment<3>(bodies_.at[n]), moment = out.segment<3>(bodies_.at[n] + 3);
-      for (std::uint32_t i = bodies_.begin[n]; i < bodies_.begin[n + 1]; ++i) {
-        const auto [r, is_b] = moments_[i];
-        const Vec3 f = is_b ? Vec3(-force_[r]) : force_[r];
-        force += f;
-        moment += (is_b ? rows_[r].arm_b : rows_[r].arm_a).cross(f);
-      }
-    }
-  });
+  parallel_short_chunks(
+      bodies_.at.size(), bodies_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t n = first; n < last; ++n) {
+          auto force = out.segment<3>(bodies_.at[n]), moment = out.segment<3>(bodies_.at[n] + 3);
+          for (std::uint32_t i = bodies_.begin[n]; i < bodies_.begin[n + 1]; ++i) {
+            const auto [r, is_b] = moments_[i];
+            const Vec3 f = is_b ? Vec3(-force_[r]) : force_[r];
+            force += f;
+            moment += (is_b ? rows_[r].arm_b : rows_[r].arm_a).cross(f);
+          }
+        }
+      });
 }
 
 void JointProduct::multiply(const VecX& p, VecX& Hp) const {

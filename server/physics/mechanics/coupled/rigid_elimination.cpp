@@ -71,10 +71,11 @@ void RigidElimination::solve(const VecX& r, VecX& z) const {
     block_.solve(r.tail(size), z.tail(size));
     return;
   }
-  parallel_chunks(factors_.size(), factors_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t m = first; m < last; ++m)
-      z.segment<6>(layout_->rigid(m)) = factors_[m].solve(r.segment<6>(layout_->rigid(m)));
-  });
+  parallel_short_chunks(
+      factors_.size(), factors_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t m = first; m < last; ++m)
+          z.segment<6>(layout_->rigid(m)) = factors_[m].solve(r.segment<6>(layout_->rigid(m)));
+      });
 }
 
 void RigidElimination::multiply(const VecX& p, VecX& Hp) const {

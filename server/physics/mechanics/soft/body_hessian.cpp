@@ -116,14 +116,15 @@ void BodyHessian::take_rows() {
 /// Sets diagonal_ to the elements' diagonal blocks plus inertia and attachments.
 template <class F>
 void BodyHessian::add_diagonal(const F& of_elements) {
-  parallel_chunks(nodes(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      diagonal_[i] = of_elements(i);
-      diagonal_[i].diagonal().array() +=
-          weights_.inertia * system_.mass[row] + weights_.scale() * system_.attached[row];
-    }
-  });
+  parallel_short_chunks(
+      nodes(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i) {
+          const auto row = static_cast<Eigen::Index>(i);
+          diagonal_[i] = of_elements(i);
+          diagonal_[i].diagonal().array() +=
+              weights_.inertia * system_.mass[row] + weights_.scale() * system_.attached[row];
+        }
+      });
   factored_ = multigrid_set_ = false;
 }
 

@@ -69,7 +69,7 @@ void IncrementalPotential::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<
   if (system_.damped()) damping_.update(x, true);
   const double c = m.desc.material.damping_mass / stage_.dxdv,
                d = m.desc.material.damping_stiffness / stage_.dxdv;
-  parallel_chunks(
+  parallel_short_chunks(
       m.node_count(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
         for (std::size_t node = first; node < last; ++node) {
           const auto i = static_cast<Eigen::Index>(node);

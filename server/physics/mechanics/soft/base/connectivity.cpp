@@ -133,14 +133,15 @@ void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {
 }
 
 void Incidence::add(std::span<const Vec3> f, double* g) const {
-  parallel_chunks(begin_.size() - 1, nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t i = first; i < last; ++i) {
-      Eigen::Map<Vec3> out(g + 3 * i);
-      Vec3 sum = out;
-      for (std::uint32_t corner : corners(i)) sum += f[corner];
-      out = sum;
-    }
-  });
+  parallel_short_chunks(begin_.size() - 1, nodes_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            Eigen::Map<Vec3> out(g + 3 * i);
+                            Vec3 sum = out;
+                            for (std::uint32_t corner : corners(i)) sum += f[corner];
+                            out = sum;
+                          }
+                        });
 }
 
 }  // namespace prosector::soft

@@ -16,11 +16,12 @@ class NodeSum {
   /// of threads. Allocates no memory.
   template <class F>
   double operator()(const F& f) {
-    parallel_chunks(nodes_, nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {
-      double sum = 0;
-      for (std::size_t i = first; i < last; ++i) sum += f(static_cast<Eigen::Index>(i));
-      sums_[chunk] = sum;
-    });
+    parallel_short_chunks(nodes_, nodes_per_chunk,
+                          [&](std::size_t first, std::size_t last, std::size_t chunk) {
+                            double sum = 0;
+                            for (std::size_t i = first; i < last; ++i) sum += f(static_cast<Eigen::Index>(i));
+                            sums_[chunk] = sum;
+                          });
     return ordered_sum(sums_);
   }
 

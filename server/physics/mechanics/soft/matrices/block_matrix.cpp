@@ -140,7 +140,7 @@ void BlockPattern::find_mirrors() {
 
 void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
                           std::span<Mat3> values) const {
-  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_short_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t right = diagonal_[i] + 1;
       for (std::size_t k = right; k < end(i); ++k) {
@@ -168,7 +168,7 @@ void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::spa
 /// Computes the diagonal blocks from the others and makes them exactly symmetric; the sum is symmetric only
 /// up to rounding.
 void BlockPattern::close_rows(std::span<Mat3> values) const {
-  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_short_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       Mat3 sum = Mat3::Zero();
       for (std::size_t k = begin(i); k < diagonal_[i]; ++k) sum += values[k];
@@ -179,7 +179,7 @@ void BlockPattern::close_rows(std::span<Mat3> values) const {
 }
 
 void BlockPattern::multiply(std::span<const Mat3> values, const double* x, double* y) const {
-  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_short_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       double y0 = 0, y1 = 0, y2 = 0;
       for (std::size_t k = begin(i); k < end(i); ++k) {

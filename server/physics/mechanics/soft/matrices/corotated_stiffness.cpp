@@ -305,11 +305,11 @@ double CorotatedStiffness::multiply(const CorotatedElements& elements, const dou
 
 /// Returns ½uᵀKu and, unless `forces` is null, computes the corners' forces.
 double CorotatedStiffness::visit(const CorotatedElements& elements, const double* u, Vec3* forces) {
-  parallel_chunks(connectivity_.nodes(), nodes_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    for (std::size_t i = first; i < last; ++i)
-                      for (std::size_t k = 0; k < 3; ++k) moved_[4 * i + k] = u[3 * i + k];
-                  });
+  parallel_short_chunks(connectivity_.nodes(), nodes_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t i = first; i < last; ++i)
+                            for (std::size_t k = 0; k < 3; ++k) moved_[4 * i + k] = u[3 * i + k];
+                        });
   parallel_chunks(
       connectivity_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {
         const double* x = moved_.data();

@@ -29,15 +29,15 @@ void SymmetricPattern::fit(const BlockPattern& pattern) {
 
 void SymmetricRows::set(const SymmetricPattern& own, const BlockPattern& pattern, double share,
                         std::span<const Mat3> values) {
-  parallel_chunks(pattern.rows(), symmetric_rows_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    for (std::size_t i = first; i < last; ++i) {
-                      float* to = right.data() + 9 * own.begin(i);
-                      for (std::size_t k = pattern.diagonal(i) + 1; k < pattern.end(i); ++k)
-                        for (int entry = 0; entry < 9; ++entry)
-                          *to++ = static_cast<float>(share * values[k].data()[entry]);
-                    }
-                  });
+  parallel_short_chunks(pattern.rows(), symmetric_rows_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            float* to = right.data() + 9 * own.begin(i);
+                            for (std::size_t k = pattern.diagonal(i) + 1; k < pattern.end(i); ++k)
+                              for (int entry = 0; entry < 9; ++entry)
+                                *to++ = static_cast<float>(share * values[k].data()[entry]);
+                          }
+                        });
 }
 
 void SymmetricRows::write(const SymmetricPattern& own, const BlockPattern& pattern, double scale,
@@ -54,19 +54,19 @@ void SymmetricRows::write(const SymmetricPattern& own, const BlockPattern& patte
 }
 
 void SymmetricRows::close(const SymmetricPattern& pattern) {
-  parallel_chunks(pattern.rows(), symmetric_rows_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    close_rows(pattern.blocks_of(right), first, last, diagonal.front().data());
-                  });
+  parallel_short_chunks(pattern.rows(), symmetric_rows_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          close_rows(pattern.blocks_of(right), first, last, diagonal.front().data());
+                        });
 }
 
 void multiply(const SymmetricPattern& pattern, const SymmetricRows& K, double scale, std::span<const Mat3> D,
               const double* x, double* y) {
   const SymmetricBlocks A = pattern.blocks_of(K.right);
-  parallel_chunks(pattern.rows(), symmetric_rows_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    multiply(A, first, last, scale, D[0].data(), x, y);
-                  });
+  parallel_short_chunks(pattern.rows(), symmetric_rows_per_chunk,
+                        [&](std::size_t first, std::size_t last, std::size_t) {
+                          multiply(A, first, last, scale, D[0].data(), x, y);
+                        });
 }
 
 }  // namespace prosector::soft

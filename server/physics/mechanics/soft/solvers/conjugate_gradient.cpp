@@ -19,11 +19,10 @@ constexpr int trusted_iterations = 100;
 /// Calls f(i) for all entries of vectors of n.
 template <class F>
 void for_entries(Eigen::Index n, const F& f) {
-  parallel_chunks(static_cast<std::size_t>(n), entries_per_chunk,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(last); ++i)
-                      f(i);
-                  });
+  parallel_short_chunks(
+      static_cast<std::size_t>(n), entries_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(last); ++i) f(i);
+      });
 }
 
 /// Dot products, summed chunk by chunk, with bitwise equal results for any number of threads.
@@ -31,12 +30,12 @@ class Dot {
  public:
   double operator()(const VecX& a, const VecX& b) {
     sums_.resize(chunk_count(static_cast<std::size_t>(a.size()), entries_per_chunk));
-    parallel_chunks(static_cast<std::size_t>(a.size()), entries_per_chunk,
-                    [&](std::size_t first, std::size_t last, std::size_t chunk) {
-                      const auto begin = static_cast<Eigen::Index>(first),
-                                 n = static_cast<Eigen::Index>(last - first);
-                      sums_[chunk] = a.segment(begin, n).dot(b.segment(begin, n));
-                    });
+    parallel_short_chunks(static_cast<std::size_t>(a.size()), entries_per_chunk,
+                          [&](std::size_t first, std::size_t last, std::size_t chunk) {
+                            const auto begin = static_cast<Eigen::Index>(first),
+                                       n = static_cast<Eigen::Index>(last - first);
+                            sums_[chunk] = a.segment(begin, n).dot(b.segment(begin, n));
+                          });
     return ordered_sum(sums_);
   }
 
