@@ -1,6 +1,7 @@
 #pragma once
 // Load of the last tick on the part of a soft surface that one part of a rigid body presses.
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -14,11 +15,26 @@ namespace prosector {
 class PressedPatch {
  public:
   /// Adds a contact's normal force (N) of the last tick, on the side of the soft body.
-  void add(const contact::ContactSide& side, double force);
+  void add(const contact::ContactSide& side, double force) {
+    force_ += force;
+    for (std::size_t k = 0; k < side.nodes; ++k) loads_.emplace_back(side.node[k], force * side.weight[k]);
+  }
 
   double force() const { return force_; }  // N
   /// Returns Σw² of the fractions w of the force that nodes took. 1 if there was no force.
-  double spread() const;
+  double spread() const {
+    if (!(force_ > 0)) return 1;
+    std::vector<std::pair<std::uint32_t, double>> sorted = loads_;
+    std::sort(sorted.begin(), sorted.end());
+    double sum = 0;
+    for (std::size_t i = 0; i < sorted.size();) {
+      double load = 0;
+      for (const std::uint32_t node = sorted[i].first; i < sorted.size() && sorted[i].first == node; ++i)
+        load += sorted[i].second;
+      sum += load * load;
+    }
+    return std::min(sum / (force_ * force_), 1.0);
+  }
 
  private:
   double force_ = 0;
